@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the command line and the course of every app.
+#pragma once
+
+#include <boost/program_options.hpp>
+
+#include "status.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/** \brief What the usage text says besides the options. */
+struct Usage {
+  std::string program;
+  std::string synopsis; /**< what follows the program's name on the first line */
+  std::string summary;  /**< what the program does, in a few lines */
+  std::string examples; /**< lines a newcomer can copy */
+};
+
+/** \brief How a run ended. */
+struct Outcome {
+  ExitCode code = DONE;
+  std::string reason; /**< one sentence for stderr unless the code is DONE */
+  Warnings notes;     /**< printed to stderr after success, unless quiet */
+
+  /** \brief BAD_INPUT with the message of a failed status. */
+  static Outcome
+  badInput(const Status& status)
+  {
+    return {BAD_INPUT, status.message(), {}};
+  }
+};
+
+using Arguments = boost::program_options::variables_map;
+
+/** \brief Options of one app; --help, --version and --quiet are there from the start.
+ */
+class CommandLine {
+public:
+  explicit CommandLine(Usage usage);
+
+  /** \brief To add options as Boost.Program_options does. */
+  boost::program_options::options_description_easy_init
+  addOptions()
+  {
+    return options_.add_options();
+  }
+
+  /** \brief A required argument without a dash; \a name in capitals. */
+  void
+  addPositional(const std::string& name);
+
+  /** \brief Parse the arguments; abbreviations and unknown options are refused. */
+  Status
+  parse(int argc, const char* const* argv, Arguments& arguments) const;
+
+  std::string
+  help() const;
+
+  const std::string&
+  program() const
+  {
+    return usage_.program;
+  }
+
+private:
+  Usage usage_;
+  boost::program_options::options_description options_;
+  boost::program_options::options_description hidden_;
+  boost::program_options::positional_options_description positional_;
+  std::vector<std::string> required_;
+};
+
+/** \brief Whole course of an app: parse, answer --help and --version, run \a body with
+ * signals caught and PCL's console silent, print its outcome, return the exit code.
+ * Running out of memory ends like bad input. */
+int
+runApp(const CommandLine& command_line,
+       int argc,
+       const char* const* argv,
+       const std::function<Outcome(const Arguments&)>& body);
+
+/** \brief Take a whole number from \a lowest to \a highest; the option has a default or
+ * \a value stays as it is. */
+Status
+takeCount(const Arguments& arguments,
+          const std::string& name,
+          long long lowest,
+          long long highest,
+          unsigned int& value);
+
+/** \brief Take a real number from \a lowest to \a highest. */
+Status
+takeReal(const Arguments& arguments,
+         const std::string& name,
+         double lowest,
+         double highest,
+         double& value);
+
+/** \brief An option with a real number whose default is shown in few digits. */
+boost::program_options::typed_value<double>*
+realValue(double default_value);
+
+/** \brief Take a text; empty if the option is not given. */
+std::string
+takeText(const Arguments& arguments, const std::string& name);
+
+/** \brief Fails when two of the given files are the same one; empty names are none. */
+Status
+checkDifferentFiles(const std::vector<std::string>& paths);
+
+} // namespace app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: makes a cloud out of one array per field.
+#include "cloud_assembler.h"
+
+#include "point_table.h"
+
+namespace app {
+namespace {
+
+/** Spread values of \a bytes each over the points, \a offset bytes into each. */
+void
+interleave(const std::uint8_t* values,
+           std::size_t bytes,
+           std::size_t offset,
+           pcl::PCLPointCloud2& cloud)
+{
+  std::uint8_t* target = cloud.data.data() + offset;
+  for (std::size_t i = 0; i < cloud.width; ++i) {
+    std::memcpy(target, values, bytes);
+    values += bytes;
+    target += cloud.point_step;
+  }
+}
+
+} // namespace
+
+void
+appendColour(FieldArray& colours, unsigned red, unsigned green, unsigned blue)
+{
+  colours.append(static_cast<std::uint32_t>(red << 16 | green << 8 | blue));
+}
+
+Status
+assembleCloud(const std::vector<float>& positions,
+              const std::vector<FieldArray>& arrays,
+              pcl::PCLPointCloud2& cloud)
+{
+  const ScalarType real = pcl::PCLPointField::FLOAT32;
+  const std::size_t points = positions.size() / 3;
+  std::vector<SourceColumn> columns{{"x", real, 1}, {"y", real, 1}, {"z", real, 1}};
+  std::vector<const FieldArray*> used;
+  for (const FieldArray& array : arrays) {
+    if (array.bytes.size() != points * array.count * scalarSize(array.type))
+      continue;
+    used.push_back(&array);
+    if (array.name == "normal" && array.count == 3)
+      for (const char* axis : {"normal_x", "normal_y", "normal_z"})
+        columns.push_back({axis, array.type, 1});
+    else
+      columns.push_back({array.name, array.type, array.count});
+  }
+  TablePlan plan;
+  Status status = planTable(columns, Naming::PCL, plan);
+  if (status.ok())
+    status = allocateCloud(plan, points, cloud);
+  if (!status.ok())
+    return status;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
+  interleave(bytes, 3 * sizeof(float), 0, cloud);
+  std::size_t slot = 3;
+  for (const FieldArray* array : used) {
+    const std::size_t size = array->count * scalarSize(array->type);
+    interleave(array->bytes.data(), size, plan.slots[slot].target_offset, cloud);
+    slot += array->count;
+  }
+  return {};
+}
+
+} // namespace app

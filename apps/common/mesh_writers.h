@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: meshes in the formats of other programs.
+#pragma once
+
+#include "model.h"
+#include "output_file.h"
+
+namespace app {
+
+/** \brief Binary little-endian PLY with all fields; colours as red, green, blue bytes
+ * and normals as nx, ny, nz, as PCL and MeshLab expect. A mesh without polygons and a
+ * cloud differ in nothing but an empty face element, left out for \a with_faces false.
+ * 64-bit whole numbers, which PLY does not know, become doubles (exact up to 2^53). */
+void
+writePly(const pcl::PolygonMesh& mesh,
+         const std::vector<FaceProperty>& properties,
+         bool with_faces,
+         OutputFile& file);
+
+/** \brief Legacy VTK, binary, with all fields; colours as COLOR_SCALARS "RGB". */
+void
+writeVtk(const pcl::PolygonMesh& mesh,
+         const std::vector<FaceProperty>& properties,
+         OutputFile& file);
+
+/** \brief Wavefront OBJ with colours and normals; other fields have no place there. */
+void
+writeObj(const pcl::PolygonMesh& mesh, OutputFile& file);
+
+/** \brief Binary STL: triangles only, no fields and no points without a triangle. */
+void
+writeStl(const pcl::PolygonMesh& mesh, OutputFile& file);
+
+} // namespace app

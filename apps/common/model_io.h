@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: reads and writes clouds and meshes by the ending of their
+// name.
+#pragma once
+
+#include "model.h"
+#include "output_file.h"
+
+namespace app {
+
+/** \brief Endings of names, for usage texts. */
+constexpr const char* cloud_endings = ".pcd .ply .obj .xyz (.txt .pts .csv)";
+constexpr const char* mesh_endings = ".ply .vtk .obj .stl .off";
+constexpr const char* mesh_output_endings = ".ply .vtk .obj .stl";
+constexpr const char* cloud_output_endings = ".pcd .ply .xyz";
+
+/** \brief Read the points of a file with all their fields; a mesh gives its vertices.
+ *
+ * Fails with one sentence for a file that cannot be opened, is a folder, is cut off or
+ * damaged, has an unknown ending or has no x, y, z; never takes more memory than a
+ * small multiple of the file's length. \a model is of no use then. */
+Status
+readCloud(const std::string& path, Model& model);
+
+/** \brief Read a mesh with all fields of its vertices. Polygons are kept as they are; a
+ * corner out of range fails. A file without faces gives a mesh without polygons. */
+Status
+readMesh(const std::string& path, Model& model);
+
+/** \brief Whether \a path ends like a format for meshes (for input). */
+bool
+isMeshInput(const std::string& path);
+
+/** \brief Fails when \a path has no ending of a mesh to write, or cannot be written. */
+Status
+checkMeshOutput(const std::string& path);
+
+/** \brief Fails when \a path has no ending of a cloud to write, or cannot be written.
+ */
+Status
+checkCloudOutput(const std::string& path);
+
+/** \brief Whether \a path ends like a cloud, or like a mesh, that can be written. */
+bool
+isCloudOutput(const std::string& path);
+bool
+isMeshOutput(const std::string& path);
+
+/** \brief Whether the format of \a path can hold points without a triangle (STL
+ * cannot). */
+bool
+holdsFreePoints(const std::string& path);
+
+/** \brief Write \a mesh into the file opened for \a path, in the format of its ending.
+ * Nothing has its name before OutputFile::commit(). \a warnings gets what the format
+ * cannot hold. */
+void
+writeMesh(const std::string& path,
+          const pcl::PolygonMesh& mesh,
+          const std::vector<FaceProperty>& properties,
+          OutputFile& file,
+          Warnings& warnings);
+
+/** \brief The same for the points alone. */
+void
+writeCloud(const std::string& path,
+           const pcl::PCLPointCloud2& cloud,
+           const Viewpoint& viewpoint,
+           OutputFile& file);
+
+} // namespace app

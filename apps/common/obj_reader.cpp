@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: reads Wavefront OBJ.
+#include "obj_reader.h"
+
+#include "cloud_assembler.h"
+#include "polygon_builder.h"
+#include "text_scanner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+/** A colour part from 0 to 1 as a byte. */
+unsigned
+toByte(float part)
+{
+  return part > 0 ? static_cast<unsigned>(std::lround(std::min(part, 1.0F) * 255)) : 0;
+}
+
+class ObjParser {
+public:
+  explicit ObjParser(Model& model) : model_(model), polygons_(model.mesh.polygons) {}
+
+  Status
+  run(const InputFile& file)
+  {
+    TextScanner scanner(file.begin(), file.end());
+    std::string_view line;
+    for (std::size_t number = 1; scanner.nextLine(line); ++number)
+      if (!readLine(line))
+        return Status::error("line " + std::to_string(number) +
+                             " is not what OBJ allows there");
+    if (positions_.empty())
+      return Status::error("it holds no vertices");
+    return finish();
+  }
+
+private:
+  bool
+  readLine(std::string_view line)
+  {
+    TextScanner words(line.data(), line.data() + line.size());
+    std::string_view keyword;
+    if (!words.nextWord(keyword))
+      return true;
+    if (keyword == "v")
+      return readVertex(words);
+    if (keyword == "vn")
+      return readVector(words, normals_);
+    if (keyword == "f")
+      return readFace(words);
+    has_texture_ = has_texture_ || keyword == "vt";
+    // Garbage has to be told from the many keywords that do not matter here.
+    const auto is_word = [](char c) { return c >= ' ' && c <= '~'; };
+    return keyword.front() == '#' ||
+           std::all_of(keyword.begin(), keyword.end(), is_word);
+  }
+
+  static bool
+  readVector(TextScanner& words, std::vector<float>& vectors)
+  {
+    std::string_view word;
+    for (int axis = 0; axis < 3; ++axis) {
+      float value = 0;
+      if (!words.nextWord(word) || !parseNumber(word, value))
+        return false;
+      vectors.push_back(value);
+    }
+    return true;
+  }
+
+  /** "v x y z", "v x y z w", "v x y z r g b" */
+  bool
+  readVertex(TextScanner& words)
+  {
+    if (!readVector(words, positions_))
+      return false;
+    std::vector<float> rest;
+    std::string_view word;
+    while (words.nextWord(word)) {
+      float value = 0;
+      if (!parseNumber(word, value))
+        return false;
+      rest.push_back(value);
+    }
+    if (rest.size() >= 3)
+      appendColour(colours_, toByte(rest[0]), toByte(rest[1]), toByte(rest[2]));
+    return true;
+  }
+
+  /** OBJ counts from 1, or backwards from the last one with negative numbers. */
+  static bool
+  parseIndex(std::string_view word, std::size_t count, std::int64_t& index)
+  {
+    if (!parseNumber(word, index) || index == 0)
+      return false;
+    index = index > 0 ? index - 1 : index + static_cast<std::int64_t>(count);
+    return index >= 0;
+  }
+
+  bool
+  readFace(TextScanner& words)
+  {
+    std::string_view word;
+    corners_.clear();
+    while (words.nextWord(word)) {
+      const std::size_t slash = word.find('/');
+      std::int64_t corner = 0;
+      if (!parseIndex(word.substr(0, slash), positions_.size() / 3, corner))
+        return false;
+      corners_.push_back(corner);
+      const std::size_t last = word.rfind('/');
+      const bool has_normal = last != slash && last + 1 < word.size();
+      std::int64_t normal = 0;
+      if (has_normal && !parseIndex(word.substr(last + 1), normals_.size() / 3, normal))
+        return false;
+      if (has_normal)
+        normal_of_corner_.emplace_back(corner, normal);
+    }
+    polygons_.addPolygon(corners_);
+    return true;
+  }
+
+  /** The normal of each vertex: the one its first corner names; where no face names
+   * any, the normal of the same number. Empty if some vertex has none. */
+  std::vector<float>
+  vertexNormals() const
+  {
+    const std::size_t vertices = positions_.size() / 3;
+    const std::size_t normals = normals_.size() / 3;
+    std::vector<std::size_t> chosen(vertices, normals);
+    if (normals == vertices)
+      for (std::size_t i = 0; i < vertices; ++i)
+        chosen[i] = i;
+    for (auto named = normal_of_corner_.rbegin(); named != normal_of_corner_.rend();
+         ++named)
+      if (static_cast<std::size_t>(named->first) < vertices)
+        chosen[static_cast<std::size_t>(named->first)] =
+            static_cast<std::size_t>(named->second);
+    std::vector<float> result;
+    for (const std::size_t normal : chosen) {
+      if (normal >= normals)
+        return {};
+      const auto first = normals_.begin() + static_cast<std::ptrdiff_t>(3 * normal);
+      result.insert(result.end(), first, first + 3);
+    }
+    return result;
+  }
+
+  Status
+  finish()
+  {
+    FieldArray normals{"normal", pcl::PCLPointField::FLOAT32, 3, {}};
+    if (!normals_.empty())
+      for (const float value : vertexNormals())
+        normals.append(value);
+    if (!normals_.empty() && normals.bytes.empty())
+      model_.warnings.push_back("the normals are not taken over: some vertex has none");
+    if (has_texture_)
+      model_.warnings.push_back("texture coordinates are not taken over");
+    std::vector<FieldArray> arrays;
+    if (!normals.bytes.empty())
+      arrays.push_back(std::move(normals));
+    if (!colours_.bytes.empty())
+      arrays.push_back(std::move(colours_));
+    const Status status = polygons_.finish(model_.warnings);
+    return status.ok() ? assembleCloud(positions_, arrays, model_.mesh.cloud) : status;
+  }
+
+  Model& model_;
+  PolygonBuilder polygons_;
+  std::vector<float> positions_;
+  std::vector<float> normals_;
+  FieldArray colours_{"rgb", pcl::PCLPointField::FLOAT32, 1, {}};
+  std::vector<std::int64_t> corners_;
+  std::vector<std::pair<std::int64_t, std::int64_t>> normal_of_corner_;
+  bool has_texture_ = false;
+};
+
+} // namespace
+
+Status
+readObj(const InputFile& file, Model& model)
+{
+  return ObjParser(model).run(file);
+}
+
+} // namespace app

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: reads PLY, ASCII and binary of both byte orders.
+#include "ply_reader.h"
+
+#include "ply_header.h"
+#include "point_table.h"
+#include "polygon_builder.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+/** Takes single numbers out of the data, whatever their form. */
+class ValueReader {
+public:
+  ValueReader(TextScanner& scanner, PlyFormat format)
+  : scanner_(scanner)
+  , is_text_(format == PlyFormat::ASCII)
+  , swapped_(format == PlyFormat::BINARY_BIG)
+  {}
+
+  template <typename T>
+  bool
+  read(ScalarType type, T& value)
+  {
+    if (is_text_) {
+      std::string_view word;
+      return scanner_.nextWord(word) && parseNumber(word, value);
+    }
+    const std::size_t bytes = scalarSize(type);
+    if (scanner_.remaining() < bytes)
+      return false;
+    value = loadScalarAs<T>(scanner_.position(), type, swapped_);
+    scanner_.skip(bytes);
+    return true;
+  }
+
+  bool
+  skip(ScalarType type, std::size_t count)
+  {
+    if (!is_text_) {
+      const std::size_t bytes = scalarSize(type);
+      if (count > scanner_.remaining() / bytes)
+        return false;
+      scanner_.skip(count * bytes);
+      return true;
+    }
+    std::string_view word;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!scanner_.nextWord(word))
+        return false;
+    return true;
+  }
+
+  /** Length of a list; lists longer than the rest of the file are refused. */
+  bool
+  readCount(const PlyProperty& property, std::size_t& count)
+  {
+    std::int64_t value = 0;
+    if (!read(property.count_type, value) || value < 0)
+      return false;
+    const std::size_t bytes = is_text_ ? 1 : scalarSize(property.type);
+    count = static_cast<std::size_t>(value);
+    return count <= scanner_.remaining() / bytes;
+  }
+
+  bool
+  skipProperty(const PlyProperty& property)
+  {
+    std::size_t count = 1;
+    if (property.isList() && !readCount(property, count))
+      return false;
+    return skip(property.type, count);
+  }
+
+private:
+  TextScanner& scanner_;
+  bool is_text_;
+  bool swapped_;
+};
+
+class PlyParser {
+public:
+  PlyParser(const InputFile& file, Contents contents, Model& model)
+  : scanner_(file.begin(), file.end()), contents_(contents), model_(model)
+  {}
+
+  Status
+  run()
+  {
+    Status status = readPlyHeader(scanner_, header_);
+    bool has_vertices = false;
+    for (const PlyElement& element : header_.elements) {
+      if (!status.ok())
+        return status;
+      const bool wants_more = !has_vertices || contents_ != Contents::POINTS;
+      if (wants_more)
+        status = readElement(element);
+      has_vertices = has_vertices || element.name == "vertex";
+    }
+    if (status.ok() && !has_vertices)
+      return Status::error("it has no vertices");
+    return status;
+  }
+
+private:
+  Status
+  readElement(const PlyElement& element)
+  {
+    if (element.name == "vertex")
+      return readVertices(element);
+    if (element.name == "camera" && element.rows == 1)
+      return readCamera(element);
+    const bool wants_faces = contents_ == Contents::POINTS_AND_POLYGONS;
+    if (wants_faces && (element.name == "face" || element.name == "tristrips"))
+      return readFaces(element);
+    return skipElement(element);
+  }
+
+  Status
+  truncated(const PlyElement& element, std::size_t row) const
+  {
+    return Status::error("its " + element.name + " " + std::to_string(row) + " of " +
+                         std::to_string(element.rows) + " is damaged or cut off");
+  }
+
+  Status
+  skipElement(const PlyElement& element)
+  {
+    ValueReader values(scanner_, header_.format);
+    // Rows without properties take no bytes: nothing to step over, however many.
+    const std::size_t rows = element.properties.empty() ? 0 : element.rows;
+    for (std::size_t row = 0; row < rows; ++row)
+      for (const PlyProperty& property : element.properties)
+        if (!values.skipProperty(property))
+          return truncated(element, row);
+    return {};
+  }
+
+  Status
+  readVertices(const PlyElement& element)
+  {
+    std::vector<SourceColumn> columns;
+    bool has_list = false;
+    for (const PlyProperty& property : element.properties) {
+      has_list = has_list || property.isList();
+      columns.push_back({property.name, property.type, 1});
+    }
+    if (has_list)
+      return Status::error("its vertices have list properties, which a point cloud "
+                           "cannot hold");
+    TablePlan plan;
+    Status status = planTable(columns, Naming::PLY, plan);
+    pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
+    if (status.ok())
+      status = allocateCloud(plan, element.rows, cloud);
+    if (!status.ok())
+      return status;
+    if (header_.format == PlyFormat::ASCII)
+      return decodeText(plan, scanner_, cloud);
+    if (element.rows > scanner_.remaining() / plan.source_stride)
+      return truncated(element, scanner_.remaining() / plan.source_stride);
+    decodeBinary(
+        plan, scanner_.position(), header_.format == PlyFormat::BINARY_BIG, cloud);
+    scanner_.skip(element.rows * plan.source_stride);
+    return {};
+  }
+
+  /** PCL writes the sensor's place as an element of its own. */
+  Status
+  readCamera(const PlyElement& element)
+  {
+    ValueReader values(scanner_, header_.format);
+    Eigen::Vector3f& at = model_.viewpoint.position;
+    int found = 0;
+    for (const PlyProperty& property : element.properties) {
+      float value = 0;
+      if (property.isList() ? !values.skipProperty(property)
+                            : !values.read(property.type, value))
+        return truncated(element, 0);
+      for (int axis = 0; axis < 3; ++axis)
+        if (property.name == std::string("view_p") + "xyz"[axis]) {
+          at[axis] = value;
+          ++found;
+        }
+    }
+    // PCL writes the origin when it knows no better.
+    model_.viewpoint.known = found == 3 && at.allFinite() && !at.isZero(0);
+    return {};
+  }
+
+  static bool
+  isIndexList(const PlyProperty& property)
+  {
+    const bool is_real = property.type == pcl::PCLPointField::FLOAT32 ||
+                         property.type == pcl::PCLPointField::FLOAT64;
+    return property.isList() && !is_real &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  void
+  warnAboutFaceProperties(const PlyElement& element)
+  {
+    std::string names;
+    for (const PlyProperty& property : element.properties)
+      if (!isIndexList(property))
+        names += (names.empty() ? "" : ", ") + property.name;
+    if (!names.empty())
+      model_.warnings.push_back("the faces' properties (" + names +
+                                ") are not taken over");
+  }
+
+  Status
+  readFaces(const PlyElement& element)
+  {
+    const auto& properties = element.properties;
+    if (element.rows > 0 &&
+        std::none_of(properties.begin(), properties.end(), isIndexList))
+      return Status::error("its faces have no list of vertex indices");
+    warnAboutFaceProperties(element);
+    ValueReader values(scanner_, header_.format);
+    PolygonBuilder builder(model_.mesh.polygons);
+    builder.reserve(element.rows);
+    std::vector<std::int64_t> corners;
+    for (std::size_t row = 0; row < element.rows; ++row) {
+      if (!readFace(properties, values, corners))
+        return truncated(element, row);
+      if (element.name == "face")
+        builder.addPolygon(corners);
+      else
+        builder.addStrip(corners);
+    }
+    return builder.finish(model_.warnings);
+  }
+
+  static bool
+  readFace(const std::vector<PlyProperty>& properties,
+           ValueReader& values,
+           std::vector<std::int64_t>& corners)
+  {
+    for (const PlyProperty& property : properties) {
+      if (!isIndexList(property)) {
+        if (!values.skipProperty(property))
+          return false;
+        continue;
+      }
+      std::size_t count = 0;
+      if (!values.readCount(property, count))
+        return false;
+      corners.resize(count);
+      for (std::int64_t& corner : corners)
+        if (!values.read(property.type, corner))
+          return false;
+    }
+    return true;
+  }
+
+  TextScanner scanner_;
+  Contents contents_;
+  Model& model_;
+  PlyHeader header_;
+};
+
+} // namespace
+
+Status
+readPly(const InputFile& file, Contents contents, Model& model)
+{
+  return PlyParser(file, contents, model).run();
+}
+
+} // namespace app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: collects polygons whose indices come from a file.
+#include "polygon_builder.h"
+
+#include <limits>
+
+namespace app {
+
+void
+PolygonBuilder::addPolygon(const std::vector<std::int64_t>& corners)
+{
+  if (corners.size() < 3) {
+    ++short_faces_;
+    return;
+  }
+  pcl::Vertices polygon;
+  polygon.vertices.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::int64_t corner = corners[i];
+    if (corner < 0 || corner > std::numeric_limits<pcl::index_t>::max()) {
+      has_bad_index_ = true;
+      bad_index_ = corner;
+      return;
+    }
+    polygon.vertices[i] = static_cast<pcl::index_t>(corner);
+  }
+  polygons_.push_back(std::move(polygon));
+}
+
+void
+PolygonBuilder::addStrip(const std::vector<std::int64_t>& corners)
+{
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i] == -1)
+      start = i + 1;
+    if (corners[i] == -1 || i < start + 2)
+      continue;
+    const bool odd = (i - start) % 2 == 1;
+    addPolygon(
+        {corners[odd ? i - 1 : i - 2], corners[odd ? i - 2 : i - 1], corners[i]});
+  }
+}
+
+Status
+PolygonBuilder::finish(Warnings& warnings) const
+{
+  if (has_bad_index_)
+    return Status::error("a face refers to vertex " + std::to_string(bad_index_) +
+                         ", which does not exist");
+  if (short_faces_ > 0)
+    warnings.push_back(std::to_string(short_faces_) +
+                       " faces with fewer than three corners are left out");
+  return {};
+}
+
+Status
+checkPolygonIndices(const std::vector<pcl::Vertices>& polygons, std::size_t vertices)
+{
+  for (const pcl::Vertices& polygon : polygons)
+    for (const pcl::index_t corner : polygon.vertices)
+      if (corner < 0 || static_cast<std::size_t>(corner) >= vertices)
+        return Status::error("a face refers to vertex " + std::to_string(corner) +
+                             ", but there are only " + std::to_string(vertices));
+  return {};
+}
+
+} // namespace app

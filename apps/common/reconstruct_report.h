@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what pcl_ccaa_reconstruct tells about a run.
+#pragma once
+
+#include "reconstruct_run.h"
+#include <nlohmann/json_fwd.hpp>
+
+namespace app {
+
+/** \brief The JSON report; its keys are explained in doc/apps.md. */
+nlohmann::json
+describeRun(const ReconstructSettings& settings,
+            const ReconstructResult& result,
+            const Warnings& warnings);
+
+/** \brief The same in one line. */
+std::string
+summarizeRun(const ReconstructSettings& settings, const ReconstructResult& result);
+
+} // namespace app

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: reads STL.
+#include "stl_reader.h"
+
+#include "cloud_assembler.h"
+#include "polygon_builder.h"
+#include "text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+namespace app {
+namespace {
+
+constexpr std::size_t header_bytes = 84;
+constexpr std::size_t facet_bytes = 50;
+
+using Corner = std::array<float, 3>;
+
+struct CornerHash {
+  std::size_t
+  operator()(const Corner& corner) const
+  {
+    std::uint64_t hash = 0;
+    for (const float value : corner) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+      hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+/** Gives corners at the same position the same index. */
+class CornerMerger {
+public:
+  std::int64_t
+  indexOf(Corner corner)
+  {
+    for (float& value : corner)
+      value += 0.0F; // -0 and 0 are the same place
+    const auto next = static_cast<std::int64_t>(positions_.size() / 3);
+    const auto [entry, is_new] = index_.try_emplace(corner, next);
+    if (is_new)
+      positions_.insert(positions_.end(), corner.begin(), corner.end());
+    return entry->second;
+  }
+
+  const std::vector<float>&
+  positions() const
+  {
+    return positions_;
+  }
+
+private:
+  std::vector<float> positions_;
+  std::unordered_map<Corner, std::int64_t, CornerHash> index_;
+};
+
+Status
+readBinary(const InputFile& file,
+           std::size_t facets,
+           CornerMerger& merger,
+           Model& model)
+{
+  PolygonBuilder builder(model.mesh.polygons);
+  builder.reserve(facets);
+  std::vector<std::int64_t> corners(3);
+  const char* facet = file.begin() + header_bytes;
+  for (std::size_t i = 0; i < facets; ++i, facet += facet_bytes) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const char* at = facet + 12 * (c + 1);
+      corners[c] = merger.indexOf({loadScalar<float>(at, false),
+                                   loadScalar<float>(at + 4, false),
+                                   loadScalar<float>(at + 8, false)});
+    }
+    builder.addPolygon(corners);
+  }
+  return builder.finish(model.warnings);
+}
+
+Status
+readAscii(const InputFile& file, CornerMerger& merger, Model& model)
+{
+  TextScanner scanner(file.begin(), file.end());
+  PolygonBuilder builder(model.mesh.polygons);
+  std::vector<std::int64_t> corners;
+  std::string_view word;
+  std::string_view line;
+  scanner.nextLine(line); // "solid" and a name of any kind
+  bool is_closed = false;
+  while (scanner.nextWord(word)) {
+    is_closed = word == "endsolid";
+    if (is_closed || word == "solid")
+      scanner.nextLine(line);
+    if (word == "vertex") {
+      Corner corner{};
+      for (float& value : corner)
+        if (!scanner.nextWord(word) || !parseNumber(word, value))
+          return Status::error("a vertex behind its facet " +
+                               std::to_string(model.mesh.polygons.size()) +
+                               " is damaged or cut off");
+      corners.push_back(merger.indexOf(corner));
+    }
+    if (word == "endloop") {
+      builder.addPolygon(corners);
+      corners.clear();
+    }
+  }
+  if (!is_closed)
+    return Status::error("it has no 'endsolid' (truncated?)");
+  return builder.finish(model.warnings);
+}
+
+} // namespace
+
+Status
+readStl(const InputFile& file, Model& model)
+{
+  CornerMerger merger;
+  Status status;
+  const std::string_view start(file.begin(), std::min<std::size_t>(file.size(), 5));
+  std::size_t facets = 0;
+  if (file.size() >= header_bytes)
+    facets = loadScalar<std::uint32_t>(file.begin() + 80, false);
+  // Many binary files begin with "solid", too, and some have a tail; the length tells.
+  const std::size_t body = file.size() < header_bytes ? 0 : file.size() - header_bytes;
+  const bool is_exact = file.size() >= header_bytes && body == facets * facet_bytes;
+  const bool has_tail = start != "solid" && facets > 0 && body > facets * facet_bytes;
+  const bool is_binary = is_exact || has_tail;
+  if (is_binary)
+    status = readBinary(file, facets, merger, model);
+  else if (start == "solid")
+    status = readAscii(file, merger, model);
+  else
+    status = Status::error("it is neither ASCII STL nor as long as the header of "
+                           "binary STL announces (truncated?)");
+  if (!status.ok())
+    return status;
+  return assembleCloud(merger.positions(), {}, model.mesh.cloud);
+}
+
+} // namespace app

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: writes legacy binary VTK with all fields.
+#include "mesh_writers.h"
+#include "point_columns.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using Field = pcl::PCLPointField;
+
+const char*
+vtkTypeName(ScalarType type)
+{
+  switch (type) {
+  case Field::INT8:
+    return "char";
+  case Field::BOOL:
+  case Field::UINT8:
+    return "unsigned_char";
+  case Field::INT16:
+    return "short";
+  case Field::UINT16:
+    return "unsigned_short";
+  case Field::INT32:
+    return "int";
+  case Field::UINT32:
+    return "unsigned_int";
+  case Field::INT64:
+    return "vtktypeint64";
+  case Field::UINT64:
+    return "vtktypeuint64";
+  case Field::FLOAT32:
+    return "float";
+  default:
+    return "double";
+  }
+}
+
+/** One column of all points, in VTK's byte order. */
+void
+writeColumn(const pcl::PCLPointCloud2& cloud,
+            std::size_t offset,
+            std::size_t count,
+            ScalarType type,
+            OutputFile& file)
+{
+  const std::size_t points = pointCount(cloud);
+  visitScalar(type, [&](auto tag) {
+    using T = typename decltype(tag)::type;
+    for (std::size_t i = 0; i < points; ++i)
+      for (std::size_t k = 0; k < count; ++k)
+        file.bigEndian(
+            loadScalar<T>(pointAt(cloud, i) + offset + k * sizeof(T), false));
+  });
+  file.text("\n");
+}
+
+void
+writePositions(const pcl::PCLPointCloud2& cloud, OutputFile& file)
+{
+  file.text("POINTS " + std::to_string(pointCount(cloud)) + " float\n");
+  for (const Eigen::Vector3f& position : readPositions(cloud))
+    for (int axis = 0; axis < 3; ++axis)
+      file.bigEndian(position[axis]);
+  file.text("\n");
+}
+
+void
+writePolygons(const pcl::PolygonMesh& mesh, OutputFile& file)
+{
+  std::size_t size = 0;
+  for (const auto& polygon : mesh.polygons)
+    size += polygon.vertices.size() + 1;
+  file.text("POLYGONS " + std::to_string(mesh.polygons.size()) + " " +
+            std::to_string(size) + "\n");
+  for (const auto& polygon : mesh.polygons) {
+    file.bigEndian(static_cast<std::int32_t>(polygon.vertices.size()));
+    for (const pcl::index_t corner : polygon.vertices)
+      file.bigEndian(static_cast<std::int32_t>(corner));
+  }
+  file.text("\n");
+}
+
+void
+writeColours(const pcl::PCLPointCloud2& cloud, std::size_t offset, OutputFile& file)
+{
+  file.text("COLOR_SCALARS RGB 3\n"); // the name PCL looks for
+  const std::size_t points = pointCount(cloud);
+  for (std::size_t i = 0; i < points; ++i)
+    for (std::size_t byte = 3; byte-- > 0;)
+      file.write(pointAt(cloud, i) + offset + byte, 1);
+  file.text("\n");
+}
+
+/** Fields that have no section of their own in VTK. */
+std::vector<Field>
+otherFields(const pcl::PCLPointCloud2& cloud, bool has_colour, bool has_normal)
+{
+  std::vector<Field> others;
+  for (const Field& field : cloud.fields) {
+    const std::string& name = field.name;
+    const bool is_position = name == "x" || name == "y" || name == "z";
+    const bool is_colour = has_colour && (name == "rgb" || name == "rgba");
+    const bool is_normal = has_normal && name.substr(0, 7) == "normal_" &&
+                           name.size() == 8 && name[7] >= 'x' && name[7] <= 'z';
+    if (!is_position && !is_colour && !is_normal && name != "_" &&
+        scalarSize(field.datatype) > 0)
+      others.push_back(field);
+  }
+  return others;
+}
+
+void
+writePointData(const pcl::PCLPointCloud2& cloud, OutputFile& file)
+{
+  std::size_t colour = 0;
+  std::size_t normal = 0;
+  const bool has_colour = findColour(cloud, colour);
+  const bool has_normal = findNormal(cloud, normal);
+  const std::vector<Field> others = otherFields(cloud, has_colour, has_normal);
+  if (!has_colour && !has_normal && others.empty())
+    return;
+  file.text("POINT_DATA " + std::to_string(pointCount(cloud)) + "\n");
+  if (has_colour)
+    writeColours(cloud, colour, file);
+  if (has_normal) {
+    file.text("NORMALS normal float\n");
+    writeColumn(cloud, normal, 3, Field::FLOAT32, file);
+  }
+  if (others.empty())
+    return;
+  file.text("FIELD fields " + std::to_string(others.size()) + "\n");
+  for (Field field : others) {
+    std::replace(field.name.begin(), field.name.end(), ' ', '_');
+    const std::size_t count = field.count == 0 ? 1 : field.count;
+    file.text(field.name + " " + std::to_string(count) + " " +
+              std::to_string(pointCount(cloud)) + " " + vtkTypeName(field.datatype) +
+              "\n");
+    writeColumn(cloud, field.offset, count, field.datatype, file);
+  }
+}
+
+} // namespace
+
+void
+writeVtk(const pcl::PolygonMesh& mesh,
+         const std::vector<FaceProperty>& properties,
+         OutputFile& file)
+{
+  file.text("# vtk DataFile Version 3.0\nPclSurfaceRepair\nBINARY\nDATASET POLYDATA\n");
+  writePositions(mesh.cloud, file);
+  writePolygons(mesh, file);
+  if (!properties.empty())
+    file.text("CELL_DATA " + std::to_string(mesh.polygons.size()) + "\n");
+  for (const FaceProperty& property : properties) {
+    file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
+    for (const std::int32_t value : property.values)
+      file.bigEndian(value);
+    file.text("\n");
+  }
+  writePointData(mesh.cloud, file);
+}
+
+} // namespace app

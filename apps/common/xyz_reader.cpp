@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: reads points from plain text, a line each.
+#include "xyz_reader.h"
+
+#include "point_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app {
+namespace {
+
+using Field = pcl::PCLPointField;
+using Words = std::vector<std::string_view>;
+
+bool
+isSeparator(char c)
+{
+  return c == ',' || c == ';' || TextScanner::isSpace(c);
+}
+
+void
+splitLine(std::string_view line, Words& words)
+{
+  words.clear();
+  std::size_t at = 0;
+  while (at < line.size()) {
+    if (isSeparator(line[at])) {
+      ++at;
+      continue;
+    }
+    const std::size_t first = at;
+    while (at < line.size() && !isSeparator(line[at]))
+      ++at;
+    words.push_back(line.substr(first, at - first));
+  }
+}
+
+/** The comment sign cut off; \return whether there was one. */
+bool
+stripComment(std::string_view& line)
+{
+  while (!line.empty() && TextScanner::isSpace(line.front()))
+    line.remove_prefix(1);
+  const bool hash = line.substr(0, 1) == "#";
+  const bool slashes = line.substr(0, 2) == "//";
+  line.remove_prefix(hash ? 1 : slashes ? 2 : 0);
+  return hash || slashes;
+}
+
+/** What the numbers of one column have been like. */
+struct ColumnRange {
+  bool is_whole = true;
+  double lowest = 0;
+  double highest = 0;
+
+  void
+  add(double value)
+  {
+    is_whole = is_whole && value == std::trunc(value);
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  bool
+  isByte() const
+  {
+    return is_whole && lowest >= 0 && highest <= 255;
+  }
+  bool
+  isInt() const
+  {
+    return is_whole && lowest >= -2147483648.0 && highest <= 2147483647.0;
+  }
+};
+
+/** First pass: how many points, how many columns, and what is in them. */
+struct Survey {
+  std::size_t points = 0;
+  std::vector<std::string> heading;
+  std::vector<ColumnRange> columns;
+  std::size_t skipped_lines = 0; /**< heading and count at the beginning */
+};
+
+std::string
+headingName(std::string_view word)
+{
+  std::string name(word);
+  name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+  std::string lower = name;
+  for (char& c : lower)
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (lower == "r")
+    return "red";
+  if (lower == "g")
+    return "green";
+  if (lower == "b")
+    return "blue";
+  const bool is_usual = lower.size() == 1 || lower == "nx" || lower == "ny" ||
+                        lower == "nz" || lower == "red" || lower == "green" ||
+                        lower == "blue" || lower == "intensity";
+  return is_usual ? lower : name;
+}
+
+void
+takeHeading(const Words& words, Survey& survey)
+{
+  std::vector<std::string> names;
+  for (const std::string_view word : words)
+    names.push_back(headingName(word));
+  if (names.size() >= 3 && names[0] == "x" && names[1] == "y" && names[2] == "z")
+    survey.heading = names;
+}
+
+Status
+badLine(std::size_t number, const std::string& what)
+{
+  return Status::error("line " + std::to_string(number) + " " + what);
+}
+
+Status
+surveyPoint(const Words& words, std::size_t line_number, Survey& survey)
+{
+  if (survey.points == 0)
+    survey.columns.resize(words.size());
+  if (words.size() < 3)
+    return badLine(line_number, "has fewer than three numbers");
+  if (words.size() != survey.columns.size())
+    return badLine(line_number,
+                   "has " + std::to_string(words.size()) +
+                       " numbers where the first has " +
+                       std::to_string(survey.columns.size()));
+  for (std::size_t i = 3; i < words.size(); ++i) {
+    double value = 0;
+    if (!parseNumber(words[i], value))
+      return badLine(line_number,
+                     "has '" + std::string(words[i].substr(0, 40)) +
+                         "' where a number should be");
+    survey.columns[i].add(value);
+  }
+  ++survey.points;
+  return {};
+}
+
+/** A heading without comment sign, or the count of a .pts file. */
+bool
+isPreamble(const Words& words, Survey& survey)
+{
+  double number = 0;
+  const bool is_count = words.size() == 1 && parseNumber(words[0], number);
+  const bool is_heading = words.size() >= 3 && !parseNumber(words[0], number);
+  if (is_heading)
+    takeHeading(words, survey);
+  return is_count || (is_heading && !survey.heading.empty());
+}
+
+Status
+surveyFile(const InputFile& file, Survey& survey)
+{
+  TextScanner scanner(file.begin(), file.end());
+  std::string_view line;
+  Words words;
+  for (std::size_t number = 1; scanner.nextLine(line); ++number) {
+    const bool is_comment = stripComment(line);
+    if (is_comment && survey.points > 0)
+      continue;
+    splitLine(line, words);
+    if (is_comment)
+      takeHeading(words, survey);
+    if (is_comment || words.empty())
+      continue;
+    if (survey.points == 0 && survey.skipped_lines < 2 && isPreamble(words, survey)) {
+      ++survey.skipped_lines;
+      continue;
+    }
+    const Status status = surveyPoint(words, number, survey);
+    if (!status.ok())
+      return status;
+  }
+  return survey.points > 0 ? Status() : Status::error("it holds no points");
+}
+
+bool
+areBytes(const Survey& survey, std::size_t first)
+{
+  return survey.columns[first].isByte() && survey.columns[first + 1].isByte() &&
+         survey.columns[first + 2].isByte();
+}
+
+std::vector<std::string>
+guessNames(const Survey& survey)
+{
+  const std::size_t count = survey.columns.size();
+  std::vector<std::string> names{"x", "y", "z"};
+  for (std::size_t i = 3; i < count; ++i)
+    names.push_back("field_" + std::to_string(i + 1));
+  const bool has_colour = (count == 6 || count == 7) && areBytes(survey, count - 3);
+  if (has_colour)
+    std::copy_n(
+        std::array<const char*, 3>{"red", "green", "blue"}.begin(), 3, names.end() - 3);
+  else if (count == 6)
+    std::copy_n(
+        std::array<const char*, 3>{"nx", "ny", "nz"}.begin(), 3, names.end() - 3);
+  if (count == 4 || (count == 7 && has_colour))
+    names[3] = "intensity";
+  return names;
+}
+
+ScalarType
+columnType(const std::string& name, const ColumnRange& range)
+{
+  if (name == "red" || name == "green" || name == "blue")
+    return range.isByte() ? Field::UINT8 : Field::FLOAT32;
+  const bool is_usual = name.size() == 1 || name == "nx" || name == "ny" ||
+                        name == "nz" || name == "intensity" || name == "curvature";
+  if (is_usual)
+    return Field::FLOAT32;
+  return range.isInt() ? Field::INT32 : Field::FLOAT64;
+}
+
+/** Second pass: the numbers themselves. */
+Status
+readPoints(const InputFile& file,
+           const Survey& survey,
+           const TablePlan& plan,
+           pcl::PCLPointCloud2& cloud)
+{
+  TextScanner scanner(file.begin(), file.end());
+  std::string_view line;
+  Words words;
+  std::size_t to_skip = survey.skipped_lines;
+  std::uint8_t* point = cloud.data.data();
+  for (std::size_t number = 1; scanner.nextLine(line); ++number) {
+    if (stripComment(line))
+      continue;
+    splitLine(line, words);
+    if (words.empty() || to_skip > 0) {
+      to_skip -= words.empty() ? 0 : 1;
+      continue;
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const Slot& slot = plan.slots[i];
+      if (!decodeWord(words[i], slot.target_type, point + slot.target_offset))
+        return badLine(number,
+                       "has '" + std::string(words[i].substr(0, 40)) +
+                           "' where a number should be");
+    }
+    point += plan.point_step;
+  }
+  return {};
+}
+
+} // namespace
+
+Status
+readXyz(const InputFile& file, Model& model)
+{
+  Survey survey;
+  Status status = surveyFile(file, survey);
+  if (!status.ok())
+    return status;
+  const bool is_named = survey.heading.size() == survey.columns.size();
+  const auto names = is_named ? survey.heading : guessNames(survey);
+  std::vector<SourceColumn> columns;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    columns.push_back({names[i], columnType(names[i], survey.columns[i]), 1});
+  TablePlan plan;
+  status = planTable(columns, Naming::PLY, plan);
+  if (status.ok())
+    status = allocateCloud(plan, survey.points, model.mesh.cloud);
+  if (status.ok())
+    status = readPoints(file, survey, plan, model.mesh.cloud);
+  return status;
+}
+
+} // namespace app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: program that tells all there is to know about a mesh.
+#include <pcl/surface_ccaa/threads.h>
+
+#include "common/cli.h"
+#include "common/model_io.h"
+#include "common/point_columns.h"
+#include "common/progress.h"
+#include "common/quality_report.h"
+#include "common/report.h"
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace {
+
+namespace po = boost::program_options;
+
+app::Usage
+usage()
+{
+  app::Usage usage;
+  usage.program = "pcl_mesh_quality";
+  usage.synopsis = "MESH [options]";
+  usage.summary =
+      R"(Tells whether a mesh is sound: points used, components, boundary loops, edges and points
+that are not manifold, winding, genus, degenerate and self-intersecting triangles, angles.
+Polygons with more than three corners are looked at as fans of triangles. The exit code
+does not judge: it is 0 for a sound and for a broken mesh.
+
+MESH   )" +
+      std::string(app::mesh_endings);
+  usage.examples = R"(  pcl_mesh_quality bunny.ply
+  pcl_mesh_quality bunny.ply --quiet --report bunny.json
+)";
+  return usage;
+}
+
+app::CommandLine
+makeCommandLine()
+{
+  app::CommandLine line(usage());
+  auto add = line.addOptions();
+  add("report", po::value<std::string>(), "write the facts to this JSON file");
+  add("no-self-intersections",
+      "do not look for triangles that cross each other, which takes longest");
+  add("threads",
+      po::value<long long>()->default_value(0),
+      "number of threads, 0 = all");
+  line.addPositional("MESH");
+  return line;
+}
+
+/** Fans; what is wrong with a polygon shows as an invalid triangle. */
+pcl::ccaa::Triangles
+toTriangles(const std::vector<pcl::Vertices>& polygons)
+{
+  pcl::ccaa::Triangles triangles;
+  triangles.reserve(polygons.size());
+  for (const pcl::Vertices& polygon : polygons)
+    for (std::size_t i = 2; i < polygon.vertices.size(); ++i)
+      triangles.push_back(
+          {polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i]});
+  return triangles;
+}
+
+struct Settings {
+  std::string mesh;
+  std::string report;
+  pcl::ccaa::MeshFactsOptions options;
+  bool quiet = false;
+};
+
+app::Status
+takeSettings(const app::Arguments& arguments, Settings& settings)
+{
+  settings.mesh = app::takeText(arguments, "MESH");
+  settings.report = app::takeText(arguments, "report");
+  settings.quiet = arguments.count("quiet") != 0;
+  settings.options.self_intersections = arguments.count("no-self-intersections") == 0;
+  unsigned int threads = 0;
+  app::Status status = app::takeCount(arguments, "threads", 0, 1024, threads);
+  settings.options.threads = pcl::ccaa::resolveThreads(threads);
+  if (status.ok())
+    status = app::checkDifferentFiles({settings.mesh, settings.report});
+  if (status.ok() && !settings.report.empty())
+    status = app::OutputFile::check(settings.report);
+  return status;
+}
+
+app::Status
+saveReport(const Settings& settings,
+           const pcl::ccaa::MeshFacts& facts,
+           const app::Model& model)
+{
+  nlohmann::json report = app::describeFacts(facts);
+  report["input"] = settings.mesh;
+  report["polygons"] = model.mesh.polygons.size();
+  report["warnings"] = model.warnings;
+  app::OutputFile file;
+  const app::Status status = file.open(settings.report);
+  if (!status.ok())
+    return status;
+  app::writeReport(report, file);
+  return file.commit();
+}
+
+app::Outcome
+measure(const app::Arguments& arguments)
+{
+  Settings settings;
+  app::Model model;
+  app::Status status = takeSettings(arguments, settings);
+  if (status.ok())
+    status = app::readMesh(settings.mesh, model);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  app::ProgressBar bar(settings.quiet);
+  pcl::ccaa::RunControl control(bar.callback());
+  const pcl::ccaa::MeshFacts facts =
+      pcl::ccaa::measureMesh(toTriangles(model.mesh.polygons),
+                             app::readPositions(model.mesh.cloud),
+                             settings.options,
+                             control);
+  if (facts.cancelled)
+    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
+  if (!settings.report.empty())
+    status = saveReport(settings, facts, model);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  bar.clear();
+  if (!settings.quiet)
+    std::cout << settings.mesh << '\n' << app::tabulateFacts(facts);
+  return {app::DONE, "", model.warnings};
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  return app::runApp(makeCommandLine(), argc, argv, measure);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: program that takes a picture of a mesh or cloud.
+#include "common/cli.h"
+#include "common/model_io.h"
+#include "common/output_file.h"
+#include "render/display.h"
+#include "render/mesh_parts.h"
+#include "render/picture.h"
+#include "render/render_options.h"
+
+#include <string>
+#include <string_view>
+
+namespace {
+
+app::CommandLine
+makeCommandLine()
+{
+  app::CommandLine command_line(
+      {"pcl_render_mesh",
+       "MESH_OR_CLOUD OUTPUT.png [options]",
+       "Takes a picture of a mesh or cloud, without a window and without perspective.\n"
+       "Front faces are grey, back faces orange, boundary edges red, and edges of\n"
+       "three or more triangles magenta. Reads " +
+           std::string(app::mesh_endings) + " and clouds\n" + app::cloud_endings + ".",
+       "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --up 0,1,0\n"
+       "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"});
+  command_line.addPositional("MESH_OR_CLOUD");
+  command_line.addPositional("OUTPUT");
+  app::addRenderOptions(command_line);
+  return command_line;
+}
+
+app::Status
+checkOutput(const std::string& input, const std::string& output)
+{
+  constexpr std::string_view ending = ".png";
+  if (output.size() <= ending.size() ||
+      output.substr(output.size() - ending.size()) != ending)
+    return app::Status::error("'" + output + "' must end in .png");
+  const app::Status different = app::checkDifferentFiles({input, output});
+  return different.ok() ? app::OutputFile::check(output) : different;
+}
+
+/** \brief Load \a path and take it apart; fails when there is nothing to see. */
+app::Status
+loadParts(const std::string& path, app::MeshParts& parts)
+{
+  app::Model model;
+  const app::Status status =
+      app::isMeshInput(path) ? app::readMesh(path, model) : app::readCloud(path, model);
+  if (!status.ok())
+    return status;
+  parts = app::takeApart(model.mesh);
+  if (parts.positions.empty())
+    return app::Status::error("'" + path + "' has no finite point to show");
+  return {};
+}
+
+app::Status
+writePicture(const std::string& png, const std::string& path)
+{
+  if (png.empty())
+    return app::Status::error("the picture could not be drawn");
+  app::OutputFile file;
+  const app::Status status = file.open(path);
+  if (!status.ok())
+    return status;
+  file.text(png);
+  return file.commit();
+}
+
+app::Status
+renderMesh(const app::Arguments& arguments, char** restart_arguments)
+{
+  const std::string input = app::takeText(arguments, "MESH_OR_CLOUD");
+  const std::string output = app::takeText(arguments, "OUTPUT");
+  app::RenderSettings settings;
+  app::Status status = app::readRenderSettings(arguments, settings);
+  if (status.ok())
+    status = checkOutput(input, output);
+  if (!status.ok())
+    return status;
+
+  if (!app::hasDisplay()) {
+    app::restartUnderVirtualDisplay(restart_arguments);
+    return app::Status::error(
+        "no X display to draw with: set DISPLAY or install xvfb-run");
+  }
+  app::MeshParts parts;
+  status = loadParts(input, parts);
+  return status.ok() ? writePicture(app::drawPng(parts, settings), output) : status;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  return app::runApp(
+      makeCommandLine(), argc, argv, [argv](const app::Arguments& arguments) {
+        const app::Status status = renderMesh(arguments, argv);
+        return status.ok() ? app::Outcome{} : app::Outcome::badInput(status);
+      });
+}

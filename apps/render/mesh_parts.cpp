@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a mesh taken apart into what a picture shows of it.
+#include "render/mesh_parts.h"
+
+#include <pcl/common/point_tests.h>
+#include <pcl/conversions.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <vtkCellArray.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace app {
+namespace {
+
+using Edge = std::array<vtkIdType, 2>;
+
+/** \brief VTK index of each point of the cloud, -1 where it is not finite. */
+using VtkIndices = std::vector<vtkIdType>;
+
+VtkIndices
+insertFinitePoints(const pcl::PolygonMesh& mesh,
+                   vtkPoints& points,
+                   std::vector<Eigen::Vector3d>& positions)
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  pcl::fromPCLPointCloud2(mesh.cloud, cloud);
+  VtkIndices indices(cloud.size(), -1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (pcl::isFinite(cloud[i])) {
+      positions.push_back(cloud[i].getVector3fMap().cast<double>());
+      indices[i] = points.InsertNextPoint(positions.back().data());
+    }
+  }
+  return indices;
+}
+
+/** \brief The polygon in VTK's indices; empty when it cannot be drawn. */
+std::vector<vtkIdType>
+translate(const pcl::Vertices& polygon, const VtkIndices& indices)
+{
+  std::vector<vtkIdType> corners;
+  for (const auto vertex : polygon.vertices) {
+    const auto index = static_cast<std::size_t>(vertex);
+    if (index >= indices.size() || indices[index] < 0)
+      return {};
+    corners.push_back(indices[index]);
+  }
+  return corners;
+}
+
+void
+appendEdges(const std::vector<vtkIdType>& corners, std::vector<Edge>& edges)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const vtkIdType from = corners[i];
+    const vtkIdType to = corners[(i + 1) % corners.size()];
+    edges.push_back({std::min(from, to), std::max(from, to)});
+  }
+}
+
+vtkSmartPointer<vtkPolyData>
+makePart(vtkPoints* points)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(points);
+  part->SetVerts(vtkSmartPointer<vtkCellArray>::New());
+  part->SetLines(vtkSmartPointer<vtkCellArray>::New());
+  part->SetPolys(vtkSmartPointer<vtkCellArray>::New());
+  return part;
+}
+
+/** \brief Sort \a edges and hand those that only one or more than two polygons share to
+ * their parts. */
+void
+sortOutEdges(std::vector<Edge>& edges, MeshParts& parts)
+{
+  std::sort(edges.begin(), edges.end());
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    const auto next = std::find_if(
+        edge, edges.end(), [&](const Edge& other) { return other != *edge; });
+    if (next - edge == 1)
+      parts.boundaries->GetLines()->InsertNextCell(2, edge->data());
+    else if (next - edge > 2)
+      parts.overfull->GetLines()->InsertNextCell(2, edge->data());
+    edge = next;
+  }
+}
+
+/** \brief Make a dot of each point whose entry in \a wanted is set. */
+void
+insertDots(const std::vector<bool>& wanted, vtkPolyData& part)
+{
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto index = static_cast<vtkIdType>(i);
+    if (wanted[i])
+      part.GetVerts()->InsertNextCell(1, &index);
+  }
+}
+
+/** \brief For each point whether some cell of \a cells uses it. */
+std::vector<bool>
+findUsed(vtkCellArray& cells, std::size_t points)
+{
+  std::vector<bool> used(points, false);
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  for (cells.InitTraversal(); cells.GetNextCell(count, corners) != 0;)
+    for (vtkIdType i = 0; i < count; ++i)
+      used[static_cast<std::size_t>(corners[i])] = true;
+  return used;
+}
+
+} // namespace
+
+MeshParts
+takeApart(const pcl::PolygonMesh& mesh)
+{
+  MeshParts parts;
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  const VtkIndices indices = insertFinitePoints(mesh, *points, parts.positions);
+  for (auto* part : {&parts.faces,
+                     &parts.boundaries,
+                     &parts.overfull,
+                     &parts.free_points,
+                     &parts.boundary_points})
+    *part = makePart(points);
+
+  std::vector<Edge> edges;
+  for (const auto& polygon : mesh.polygons) {
+    const auto corners = translate(polygon, indices);
+    if (corners.size() < 3)
+      continue;
+    parts.faces->GetPolys()->InsertNextCell(static_cast<vtkIdType>(corners.size()),
+                                            corners.data());
+    appendEdges(corners, edges);
+  }
+  sortOutEdges(edges, parts);
+
+  std::vector<bool> free = findUsed(*parts.faces->GetPolys(), parts.positions.size());
+  free.flip();
+  insertDots(free, *parts.free_points);
+  insertDots(findUsed(*parts.boundaries->GetLines(), parts.positions.size()),
+             *parts.boundary_points);
+  return parts;
+}
+
+} // namespace app

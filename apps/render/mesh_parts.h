@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a mesh taken apart into what a picture shows of it.
+#pragma once
+
+#include <pcl/PolygonMesh.h>
+
+#include <Eigen/Core>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace app {
+
+/** \brief The drawable parts of a mesh; all share one list of points. */
+struct MeshParts {
+  vtkSmartPointer<vtkPolyData> faces;       /**< all polygons with valid corners */
+  vtkSmartPointer<vtkPolyData> boundaries;  /**< edges with one polygon */
+  vtkSmartPointer<vtkPolyData> overfull;    /**< edges with three or more polygons */
+  vtkSmartPointer<vtkPolyData> free_points; /**< points of no polygon */
+  vtkSmartPointer<vtkPolyData> boundary_points; /**< ends of boundary edges */
+  std::vector<Eigen::Vector3d> positions;       /**< all finite points */
+};
+
+/** \brief Take \a mesh apart. A cloud is a mesh without polygons. Points that are not
+ * finite, and polygons that use one or an index out of range, are left out. */
+MeshParts
+takeApart(const pcl::PolygonMesh& mesh);
+
+} // namespace app

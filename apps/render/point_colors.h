@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: parts of a mesh with a colour for each point.
+#pragma once
+
+#include "render/mesh_parts.h"
+
+namespace app {
+
+/** \brief The faces, each connected component in a colour of its own. */
+vtkSmartPointer<vtkPolyData>
+colorComponents(const MeshParts& parts);
+
+/** \brief The free points, dark near the camera and light far from it. \a view is the
+ * direction towards the camera. */
+vtkSmartPointer<vtkPolyData>
+colorByDepth(const MeshParts& parts, const Eigen::Vector3d& view);
+
+} // namespace app

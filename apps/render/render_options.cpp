@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the options of pcl_render_mesh.
+#include "render/render_options.h"
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace app {
+namespace {
+
+/** \brief Read exactly \a values.size() numbers divided by \a separator. */
+template <typename Number, std::size_t count>
+bool
+parseList(const std::string& text, char separator, std::array<Number, count>& values)
+{
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0 && (at == end || *at++ != separator))
+      return false;
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc())
+      return false;
+    at = next;
+  }
+  return at == end;
+}
+
+Status
+parsePlace(const std::string& option, const std::string& text, Eigen::Vector3d& place)
+{
+  std::array<double, 3> values{};
+  if (!parseList(text, ',', values))
+    return Status::error("--" + option + " takes X,Y,Z, not '" + text + "'");
+  place = Eigen::Vector3d(values[0], values[1], values[2]);
+  if (!place.allFinite())
+    return Status::error("--" + option + " must be finite, not '" + text + "'");
+  return {};
+}
+
+Status
+parseDirection(const std::string& option,
+               const Arguments& arguments,
+               Eigen::Vector3d& direction)
+{
+  Status status = parsePlace(option, takeText(arguments, option), direction);
+  if (status.ok() && direction.norm() < 1e-12)
+    return Status::error("--" + option + " must not be zero");
+  return status;
+}
+
+Status
+parseSize(const std::string& text, RenderSettings& settings)
+{
+  constexpr int largest = 8192;
+  std::array<int, 2> size{};
+  if (!parseList(text, 'x', size) || size[0] < 1 || size[1] < 1 || size[0] > largest ||
+      size[1] > largest)
+    return Status::error("--size takes WxH in pixels from 1x1 to 8192x8192, not '" +
+                         text + "'");
+  settings.width = size[0];
+  settings.height = size[1];
+  return {};
+}
+
+Status
+parseColoring(const std::string& text, Coloring& coloring)
+{
+  if (text == "none")
+    coloring = Coloring::NONE;
+  else if (text == "role")
+    coloring = Coloring::ROLE;
+  else if (text == "component")
+    coloring = Coloring::COMPONENT;
+  else
+    return Status::error("--color-by takes none, role or component, not '" + text +
+                         "'");
+  return {};
+}
+
+} // namespace
+
+void
+addRenderOptions(CommandLine& command_line)
+{
+  using boost::program_options::value;
+  auto add = command_line.addOptions();
+  add("size", value<std::string>()->default_value("1200x900"), "WxH in pixels");
+  add("view",
+      value<std::string>()->default_value("0,0,1"),
+      "X,Y,Z: direction from the object to the camera");
+  add("up",
+      value<std::string>()->default_value("0,1,0"),
+      "X,Y,Z: direction that points up in the picture");
+  add("focus", value<std::string>(), "X,Y,Z: place in the centre of the picture");
+  add("zoom", value<double>()->default_value(1.0), "1 shows the whole object");
+  add("edges", "draw the edges of the triangles");
+  add("no-boundaries", "leave out boundary (red) and overfull (magenta) edges");
+  add("color-by",
+      value<std::string>()->default_value("none"),
+      "none: front faces grey, back faces orange; role: also free points (blue dots) "
+      "and boundary points (red dots); component: a colour per connected component");
+  add("point-size", value<double>()->default_value(2.0), "size of dots in pixels");
+}
+
+Status
+readRenderSettings(const Arguments& arguments, RenderSettings& settings)
+{
+  settings.edges = arguments.count("edges") > 0;
+  settings.boundaries = arguments.count("no-boundaries") == 0;
+  Status status = parseSize(takeText(arguments, "size"), settings);
+  if (status.ok())
+    status = parseDirection("view", arguments, settings.view);
+  if (status.ok())
+    status = parseDirection("up", arguments, settings.up);
+  if (status.ok())
+    status = parseColoring(takeText(arguments, "color-by"), settings.coloring);
+  if (status.ok())
+    status = takeReal(arguments, "zoom", 1e-3, 1e6, settings.zoom);
+  if (status.ok())
+    status = takeReal(arguments, "point-size", 0.1, 100.0, settings.point_size);
+  if (status.ok() && arguments.count("focus") > 0)
+    status = parsePlace("focus",
+                        takeText(arguments, "focus"),
+                        settings.focus.emplace(Eigen::Vector3d::Zero()));
+  return status;
+}
+
+} // namespace app

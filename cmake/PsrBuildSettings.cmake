@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Part of PclSurfaceRepair: language level, output folders, warnings, compiler cache.
+
+option(PSR_WARNINGS_AS_ERRORS "A warning in our own code stops the build"
+       ${PSR_IS_TOP_LEVEL})
+option(BUILD_SHARED_LIBS "Build shared instead of static libraries" ON)
+
+# Defaults a build of its own wants, but which a project that adds this one as a
+# subdirectory decides for itself.
+if(PSR_IS_TOP_LEVEL)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
+  endif()
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+  set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+  set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  find_program(PSR_CCACHE ccache)
+  mark_as_advanced(PSR_CCACHE)
+  if(PSR_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${PSR_CCACHE}")
+  endif()
+endif()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Linked PRIVATE by our own targets, so that no user inherits our warnings.
+add_library(psr_warnings INTERFACE)
+target_compile_options(
+  psr_warnings
+  INTERFACE -Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wconversion
+            $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
+            $<$<BOOL:${PSR_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# PCL's surface component names all of VTK and Qt; load only what is used.
+add_library(psr_link_options INTERFACE)
+target_link_options(psr_link_options INTERFACE
+                    $<$<PLATFORM_ID:Linux>:LINKER:--as-needed>)

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Part of PclSurfaceRepair: installs the missing Debian packages, and only those.
+#
+# usage: install_dependencies.sh [demo|test|benchmark|--update]   (default: test)
+#   demo       what it takes to build and run the programs
+#   test       that, and what the tests, the format check and the sanitizers need
+#   benchmark  that, and CGAL as a competitor
+#   --update   installs nothing, renews apt's lists of packages
+
+set -euo pipefail
+
+packages=(build-essential cmake ninja-build ccache libpcl-dev libeigen3-dev
+          libflann-dev libboost-program-options-dev nlohmann-json3-dev
+          libnanoflann-dev xvfb xauth)
+test_packages=(clang-format libgtest-dev clang libomp-dev)
+benchmark_packages=(libcgal-dev)
+
+as_root=()
+if ((EUID != 0)); then
+  as_root=(sudo)
+fi
+
+# Mirrors fail now and then: try again before giving up.
+retry() {
+  local attempt
+  for attempt in 1 2 3; do
+    "$@" </dev/null && return 0
+    echo "attempt $attempt failed: $*" >&2
+    sleep $((5 * attempt))
+  done
+  return 1
+}
+
+purpose=${1:-test}
+case $purpose in
+  demo) ;;
+  test) packages+=("${test_packages[@]}") ;;
+  benchmark) packages+=("${test_packages[@]}" "${benchmark_packages[@]}") ;;
+  --update)
+    retry "${as_root[@]}" apt-get update -qq
+    exit
+    ;;
+  *)
+    echo "install_dependencies.sh: unknown purpose '$purpose'" >&2
+    exit 1
+    ;;
+esac
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $status == installed ]] || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  exit 0
+fi
+
+echo "Installing: ${missing[*]}"
+retry "${as_root[@]}" apt-get update -qq
+retry "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

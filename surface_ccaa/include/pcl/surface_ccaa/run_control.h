@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: progress out of a run, cancellation into it.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief Called from the thread that started the run with the name of the stage and
+ * the share of that stage that is done, 0 to 1. Return false to cancel the run: it
+ * stops within 100 ms of work and leaves an empty result. */
+using ProgressCallback = std::function<bool(const std::string& stage, double fraction)>;
+
+/** \brief One run's view of its progress callback.
+ *
+ * Only the thread that owns the run calls report(); parallel workers poll cancelled(),
+ * which is safe from any thread. Once the callback has said false it is not asked again.
+ */
+class RunControl {
+public:
+  explicit RunControl(ProgressCallback callback = {}) : callback_(std::move(callback))
+  {}
+
+  /** \brief Tell the callback where the run stands.
+   * \return false when the run is to stop. */
+  bool
+  report(const char* stage, double fraction)
+  {
+    if (cancelled())
+      return false;
+    if (callback_ && !callback_(stage, fraction))
+      cancelled_.store(true, std::memory_order_relaxed);
+    return !cancelled();
+  }
+
+  bool
+  cancelled() const
+  {
+    return cancelled_.load(std::memory_order_relaxed);
+  }
+
+private:
+  ProgressCallback callback_;
+  std::atomic<bool> cancelled_{false};
+};
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: finds the wrong triangles that make a region one-sided.
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/orientation.h>
+#include <pcl/surface_ccaa/mesh/point_chains.h>
+#include <pcl/surface_ccaa/mesh/triangle.h>
+#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief Settings of cutTwists(). */
+struct TwistLimits {
+  /** \brief An edge bends when the normals of its two triangles, wound alike, differ by
+   * more than this, in radians. */
+  double smooth_angle = 0.5235987755982988; // 30 degrees
+  /** \brief Largest share of a region's triangles that a cut may cost. */
+  double largest_share = 0.01;
+};
+
+/** \brief Delete the triangles that turn one-sided regions over.
+ *
+ * A few wrong triangles that connect two sheets the wrong way round make a whole region
+ * one-sided although each of its points has a perfect umbrella. The surface of an
+ * object is not (D1.3-1), so somewhere along such a way a triangle is wrong. Windings
+ * are carried over the smooth edges first and then over the others, the least bent
+ * first; an edge whose triangles then disagree lies where the surface is turned over,
+ * and both go.
+ *
+ * A region that is turned over along smooth edges alone, like a Moebius band, is truly
+ * one-sided, and one that could be cut only at the price of more than
+ * TwistLimits::largest_share of it is not understood: both are left as they are.
+ *
+ * Cost: linear in the triangles but for sorting the bent edges of one-sided regions.
+ * Deterministic; ties go to the lower triangle.
+ * \param[in] triangles the mesh, without overfull edges
+ * \param[in] adjacency of the triangles
+ * \param[in] positions of the vertices
+ * \param[in] components what orientTriangles() found
+ * \param[in] limits settings
+ * \param[in,out] alive one flag a triangle, cleared for those to be deleted
+ * \return number of triangles deleted */
+std::size_t
+cutTwists(const Triangles& triangles,
+          const TriangleAdjacency& adjacency,
+          const Positions& positions,
+          const std::vector<OrientedComponent>& components,
+          const TwistLimits& limits,
+          AliveFlags& alive);
+
+} // namespace ccaa
+} // namespace pcl

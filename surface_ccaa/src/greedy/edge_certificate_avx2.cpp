@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the empty-circle test for processors with AVX2.
+#include "edge_certificate_kernel.h"
+
+#ifdef PCL_CCAA_HAS_AVX2_CERTIFICATE
+
+// Not "fma": votes must be the same on every processor.
+#pragma GCC target("avx2")
+
+#define PCL_CCAA_KERNEL avx2
+#define PCL_CCAA_REGISTER_BYTES 32
+#include "edge_certificate_kernel_impl.h"
+
+namespace pcl {
+namespace ccaa {
+namespace certificate {
+
+const Certify AVX2_CERTIFY = avx2::certify;
+
+} // namespace certificate
+} // namespace ccaa
+} // namespace pcl
+
+#endif

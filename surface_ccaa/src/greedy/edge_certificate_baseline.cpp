@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the empty-circle test for any processor.
+#include "edge_certificate_kernel.h"
+
+#define PCL_CCAA_KERNEL baseline
+#define PCL_CCAA_REGISTER_BYTES 16
+#include "edge_certificate_kernel_impl.h"
+
+namespace pcl {
+namespace ccaa {
+namespace certificate {
+
+const Certify BASELINE_CERTIFY = baseline::certify;
+
+} // namespace certificate
+} // namespace ccaa
+} // namespace pcl

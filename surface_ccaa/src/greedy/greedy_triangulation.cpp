@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the greedy start on ranked points (thesis 3.3).
+#include <pcl/surface_ccaa/greedy/block_schedule.h>
+#include <pcl/surface_ccaa/greedy/candidate_edges.h>
+#include <pcl/surface_ccaa/greedy/edge_certificate.h>
+#include <pcl/surface_ccaa/greedy/edge_compatibility.h>
+#include <pcl/surface_ccaa/greedy/greedy_triangulation.h>
+#include <pcl/surface_ccaa/greedy/length_buckets.h>
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** What one task did; added up afterwards. */
+struct EdgeCounts {
+  std::array<std::size_t, 5> by_verdict{};
+
+  void
+  operator+=(const EdgeCounts& other)
+  {
+    for (std::size_t v = 0; v < by_verdict.size(); ++v)
+      by_verdict[v] += other.by_verdict[v];
+  }
+};
+
+/** An edge that leaves its block and waits for its level. */
+struct WaitingEdge {
+  CandidateEdge edge;
+  unsigned int level;
+  EdgeStanding standing;
+};
+
+/** The edges of one task, by standing. */
+struct EdgeQueue {
+  std::array<std::vector<CandidateEdge>, 3> by_standing;
+
+  void
+  add(const CandidateEdge& edge, EdgeStanding standing)
+  {
+    by_standing[static_cast<std::size_t>(standing)].push_back(edge);
+  }
+};
+
+/** One run of the greedy start. */
+class Run {
+public:
+  Run(const RankedPoints& points,
+      const NeighborRows& neighbors,
+      const GreedyParameters& parameters,
+      int threads,
+      RunControl& control)
+  : points_(points)
+  , neighbors_(neighbors)
+  , parameters_(parameters)
+  , threads_(threads)
+  , control_(control)
+  , schedule_(points.size())
+  , votes_(points.size())
+  , joined_(points)
+  , limits_{AngleLimit::fromRadians(parameters.certified_minimum_angle),
+            AngleLimit::fromRadians(parameters.certified_minimum_angle),
+            AngleLimit::fromRadians(parameters.minimum_angle)}
+  {}
+
+  /** The method: vote, add the certified edges, then try what is left. */
+  bool
+  execute()
+  {
+    if (!vote())
+      return false;
+    const CandidateEdges candidates(points_, neighbors_, votes_);
+    if (parameters_.certificates && !certifiedPass(candidates))
+      return false;
+    if (!parameters_.certificates || parameters_.second_pass)
+      return plainPass(candidates);
+    return true;
+  }
+
+  Triangles
+  takeTriangles()
+  {
+    std::size_t total = 0;
+    for (const Triangles& part : made_)
+      total += part.size();
+    Triangles all;
+    all.reserve(total);
+    for (const Triangles& part : made_)
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }
+
+  const EdgeCounts&
+  counts() const
+  {
+    return counts_;
+  }
+
+private:
+  LoopContext
+  loop(const char* stage, std::size_t block_size) const
+  {
+    return {threads_, &control_, stage, block_size};
+  }
+
+  bool
+  vote()
+  {
+    const auto reach = static_cast<float>(parameters_.length_factor);
+    return forEachBlock(points_.size(),
+                        loop("edges", BlockSchedule::BLOCK),
+                        [&](std::size_t, std::size_t first, std::size_t last) {
+                          certifyEdges(
+                              points_, neighbors_, reach, first, last, &votes_[first]);
+                        });
+  }
+
+  bool
+  certifiedPass(const CandidateEdges& candidates)
+  {
+    return pass("edges",
+                [&](index_t a, const auto& add) { candidates.forCertified(a, add); });
+  }
+
+  /** All candidates between points whose umbrella is open. Who is open is settled
+   * before the pass: an answer that changed while it runs would depend on the schedule.
+   */
+  bool
+  plainPass(const CandidateEdges& candidates)
+  {
+    std::vector<char> open(points_.size());
+    const bool settled =
+        forEachBlock(points_.size(),
+                     loop("second pass", BlockSchedule::BLOCK),
+                     [&](std::size_t, std::size_t first, std::size_t last) {
+                       for (std::size_t rank = first; rank < last; ++rank)
+                         open[rank] = !joined_.isClosed(static_cast<index_t>(rank));
+                     });
+    return settled && pass("second pass", [&](index_t a, const auto& add) {
+             if (!open[static_cast<std::size_t>(a)])
+               return;
+             candidates.forPlain(
+                 a,
+                 [&](index_t b) {
+                   return open[static_cast<std::size_t>(b)] && !joined_.areJoined(a, b);
+                 },
+                 add);
+           });
+  }
+
+  /** Work off the edges that collect(point, add) finds, level by level. */
+  template <typename Collect>
+  bool
+  pass(const char* stage, Collect collect)
+  {
+    std::vector<std::vector<WaitingEdge>> waiting(schedule_.blockCount());
+    const bool blocks_done = level(stage, 0, [&](std::size_t block, EdgeQueue& queue) {
+      collectBlock(collect, block, queue, waiting[block]);
+    });
+    if (!blocks_done)
+      return false;
+    for (unsigned int l = 1; l < schedule_.levels(); ++l) {
+      const bool done = level(stage, l, [&](std::size_t group, EdgeQueue& queue) {
+        const std::size_t first = group << l;
+        const std::size_t last = std::min(waiting.size(), (group + 1) << l);
+        for (std::size_t block = first; block < last; ++block)
+          collectWaiting(waiting[block], l, queue);
+      });
+      if (!done)
+        return false;
+    }
+    return true;
+  }
+
+  /** Work off the groups of one level; fill(group, queue) names the edges of a group.
+   */
+  template <typename Fill>
+  bool
+  level(const char* stage, unsigned int l, Fill fill)
+  {
+    const std::size_t groups = schedule_.groupCount(l);
+    std::vector<Triangles> made(groups);
+    std::vector<EdgeCounts> counts(groups);
+    const bool done = forEachBlock(
+        groups, loop(stage, 1), [&](std::size_t group, std::size_t, std::size_t) {
+          EdgeQueue queue;
+          fill(group, queue);
+          insert(queue, made[group], counts[group]);
+        });
+    for (const EdgeCounts& part : counts)
+      counts_ += part;
+    std::move(made.begin(), made.end(), std::back_inserter(made_));
+    return done;
+  }
+
+  template <typename Collect>
+  void
+  collectBlock(Collect& collect,
+               std::size_t block,
+               EdgeQueue& queue,
+               std::vector<WaitingEdge>& waiting) const
+  {
+    const auto add = [&](const CandidateEdge& edge, EdgeStanding standing) {
+      const unsigned int level = BlockSchedule::levelOf(edge.a, edge.b);
+      if (level == 0)
+        queue.add(edge, standing);
+      else
+        waiting.push_back({edge, level, standing});
+    };
+    for (std::size_t r = schedule_.begin(0, block); r < schedule_.end(0, block); ++r)
+      collect(static_cast<index_t>(r), add);
+    std::stable_sort(
+        waiting.begin(), waiting.end(), [](const WaitingEdge& e, const WaitingEdge& f) {
+          return e.level < f.level;
+        });
+  }
+
+  static void
+  collectWaiting(const std::vector<WaitingEdge>& waiting,
+                 unsigned int level,
+                 EdgeQueue& queue)
+  {
+    auto next = std::lower_bound(
+        waiting.begin(),
+        waiting.end(),
+        level,
+        [](const WaitingEdge& e, unsigned int l) { return e.level < l; });
+    for (; next != waiting.end() && next->level == level; ++next)
+      queue.add(next->edge, next->standing);
+  }
+
+  /** Shortest first within each standing. */
+  void
+  insert(EdgeQueue& queue, Triangles& made, EdgeCounts& counts)
+  {
+    LengthBuckets buckets;
+    for (std::size_t s = 0; s < queue.by_standing.size(); ++s) {
+      buckets.sort(queue.by_standing[s]);
+      for (const CandidateEdge& edge : queue.by_standing[s]) {
+        const EdgeVerdict verdict = joined_.join(edge.a, edge.b, limits_[s], made);
+        ++counts.by_verdict[static_cast<std::size_t>(verdict)];
+      }
+    }
+  }
+
+  const RankedPoints& points_;
+  const NeighborRows& neighbors_;
+  const GreedyParameters& parameters_;
+  const int threads_;
+  RunControl& control_;
+  const BlockSchedule schedule_;
+  std::vector<EdgeVotes> votes_;
+  JoinedEdges joined_;
+  const std::array<AngleLimit, 3> limits_; /**< by EdgeStanding */
+  std::vector<Triangles> made_;
+  EdgeCounts counts_;
+};
+
+} // namespace
+
+Triangles
+greedyTriangulation(const RankedPoints& points,
+                    const NeighborRows& neighbors,
+                    const GreedyParameters& parameters,
+                    int threads,
+                    RunControl& control,
+                    GreedyReport& report)
+{
+  Run run(points, neighbors, parameters, threads, control);
+  if (!run.execute())
+    return {};
+  const auto count = [&run](EdgeVerdict verdict) {
+    return run.counts().by_verdict[static_cast<std::size_t>(verdict)];
+  };
+  report.joined_edges = count(EdgeVerdict::JOINED);
+  report.refused_overfull = count(EdgeVerdict::OVERFULL);
+  report.refused_tetrahedron = count(EdgeVerdict::TETRAHEDRON);
+  report.refused_angle = count(EdgeVerdict::SMALL_ANGLE);
+  report.candidate_edges = report.joined_edges + report.refused_overfull +
+                           report.refused_tetrahedron + report.refused_angle;
+  Triangles triangles = run.takeTriangles();
+  report.triangles = triangles.size();
+  return triangles;
+}
+
+} // namespace ccaa
+} // namespace pcl

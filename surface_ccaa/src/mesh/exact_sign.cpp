@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: geometric predicates that never err.
+#include <pcl/surface_ccaa/mesh/exact_sign.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** \brief Bounds of the relative rounding error of the two determinants (Shewchuk 1997,
+ * "Adaptive precision floating-point arithmetic and fast robust geometric predicates").
+ */
+constexpr double UNIT = std::numeric_limits<double>::epsilon() / 2.0;
+constexpr double PLANE_ERROR = (7.0 + 56.0 * UNIT) * UNIT;
+constexpr double TURN_ERROR = (3.0 + 16.0 * UNIT) * UNIT;
+
+/** \brief Outside these magnitudes products may have lost bits to underflow or are
+ * infinite, so the error bounds do not hold. */
+constexpr double LEAST_MAGNITUDE = 1e-250;
+constexpr double MOST_MAGNITUDE = 1e300;
+
+constexpr int UNDECIDED = 2;
+
+/** \brief Sign of a determinant, or UNDECIDED when rounding may have changed it. */
+int
+filteredSign(double determinant, double magnitude, double relative_error)
+{
+  if (!(magnitude > LEAST_MAGNITUDE && magnitude < MOST_MAGNITUDE))
+    return UNDECIDED;
+  const double error = relative_error * magnitude;
+  if (determinant > error)
+    return 1;
+  return determinant < -error ? -1 : UNDECIDED;
+}
+
+/** \brief Integers wide enough for coordinates of up to 80 bits; no allocation. */
+using FixedInteger = boost::multiprecision::int256_t;
+constexpr int FIXED_COORDINATE_BITS = 80;
+using AnyInteger =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                  boost::multiprecision::et_off>;
+
+/** \brief Powers of two that bound a set of coordinates, all of which are multiples of
+ * 2^low and smaller than 2^high. */
+struct BitRange {
+  int low = std::numeric_limits<int>::max();
+  int high = std::numeric_limits<int>::min();
+
+  void
+  extend(double value)
+  {
+    if (value == 0.0)
+      return;
+    int exponent = 0;
+    auto mantissa =
+        static_cast<long long>(std::ldexp(std::frexp(value, &exponent), 53));
+    high = std::max(high, exponent);
+    exponent -= 53;
+    while (mantissa % 2 == 0) {
+      mantissa /= 2;
+      ++exponent;
+    }
+    low = std::min(low, exponent);
+  }
+};
+
+template <typename Integer>
+Integer
+scaled(double value, int low)
+{
+  if (value == 0.0)
+    return Integer(0);
+  int exponent = 0;
+  const auto mantissa =
+      static_cast<long long>(std::ldexp(std::frexp(value, &exponent), 53));
+  const int shift = exponent - 53 - low;
+  // A negative shift only takes away zeros: the value is a multiple of 2^low.
+  if (shift < 0)
+    return Integer(mantissa / (1LL << -shift));
+  Integer result(mantissa);
+  result <<= static_cast<unsigned int>(shift);
+  return result;
+}
+
+template <typename Integer>
+int
+planeSign(const Position (&points)[4], int low)
+{
+  Integer row[3][3];
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      row[i][k] =
+          scaled<Integer>(points[i][k], low) - scaled<Integer>(points[3][k], low);
+  const auto minor = [&](int i, int j) -> Integer {
+    return row[i][0] * row[j][1] - row[i][1] * row[j][0];
+  };
+  const Integer determinant =
+      row[0][2] * minor(1, 2) + row[1][2] * minor(2, 0) + row[2][2] * minor(0, 1);
+  return determinant.sign();
+}
+
+template <typename Integer>
+int
+turnSign(const Position (&points)[3], int u, int v, int low)
+{
+  const auto difference = [&](int point, int axis) -> Integer {
+    return scaled<Integer>(points[point][axis], low) -
+           scaled<Integer>(points[2][axis], low);
+  };
+  const Integer determinant =
+      difference(0, u) * difference(1, v) - difference(0, v) * difference(1, u);
+  return determinant.sign();
+}
+
+/** \brief Whether one of the three rows is zero in an axis throughout: an exact zero
+ * that meshes of axis-parallel planes produce all the time. */
+bool
+isFlatInAnAxis(const Eigen::Vector3d& a,
+               const Eigen::Vector3d& b,
+               const Eigen::Vector3d& c)
+{
+  for (Eigen::Index k = 0; k < 3; ++k)
+    if (a[k] == 0.0 && b[k] == 0.0 && c[k] == 0.0)
+      return true;
+  return false;
+}
+
+int
+exactSideOfPlane(const Position (&points)[4])
+{
+  BitRange bits;
+  for (const Position& point : points)
+    for (Eigen::Index k = 0; k < 3; ++k)
+      bits.extend(point[k]);
+  if (bits.low > bits.high)
+    return 0;
+  const int sign = bits.high - bits.low <= FIXED_COORDINATE_BITS
+                       ? planeSign<FixedInteger>(points, bits.low)
+                       : planeSign<AnyInteger>(points, bits.low);
+  return -sign;
+}
+
+} // namespace
+
+int
+sideOfPlane(const Position& a, const Position& b, const Position& c, const Position& d)
+{
+  const Eigen::Vector3d u = a - d, v = b - d, w = c - d;
+  const double vw1 = v.x() * w.y(), vw2 = w.x() * v.y();
+  const double wu1 = w.x() * u.y(), wu2 = u.x() * w.y();
+  const double uv1 = u.x() * v.y(), uv2 = v.x() * u.y();
+  const double determinant =
+      u.z() * (vw1 - vw2) + v.z() * (wu1 - wu2) + w.z() * (uv1 - uv2);
+  const double magnitude = (std::abs(vw1) + std::abs(vw2)) * std::abs(u.z()) +
+                           (std::abs(wu1) + std::abs(wu2)) * std::abs(v.z()) +
+                           (std::abs(uv1) + std::abs(uv2)) * std::abs(w.z());
+  const int sign = filteredSign(-determinant, magnitude, PLANE_ERROR);
+  if (sign != UNDECIDED)
+    return sign;
+  return isFlatInAnAxis(u, v, w) ? 0 : exactSideOfPlane({a, b, c, d});
+}
+
+int
+turnInPlane(const Position& a, const Position& b, const Position& c, int dropped)
+{
+  const int u = (dropped + 1) % 3, v = (dropped + 2) % 3;
+  const double left = (a[u] - c[u]) * (b[v] - c[v]);
+  const double right = (a[v] - c[v]) * (b[u] - c[u]);
+  const int sign =
+      filteredSign(left - right, std::abs(left) + std::abs(right), TURN_ERROR);
+  if (sign != UNDECIDED)
+    return sign;
+  BitRange bits;
+  for (const Position* point : {&a, &b, &c}) {
+    bits.extend((*point)[u]);
+    bits.extend((*point)[v]);
+  }
+  if (bits.low > bits.high)
+    return 0;
+  return bits.high - bits.low <= FIXED_COORDINATE_BITS
+             ? turnSign<FixedInteger>({a, b, c}, u, v, bits.low)
+             : turnSign<AnyInteger>({a, b, c}, u, v, bits.low);
+}
+
+int
+droppableAxis(const Position& a, const Position& b, const Position& c)
+{
+  // Start with the axis in which the triangle is thinnest: nearly always the answer.
+  const Eigen::Vector3d normal =
+      Eigen::Vector3d((b - a).y() * (c - a).z() - (b - a).z() * (c - a).y(),
+                      (b - a).z() * (c - a).x() - (b - a).x() * (c - a).z(),
+                      (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x())
+          .cwiseAbs();
+  const int first = normal.x() >= normal.y() && normal.x() >= normal.z() ? 0
+                    : normal.y() >= normal.z()                           ? 1
+                                                                         : 2;
+  for (int i = 0; i < 3; ++i)
+    if (turnInPlane(a, b, c, (first + i) % 3) != 0)
+      return (first + i) % 3;
+  return -1;
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: winding all triangles alike and outward (thesis 4.48).
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/orientation.h>
+
+#include "outward_votes.h"
+#include "winding.h"
+
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** \brief Free sight this clear is believed without asking for the bulge. */
+constexpr double CLEAR_SIGHT_MARGIN = 0.75;
+
+/** \brief A bulge clearer than this outweighs sight that is not clear. A scan of
+ * several objects from one side (measured: the toys of rs1_normals) lies about the
+ * centre of the scene any way it likes, while each object still bulges to the sensor.
+ */
+constexpr double BULGE_MARGIN = 0.4;
+
+/** \brief Which components have to be turned, and why. */
+struct Decision {
+  std::vector<unsigned char> turn;
+  std::vector<OrientedComponent> components;
+  bool any_undecided = false;
+
+  void
+  settle(std::size_t component, OutwardRule rule, const Votes& votes)
+  {
+    turn[component] = votes.sum < 0.0 ? 1 : 0;
+    components[component].rule = rule;
+    components[component].margin = rule == OutwardRule::VOLUME ? 1.0 : votes.margin();
+  }
+};
+
+/** \brief What is known before any rule is asked: one-sided components stay, the others
+ * keep most of their windings. */
+Decision
+startDecision(const Winding& winding)
+{
+  Decision decision;
+  for (const WoundComponent& found : winding.components()) {
+    OrientedComponent component;
+    component.first_triangle = found.first_triangle;
+    component.triangles = found.triangles;
+    component.closed = found.closed;
+    if (found.one_sided)
+      component.rule = OutwardRule::ONE_SIDED;
+    decision.components.push_back(component);
+    decision.turn.push_back(2 * found.turned > found.triangles ? 1 : 0);
+  }
+  return decision;
+}
+
+void
+decideByEvidence(const std::vector<OutwardEvidence>& evidence, Decision& decision)
+{
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const OrientedComponent& component = decision.components[i];
+    if (component.rule == OutwardRule::ONE_SIDED)
+      continue;
+    if (evidence[i].normals.margin() >= VOTE_MARGIN)
+      decision.settle(i, OutwardRule::NORMALS, evidence[i].normals);
+    else if (evidence[i].viewpoint.margin() >= VOTE_MARGIN)
+      decision.settle(i, OutwardRule::VIEWPOINT, evidence[i].viewpoint);
+    else if (component.closed && enclosesVolume(evidence[i]))
+      decision.settle(i, OutwardRule::VOLUME, evidence[i].volume);
+    else
+      decision.any_undecided = true;
+  }
+}
+
+void
+decideBySight(const std::vector<Votes>& sight, double margin, Decision& decision)
+{
+  for (std::size_t i = 0; i < sight.size(); ++i)
+    if (decision.components[i].rule == OutwardRule::UNDECIDED &&
+        sight[i].margin() >= margin)
+      decision.settle(i, OutwardRule::ENCLOSING_SPHERE, sight[i]);
+}
+
+void
+decideByBulge(const WoundMesh& mesh, const LoopContext& context, Decision& decision)
+{
+  ComponentFlags wanted;
+  for (const OrientedComponent& component : decision.components)
+    wanted.push_back(component.rule == OutwardRule::UNDECIDED);
+  const std::vector<Votes> bulge = collectBulge(mesh, wanted, context);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i] != 0 && bulge[i].margin() >= BULGE_MARGIN)
+      decision.settle(i, OutwardRule::BULGE, bulge[i]);
+}
+
+/** \brief Exchange the second and third corner where turn is 1, without a branch. */
+inline void
+reverseIf(pcl::index_t turn, Triangle& triangle)
+{
+  const pcl::index_t change = (triangle[1] ^ triangle[2]) & -turn;
+  triangle[1] ^= change;
+  triangle[2] ^= change;
+}
+
+/** \brief Reverse what has to be. \return number of triangles reversed */
+std::size_t
+apply(const Decision& decision,
+      const Winding& winding,
+      int threads,
+      Triangles& triangles)
+{
+  const LoopContext context{threads};
+  std::vector<std::size_t> reversed(context.blockCount(triangles.size()), 0);
+  const auto body = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t component = winding.componentOf(i);
+      const bool two_sided =
+          decision.components[component].rule != OutwardRule::ONE_SIDED;
+      const bool turn = winding.isTurned(i) != (decision.turn[component] != 0);
+      reverseIf(static_cast<pcl::index_t>(two_sided && turn), triangles[i]);
+      reversed[block] += static_cast<std::size_t>(two_sided && turn);
+    }
+  };
+  forEachBlock(triangles.size(), context, body);
+  return std::accumulate(reversed.begin(), reversed.end(), std::size_t{0});
+}
+
+OrientationReport
+cancelledReport()
+{
+  OrientationReport report;
+  report.cancelled = true;
+  return report;
+}
+
+} // namespace
+
+OrientationReport
+orientTriangles(Triangles& triangles,
+                const TriangleAdjacency& adjacency,
+                const PointView& positions,
+                const OrientationHints& hints,
+                RunControl& control)
+{
+  Winding winding;
+  if (!control.report("orientation", 0.0) ||
+      !winding.find(triangles, adjacency, hints.threads, control))
+    return cancelledReport();
+  const WoundMesh mesh{triangles, positions, winding};
+  const LoopContext context{hints.threads, &control, "outer side"};
+  Decision decision = startDecision(winding);
+  decideByEvidence(collectEvidence(mesh, hints, context), decision);
+  if (decision.any_undecided) {
+    const std::vector<Votes> sight = collectFreeSight(mesh, context);
+    decideBySight(sight, CLEAR_SIGHT_MARGIN, decision);
+    decideByBulge(mesh, context, decision);
+    decideBySight(sight, VOTE_MARGIN, decision);
+  }
+  if (!control.report("outer side", 1.0))
+    return cancelledReport();
+  OrientationReport report;
+  report.reversed = apply(decision, winding, hints.threads, triangles);
+  report.components = std::move(decision.components);
+  for (const OrientedComponent& component : report.components)
+    ++report.decided[static_cast<std::size_t>(component.rule)];
+  return report;
+}
+
+} // namespace ccaa
+} // namespace pcl

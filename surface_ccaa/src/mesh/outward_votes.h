@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what the rules for the outer side say about each component.
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/orientation.h>
+
+#include "component_sums.h"
+#include "winding.h"
+
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief Weighted votes for (positive) and against the winding of a component's first
+ * triangle. */
+struct Votes {
+  double sum = 0.0;
+  double total = 0.0;
+
+  /** \brief Count a vote; one that is not finite says nothing. */
+  void
+  add(double vote)
+  {
+    if (!std::isfinite(vote))
+      return;
+    sum += vote;
+    total += std::abs(vote);
+  }
+
+  void
+  add(const Votes& other)
+  {
+    sum += other.sum;
+    total += other.total;
+  }
+
+  /** \brief How clear the result is, 0 to 1. */
+  double
+  margin() const
+  {
+    return total > 0.0 ? std::abs(sum) / total : 0.0;
+  }
+};
+
+/** \brief What hints and volume say about one component. */
+struct OutwardEvidence {
+  Votes normals;
+  Votes viewpoint;
+  Votes volume; /**< six times the tetrahedra from the first corner; closed ones only */
+  double area = 0.0; /**< twice the area; closed ones only */
+
+  void
+  add(const OutwardEvidence& other)
+  {
+    normals.add(other.normals);
+    viewpoint.add(other.viewpoint);
+    volume.add(other.volume);
+    area += other.area;
+  }
+};
+
+/** \brief A mesh whose components are known. */
+struct WoundMesh {
+  const Triangles& triangles;
+  const PointView& positions;
+  const Winding& winding;
+};
+
+/** \brief Whether a volume is more than rounding: a folded sheet encloses nothing. */
+inline bool
+enclosesVolume(const OutwardEvidence& evidence)
+{
+  constexpr double LEAST_COMPACTNESS = 1e-9;
+  return std::abs(evidence.volume.sum) >
+         LEAST_COMPACTNESS * std::pow(evidence.area, 1.5);
+}
+
+/** \brief Evidence of hints and volume. Without hints and closed components nothing is
+ * computed. */
+std::vector<OutwardEvidence>
+collectEvidence(const WoundMesh& mesh,
+                const OrientationHints& hints,
+                const LoopContext& context);
+
+/** \brief Votes of the enclosing-sphere rule (thesis 4.48, first half): rays from the
+ * centre in up to 24 576 directions, the triangle met last has free sight. Triangles
+ * smaller than the step between rays are met by their centroid only. */
+std::vector<Votes>
+collectFreeSight(const WoundMesh& mesh, const LoopContext& context);
+
+/** \brief For the wanted components: whether they bulge outward, seen from their own
+ * centroid, by volume. */
+std::vector<Votes>
+collectBulge(const WoundMesh& mesh,
+             const ComponentFlags& wanted,
+             const LoopContext& context);
+
+} // namespace ccaa
+} // namespace pcl

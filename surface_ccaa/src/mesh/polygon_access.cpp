@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: PCL polygons to index triangles and back.
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
+
+#include "vertex_numbering.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** \brief Marks a triangle of an invalid polygon in its first corner. */
+constexpr pcl::index_t INVALID = -1;
+
+std::size_t
+triangleCount(const pcl::Vertices& polygon)
+{
+  return polygon.vertices.size() < 3 ? 0 : polygon.vertices.size() - 2;
+}
+
+/** \brief Flags of the points that are not finite; empty when all are. */
+std::vector<std::uint8_t>
+flagNonFinite(const PointView& points, const LoopContext& context)
+{
+  std::vector<std::vector<std::size_t>> parts(context.blockCount(points.size()));
+  const auto find = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!points[i].allFinite())
+        parts[block].push_back(i);
+  };
+  forEachBlock(points.size(), context, find);
+  const auto found = joinBlocks(parts);
+  std::vector<std::uint8_t> flags(found.empty() ? 0 : points.size(), 0);
+  for (const auto point_index : found)
+    flags[point_index] = 1;
+  return flags;
+}
+
+/** \brief Decides which polygons are sound. */
+class PolygonCheck {
+public:
+  PolygonCheck(const PointView& points, const std::vector<std::uint8_t>& non_finite)
+  : point_count_(points.size()), non_finite_(non_finite)
+  {}
+
+  bool
+  isValid(const pcl::Indices& corners)
+  {
+    for (const auto corner : corners) {
+      const auto point_index = static_cast<std::size_t>(corner);
+      if (corner < 0 || point_index >= point_count_ ||
+          (!non_finite_.empty() && non_finite_[point_index] != 0))
+        return false;
+    }
+    if (corners.size() == 3)
+      return corners[0] != corners[1] && corners[1] != corners[2] &&
+             corners[2] != corners[0];
+    sorted_.assign(corners.begin(), corners.end());
+    std::sort(sorted_.begin(), sorted_.end());
+    return std::adjacent_find(sorted_.begin(), sorted_.end()) == sorted_.end();
+  }
+
+private:
+  std::size_t point_count_;
+  const std::vector<std::uint8_t>& non_finite_;
+  std::vector<pcl::index_t> sorted_;
+};
+
+/** \brief Where the triangles of each block of polygons begin; the last entry is the
+ * number of all. */
+std::vector<std::size_t>
+blockStarts(const std::vector<pcl::Vertices>& polygons, const LoopContext& context)
+{
+  std::vector<std::size_t> starts(context.blockCount(polygons.size()) + 1, 0);
+  const auto count = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    std::size_t triangles = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      triangles += triangleCount(polygons[i]);
+    starts[block + 1] = triangles;
+  };
+  forEachBlock(polygons.size(), context, count);
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  return starts;
+}
+
+} // namespace
+
+PolygonTriangles
+readPolygons(const std::vector<pcl::Vertices>& polygons,
+             const PointView& points,
+             const LoopContext& context)
+{
+  const auto non_finite = flagNonFinite(points, context);
+  const auto starts = blockStarts(polygons, context);
+  std::vector<std::size_t> invalid(starts.size(), 0);
+  PolygonTriangles mesh;
+  mesh.triangles.resize(starts.back());
+  const auto read = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    PolygonCheck check(points, non_finite);
+    Triangle* out = mesh.triangles.data() + starts[block];
+    for (std::size_t i = begin; i < end; ++i) {
+      const pcl::Indices& corners = polygons[i].vertices;
+      const bool valid = corners.size() > 2 && check.isValid(corners);
+      invalid[block] += valid ? 0 : 1;
+      for (std::size_t corner = 2; corner < corners.size(); ++corner)
+        *out++ = valid ? Triangle{corners[0], corners[corner - 1], corners[corner]}
+                       : Triangle{INVALID, INVALID, INVALID};
+    }
+  };
+  if (context.cancelled() || !forEachBlock(polygons.size(), context, read))
+    return mesh;
+  mesh.invalid_polygons =
+      std::accumulate(invalid.begin(), invalid.end(), std::size_t{0});
+  if (mesh.invalid_polygons > 0) {
+    const auto is_invalid = [](const Triangle& triangle) {
+      return triangle[0] == INVALID;
+    };
+    auto& all = mesh.triangles;
+    all.erase(std::remove_if(all.begin(), all.end(), is_invalid), all.end());
+  }
+  mesh.point_of_vertex = numberVertices(points.size(), context, mesh.triangles);
+  return mesh;
+}
+
+void
+writePolygons(const Triangles& triangles,
+              const std::vector<pcl::index_t>& point_of_vertex,
+              const LoopContext& context,
+              std::vector<pcl::Vertices>& polygons)
+{
+  polygons.resize(triangles.size());
+  const auto write = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Triangle points = triangles[i];
+      for (auto& corner : points)
+        corner = point_of_vertex[static_cast<std::size_t>(corner)];
+      polygons[i].vertices.assign(points.begin(), points.end());
+    }
+  };
+  forEachBlock(triangles.size(), context, write);
+}
+
+Triangles
+liveTriangles(const Triangles& triangles,
+              const AliveFlags& alive,
+              const LoopContext& context)
+{
+  std::vector<std::size_t> starts(context.blockCount(triangles.size()) + 1, 0);
+  const auto count = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    std::size_t live = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      live += alive[i] != 0 ? 1 : 0;
+    starts[block + 1] = live;
+  };
+  forEachBlock(triangles.size(), context, count);
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  Triangles live(starts.back());
+  const auto copy = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    Triangle* out = live.data() + starts[block];
+    for (std::size_t i = begin; i < end; ++i)
+      if (alive[i] != 0)
+        *out++ = triangles[i];
+  };
+  forEachBlock(triangles.size(), context, copy);
+  return live;
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: all pairs of triangles of a mesh that meet.
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+#include <pcl/surface_ccaa/mesh/intersection.h>
+
+#include "triangle_checks.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+Corners
+cornersOf(const Triangle& triangle, const PointView& positions)
+{
+  return {positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]};
+}
+
+bool
+isTestable(const Triangle& triangle, const PointView& positions)
+{
+  if (!hasValidIndices(triangle, positions.size()))
+    return false;
+  const Corners corners = cornersOf(triangle, positions);
+  return corners[0].allFinite() && corners[1].allFinite() && corners[2].allFinite() &&
+         !isCollinear(corners);
+}
+
+/** \brief A box for each triangle, empty where it is not to be tested. */
+std::vector<Box>
+boxesOf(const Triangles& triangles,
+        const PointView& positions,
+        const LoopContext& context)
+{
+  std::vector<Box> boxes(triangles.size());
+  forEachBlock(
+      triangles.size(), context, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (isTestable(triangles[i], positions))
+            for (const pcl::index_t vertex : triangles[i])
+              boxes[i].extend(positions[vertex]);
+      });
+  return boxes;
+}
+
+} // namespace
+
+SelfIntersections
+findSelfIntersections(const Triangles& triangles,
+                      const PointView& positions,
+                      int threads,
+                      RunControl& control)
+{
+  SelfIntersections result;
+  const std::vector<Box> boxes = boxesOf(triangles, positions, {threads});
+  const BoxTree tree(boxes);
+  result.left_out = triangles.size() - tree.size();
+  LoopContext context{threads, &control, "self-intersections"};
+  context.block_size = 1024;
+  std::vector<std::vector<TrianglePair>> found(context.blockCount(tree.size()));
+  const auto searchBlock = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const pcl::index_t own = tree.order()[i];
+      const auto index = static_cast<std::size_t>(own);
+      const Corners corners = cornersOf(triangles[index], positions);
+      tree.forEachMeeting(boxes[index], [&](pcl::index_t other) {
+        if (other <= own)
+          return;
+        const Triangle& second = triangles[static_cast<std::size_t>(other)];
+        if (trianglesMeet(corners, cornersOf(second, positions)))
+          found[block].emplace_back(own, other);
+      });
+    }
+  };
+  if (!control.report("self-intersections", 0.0) ||
+      !forEachBlock(tree.size(), context, searchBlock)) {
+    result.cancelled = true;
+    return result;
+  }
+  result.pairs = joinBlocks(found);
+  std::sort(result.pairs.begin(), result.pairs.end());
+  return result;
+}
+
+} // namespace ccaa
+} // namespace pcl

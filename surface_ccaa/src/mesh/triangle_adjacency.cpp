@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: building the unoriented triangle adjacency.
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+
+#include "vertex_link.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** \brief Count the triangles of each vertex. */
+bool
+countTriangles(const Triangles& triangles,
+               const LoopContext& context,
+               std::vector<std::uint32_t>& counts)
+{
+  const auto count =
+      [&](std::size_t first, std::size_t last, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          for (const auto corner : triangles[i]) {
+            const auto vertex = static_cast<std::size_t>(corner);
+            if (vertex >= first && vertex < last)
+              ++counts[vertex];
+          }
+      };
+  return forEachRange(counts.size(), triangles.size(), context, count);
+}
+
+/** \brief Write each triangle into the lists of its corners. ends[v] is one past the
+ * list of v before, its begin afterwards. From the last triangle to the first, so that
+ * the lists become ascending. */
+bool
+fillLists(const Triangles& triangles,
+          const LoopContext& context,
+          std::vector<std::uint32_t>& ends,
+          pcl::index_t* lists)
+{
+  const std::size_t count = triangles.size();
+  const auto fill =
+      [&](std::size_t first, std::size_t last, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          for (const auto corner : triangles[count - 1 - i]) {
+            const auto vertex = static_cast<std::size_t>(corner);
+            if (vertex >= first && vertex < last)
+              lists[--ends[vertex]] = static_cast<pcl::index_t>(count - 1 - i);
+          }
+      };
+  return forEachRange(ends.size(), count, context, fill);
+}
+
+} // namespace
+
+void
+TriangleAdjacency::clear()
+{
+  *this = TriangleAdjacency();
+}
+
+void
+TriangleAdjacency::build(const Triangles& triangles,
+                         std::size_t vertex_count,
+                         int threads,
+                         RunControl* control)
+{
+  const LoopContext context{threads, control, "adjacency", BLOCK_SIZE};
+  clear();
+  if (!listTriangles(triangles, vertex_count, context) ||
+      !matchEdges(triangles, context))
+    clear();
+}
+
+bool
+TriangleAdjacency::listTriangles(const Triangles& triangles,
+                                 std::size_t vertex_count,
+                                 const LoopContext& context)
+{
+  offsets_.assign(vertex_count + 1, 0);
+  if (!countTriangles(triangles, context, offsets_))
+    return false;
+  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  incident_.resize(3 * triangles.size());
+  return fillLists(triangles, context, offsets_, incident_.data());
+}
+
+bool
+TriangleAdjacency::matchEdges(const Triangles& triangles, const LoopContext& context)
+{
+  const std::size_t vertex_count = offsets_.size() - 1;
+  across_.resize(3 * triangles.size());
+  fans_.resize(vertex_count);
+  std::vector<std::vector<std::pair<Edge, pcl::index_t>>> overfull(
+      context.blockCount(vertex_count));
+  const auto match = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    VertexLink link;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto vertex = static_cast<pcl::index_t>(i);
+      const auto* first = incident_.data() + offsets_[i];
+      const auto* last = incident_.data() + offsets_[i + 1];
+      fans_[i] = link.match(triangles, vertex, first, last, across_.data());
+      if (fans_[i] == Fan::OVERFULL)
+        link.appendOverfull(vertex, first, overfull[block]);
+    }
+  };
+  const bool complete = forEachBlock(vertex_count, context, match);
+  listOverfull(joinBlocks(overfull));
+  return complete;
+}
+
+void
+TriangleAdjacency::listOverfull(
+    const std::vector<std::pair<Edge, pcl::index_t>>& edge_triangles)
+{
+  for (const auto& [edge, triangle] : edge_triangles) {
+    if (overfull_edges_.empty() || overfull_edges_.back() != edge) {
+      overfull_edges_.push_back(edge);
+      overfull_offsets_.push_back(overfull_offsets_.back());
+    }
+    overfull_triangles_.push_back(triangle);
+    ++overfull_offsets_.back();
+  }
+}
+
+void
+TriangleAdjacency::keep(const std::vector<std::uint8_t>& alive,
+                        const std::vector<Fan>& fans)
+{
+  UninitializedVector<pcl::index_t> kept_as(alive.size());
+  pcl::index_t kept = 0;
+  for (std::size_t i = 0; i < alive.size(); ++i)
+    kept_as[i] = alive[i] != 0 ? kept++ : NONE;
+  std::size_t end = 0, begin = 0;
+  for (std::size_t vertex = 0; vertex < fans_.size(); ++vertex) {
+    for (std::size_t i = std::exchange(begin, offsets_[vertex + 1]); i < begin; ++i) {
+      const auto triangle = kept_as[static_cast<std::size_t>(incident_[i])];
+      incident_[end] = triangle;
+      end += triangle != NONE ? 1 : 0;
+    }
+    offsets_[vertex + 1] = static_cast<std::uint32_t>(end);
+  }
+  incident_.resize(end);
+  auto slot = across_.begin();
+  for (std::size_t i = 0; i < across_.size(); ++i) {
+    const auto other = across_[i];
+    if (alive[i / 3] != 0)
+      *slot++ = other < 0 ? other : kept_as[static_cast<std::size_t>(other)];
+  }
+  across_.erase(slot, across_.end());
+  fans_ = fans;
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: components of a mesh and the winding that suits each.
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/triangle.h>
+#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include <pcl/surface_ccaa/run_control.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief What the walk over one component found. */
+struct WoundComponent {
+  pcl::index_t first_triangle = 0; /**< lowest index; its winding is the reference */
+  std::size_t triangles = 0;
+  std::size_t turned = 0; /**< triangles wound against the first one */
+  bool closed = true;
+  bool one_sided = false;
+};
+
+/** \brief Every triangle's component, and whether it is wound against the component's
+ * first triangle. */
+class Winding {
+public:
+  /** \brief Walk all components.
+   * \return false when cancelled */
+  bool
+  find(const Triangles& triangles,
+       const TriangleAdjacency& adjacency,
+       int threads,
+       RunControl& control);
+
+  /** \brief By ascending first triangle. */
+  const std::vector<WoundComponent>&
+  components() const
+  {
+    return components_;
+  }
+
+  std::size_t
+  componentOf(std::size_t triangle) const
+  {
+    return static_cast<std::size_t>(state_[triangle] >> 1);
+  }
+
+  bool
+  isTurned(std::size_t triangle) const
+  {
+    return (state_[triangle] & 1) != 0;
+  }
+
+  /** \brief -1 for a turned triangle, else 1. */
+  double
+  sign(std::size_t triangle) const
+  {
+    return static_cast<double>(1 - 2 * (state_[triangle] & 1));
+  }
+
+private:
+  std::vector<pcl::index_t> state_; /**< 2 * component + turned */
+  std::vector<WoundComponent> components_;
+};
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the search kernel for processors with AVX2.
+#include "block_kernel.h"
+
+#ifdef PCL_CCAA_HAS_AVX2_KERNEL
+
+#include <immintrin.h>
+
+// Not "fma": distances must be the same bits on every processor.
+#pragma GCC target("avx2,popcnt,bmi")
+
+#define PCL_CCAA_KERNEL avx2
+#define PCL_CCAA_LANES "lanes_avx2.h"
+#include "kernel/block_kernel_impl.h"
+
+namespace pcl {
+namespace ccaa {
+namespace search {
+
+const Kernel AVX2_KERNEL = {avx2::nearestOfBlock, avx2::nearestOfPlace, avx2::within};
+
+} // namespace search
+} // namespace ccaa
+} // namespace pcl
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the search kernel for any processor.
+#include "block_kernel.h"
+
+#define PCL_CCAA_KERNEL baseline
+#define PCL_CCAA_LANES "lanes_baseline.h"
+#include "kernel/block_kernel_impl.h"
+
+namespace pcl {
+namespace ccaa {
+namespace search {
+
+const Kernel BASELINE_KERNEL = {
+    baseline::nearestOfBlock, baseline::nearestOfPlace, baseline::within};
+
+} // namespace search
+} // namespace ccaa
+} // namespace pcl

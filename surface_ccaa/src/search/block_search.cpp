@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: PointBlocks as a search method for any PCL class.
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/surface_ccaa/impl/block_search.hpp>
+#include <pcl/point_types.h>
+
+PCL_INSTANTIATE(BlockSearch,
+                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(
+                    pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointXYZINormal))

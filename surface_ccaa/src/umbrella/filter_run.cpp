@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the working data and the steps of one umbrella filter run.
+#include "filter_run.h"
+
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
+#include <pcl/surface_ccaa/umbrella/chain_elimination.h>
+#include <pcl/surface_ccaa/umbrella/edge_mending.h>
+#include <pcl/surface_ccaa/umbrella/region_growth.h>
+#include <pcl/surface_ccaa/umbrella/twist_cut.h>
+
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** The adjacency counts edge ends, three to a triangle, in 32 bits. */
+constexpr std::size_t MAXIMUM_TRIANGLES = std::numeric_limits<std::uint32_t>::max() / 3;
+
+/** \brief Triples in the order of vertices; nothing of nothing. */
+Positions
+gather(const PointView& points,
+       const std::vector<pcl::index_t>& point_of_vertex,
+       const LoopContext& context)
+{
+  Positions gathered(points.empty() ? 0 : point_of_vertex.size());
+  const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      gathered[i] = points[point_of_vertex[i]];
+  };
+  forEachBlock(gathered.size(), context, copy);
+  return gathered;
+}
+
+} // namespace
+
+FilterOutcome
+FilterRun::filter()
+{
+  if (triangles_.size() > MAXIMUM_TRIANGLES)
+    return FilterOutcome::TOO_MANY_TRIANGLES;
+  const auto steps = {&FilterRun::buildAdjacency,
+                      &FilterRun::mend,
+                      &FilterRun::eliminate,
+                      &FilterRun::dropDeleted,
+                      &FilterRun::orient};
+  for (const auto step : steps)
+    if (!control_.cancelled())
+      (this->*step)();
+  return control_.cancelled() ? FilterOutcome::CANCELLED : FilterOutcome::DONE;
+}
+
+void
+FilterRun::read(const std::vector<pcl::Vertices>& polygons)
+{
+  auto mesh = readPolygons(polygons, views_.points, stage("reading polygons"));
+  if (control_.cancelled())
+    return;
+  report_.input_polygons = polygons.size();
+  report_.invalid_polygons = mesh.invalid_polygons;
+  triangles_ = std::move(mesh.triangles);
+  point_of_vertex_ = std::move(mesh.point_of_vertex);
+  positions_ = gather(views_.points, point_of_vertex_, stage("reading points"));
+}
+
+void
+FilterRun::buildAdjacency()
+{
+  adjacency_.build(triangles_, positions_.size(), settings_.threads, &control_);
+  alive_.assign(triangles_.size(), 1);
+}
+
+/** Brings the mesh to C3.4-1. */
+void
+FilterRun::mend()
+{
+  const auto mended =
+      mendEdges(triangles_, adjacency_, positions_, stage("mending edges"), alive_);
+  report_.duplicate_triangles = mended.duplicate_triangles;
+  report_.overfull_edges = mended.overfull_edges;
+  report_.overfull_triangles = mended.overfull_triangles;
+  if (control_.cancelled() ||
+      mended.duplicate_triangles + mended.overfull_triangles == 0)
+    return;
+  triangles_ = liveTriangles(triangles_, alive_, stage("mending edges"));
+  buildAdjacency();
+}
+
+/** Table T3.4-1 and C3.4-3. */
+void
+FilterRun::eliminate()
+{
+  fans_ = adjacency_.fans();
+  report_.umbrella_triangles += eliminateChains(
+      triangles_, adjacency_, positions_, stage("umbrella"), alive_, fans_);
+  if (control_.cancelled())
+    return;
+  const auto regions = removeSmallRegions(
+      triangles_, settings_.minimum_internal_points, stage("regions"), alive_, fans_);
+  report_.small_region_triangles += regions.triangles_removed;
+  report_.components = regions.regions_kept;
+}
+
+void
+FilterRun::dropDeleted()
+{
+  if (report_.umbrella_triangles + report_.small_region_triangles > 0) {
+    triangles_ = liveTriangles(triangles_, alive_, stage("regions"));
+    if (settings_.consistent_orientation)
+      adjacency_.keep(alive_, fans_);
+  }
+  alive_ = {};
+  report_.output_triangles = triangles_.size();
+}
+
+void
+FilterRun::orient()
+{
+  if (settings_.consistent_orientation) {
+    OrientationReport oriented = windOutward();
+    if (oriented.oneSided() > 0 && cutTwistedRegions(oriented))
+      oriented = windOutward();
+    report_.one_sided_components = oriented.oneSided();
+  }
+  adjacency_.clear();
+  positions_ = {};
+}
+
+OrientationReport
+FilterRun::windOutward()
+{
+  const LoopContext context = stage("reading hints");
+  OrientationHints hints;
+  const auto normals = gather(views_.normals, point_of_vertex_, context);
+  const auto viewpoints = gather(views_.viewpoints, point_of_vertex_, context);
+  hints.normals = normals;
+  hints.viewpoints = viewpoints;
+  hints.threads = settings_.threads;
+  const auto oriented =
+      orientTriangles(triangles_, adjacency_, positions_, hints, control_);
+  report_.reversed_triangles += oriented.reversed;
+  return oriented;
+}
+
+/** What is left around a cut is examined like any other mesh.
+ * \return whether anything was cut */
+bool
+FilterRun::cutTwistedRegions(const OrientationReport& oriented)
+{
+  alive_.assign(triangles_.size(), 1);
+  const std::size_t cut = cutTwists(triangles_,
+                                    adjacency_,
+                                    positions_,
+                                    oriented.components,
+                                    settings_.twist_limits,
+                                    alive_);
+  report_.twist_triangles = cut;
+  if (cut == 0 || control_.cancelled())
+    return false;
+  triangles_ = liveTriangles(triangles_, alive_, stage("twists"));
+  buildAdjacency();
+  eliminate();
+  dropDeleted();
+  return !control_.cancelled();
+}
+
+bool
+FilterRun::write(std::vector<pcl::Vertices>& polygons)
+{
+  writePolygons(triangles_, point_of_vertex_, stage("writing polygons"), polygons);
+  return !control_.cancelled();
+}
+
+std::vector<PointRole>
+FilterRun::pointRoles()
+{
+  std::vector<PointRole> roles(views_.points.size(), PointRole::FREE);
+  for (std::size_t vertex = 0; vertex < fans_.size(); ++vertex) {
+    auto& role = roles[static_cast<std::size_t>(point_of_vertex_[vertex])];
+    if (fans_[vertex] == Fan::CLOSED) {
+      role = PointRole::INTERNAL;
+      ++report_.internal_points;
+    }
+    else if (fans_[vertex] == Fan::OPEN) {
+      role = PointRole::BOUNDARY;
+      ++report_.boundary_points;
+    }
+  }
+  report_.free_points =
+      roles.size() - report_.internal_points - report_.boundary_points;
+  return roles;
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: table of what start and filter cost, beside the field.
+//
+// Usage: bench_surface_ccaa [--repeats R] [--no-rivals] CLOUD...
+//   CLOUD is FILE.ply, FILE.pcd, bumpy:N or sample:FILE.ply:N:NOISE (see
+//   input_clouds.h).
+// Prints microseconds per point, search included and file access excluded, the median
+// of R interleaved runs. Nothing passes or fails.
+#include <pcl/console/print.h>
+#include <pcl/search/kdtree.h>
+#include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
+
+#include "input_clouds.h"
+#include "rivals.h"
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using bench::Cloud;
+using Search = pcl::search::Search<pcl::PointXYZ>;
+
+struct Settings {
+  std::size_t repeats = 5;
+  bool rivals = true;
+  std::vector<std::string> clouds;
+};
+
+/** Seconds of one run of start and filter, stage by stage. */
+struct StageTimes {
+  double search = 0;
+  double start = 0; /**< search included */
+  double filter = 0;
+
+  double
+  total() const
+  {
+    return start + filter;
+  }
+};
+
+double
+secondsOf(const std::function<void()>& work)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+double
+median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+/** A line of /proc/self/status in bytes, 0 where there is none. */
+std::size_t
+processBytes(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == key + ":") {
+      std::size_t kilobytes = 0;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  return 0;
+}
+
+void
+resetPeak()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+struct Result {
+  pcl::PolygonMesh::Ptr mesh;
+  pcl::UmbrellaReport report;
+  StageTimes times;
+};
+
+Result
+startAndFilter(const Cloud::Ptr& cloud, const Search::Ptr& search, unsigned int threads)
+{
+  Result result;
+  pcl::GreedyStart<pcl::PointXYZ> start;
+  start.setInputCloud(cloud);
+  start.setSearchMethod(search);
+  start.setNumberOfThreads(threads);
+  pcl::PolygonMesh::Ptr raw(new pcl::PolygonMesh);
+  result.times.start = secondsOf([&] { start.reconstruct(*raw); });
+  result.times.search = start.getReport().search_seconds;
+  pcl::UmbrellaFilter filter;
+  filter.setInputMesh(raw);
+  filter.setNumberOfThreads(threads);
+  result.mesh.reset(new pcl::PolygonMesh);
+  result.times.filter = secondsOf([&] { filter.process(*result.mesh); });
+  result.report = filter.getReport();
+  return result;
+}
+
+/** Bytes of the result itself: a polygon is a vector and the block that it points to.
+ */
+std::size_t
+bytesOf(const pcl::PolygonMesh& mesh)
+{
+  return mesh.cloud.data.capacity() +
+         mesh.polygons.capacity() * (sizeof(pcl::Vertices) + 32);
+}
+
+/** Peak memory of a run above what was there before it and above its result. */
+double
+peakBytesPerPoint(const Cloud::Ptr& cloud)
+{
+  resetPeak();
+  const std::size_t before = processBytes("VmRSS");
+  const Result result = startAndFilter(
+      cloud, std::make_shared<pcl::search::BlockSearch<pcl::PointXYZ>>(), 0);
+  const std::size_t peak = processBytes("VmHWM");
+  const double extra = double(peak) - double(before) - double(bytesOf(*result.mesh));
+  return extra / double(cloud->size());
+}
+
+/** One way to run start and filter, timed over all repeats. */
+struct Variant {
+  std::string name;
+  Search::Ptr search;
+  unsigned int threads;
+  std::vector<StageTimes> runs;
+
+  double
+  medianOf(double (*part)(const StageTimes&)) const
+  {
+    std::vector<double> values;
+    for (const StageTimes& run : runs)
+      values.push_back(part(run));
+    return median(values);
+  }
+};
+
+struct Rival {
+  std::string name;
+  std::function<std::size_t()> triangles;
+  std::vector<double> seconds;
+  std::size_t found = 0;
+};
+
+/** GP3's radius is a trade of speed for coverage: the fastest of the usual ones that
+ * finds nine tenths of the triangles of the best. */
+double
+fastestSensibleRadius(const Cloud::Ptr& cloud, double spacing)
+{
+  struct Try {
+    double radius;
+    double seconds;
+    std::size_t triangles;
+  };
+  std::vector<Try> tries;
+  std::size_t most = 0;
+  for (const double radius : {1.25, 1.75, 2.5, 4.0}) {
+    Try t{radius, 0, 0};
+    t.seconds = secondsOf([&] {
+      t.triangles = bench::greedyProjection(cloud, spacing, radius).polygons.size();
+    });
+    most = std::max(most, t.triangles);
+    tries.push_back(t);
+  }
+  const Try* best = nullptr;
+  for (const Try& t : tries)
+    if (t.triangles * 10 >= most * 9 && (best == nullptr || t.seconds < best->seconds))
+      best = &t;
+  return best->radius;
+}
+
+std::vector<Rival>
+rivalsFor(const Cloud::Ptr& cloud)
+{
+  std::vector<Rival> rivals;
+  const double spacing = bench::spacingOf(cloud);
+  const double radius = fastestSensibleRadius(cloud, spacing);
+  rivals.push_back(
+      {"PCL GP3 + normals",
+       [=] { return bench::greedyProjection(cloud, spacing, radius).polygons.size(); },
+       {}});
+  if (bench::hasAdvancingFront())
+    rivals.push_back(
+        {"CGAL advancing front", [=] { return bench::advancingFront(*cloud); }, {}});
+  return rivals;
+}
+
+void
+printVariants(const std::vector<Variant>& variants, double micro)
+{
+  std::printf(
+      "  %-26s %8s %8s %8s %8s\n", "us/point", "k-NN", "start", "filter", "all");
+  for (const Variant& v : variants)
+    std::printf("  %-26s %8.3f %8.3f %8.3f %8.3f\n",
+                v.name.c_str(),
+                micro * v.medianOf([](const StageTimes& t) { return t.search; }),
+                micro * v.medianOf([](const StageTimes& t) { return t.start; }),
+                micro * v.medianOf([](const StageTimes& t) { return t.filter; }),
+                micro * v.medianOf([](const StageTimes& t) { return t.total(); }));
+}
+
+void
+printRatios(const std::vector<Variant>& variants,
+            const std::vector<Rival>& rivals,
+            double micro)
+{
+  const auto total = [&](std::size_t v) {
+    return variants[v].medianOf([](const StageTimes& t) { return t.total(); });
+  };
+  std::printf("  all threads against one: %.2fx (block search), %.2fx (KdTree)\n",
+              total(0) / total(1),
+              total(2) / total(3));
+  for (const Rival& rival : rivals)
+    std::printf("  %-26s %35.3f   %zu triangles: %.2fx ours with block search, %.2fx "
+                "with KdTree\n",
+                rival.name.c_str(),
+                micro * median(rival.seconds),
+                rival.found,
+                median(rival.seconds) / total(0),
+                median(rival.seconds) / total(2));
+}
+
+void
+benchmark(const std::string& word, const Settings& settings)
+{
+  const Cloud::Ptr cloud = bench::makeCloud(word);
+  using Blocks = pcl::search::BlockSearch<pcl::PointXYZ>;
+  using KdTree = pcl::search::KdTree<pcl::PointXYZ>;
+  const auto kdtree = [] { return std::make_shared<KdTree>(false); };
+  std::vector<Variant> variants = {
+      {"block search, 1 thread", std::make_shared<Blocks>(), 1, {}},
+      {"block search, all threads", std::make_shared<Blocks>(), 0, {}},
+      {"PCL KdTree, 1 thread", kdtree(), 1, {}},
+      {"PCL KdTree, all threads", kdtree(), 0, {}}};
+  std::vector<Rival> rivals = settings.rivals ? rivalsFor(cloud) : std::vector<Rival>();
+  const double bytes = peakBytesPerPoint(cloud);
+  pcl::UmbrellaReport report;
+  for (std::size_t r = 0; r < settings.repeats; ++r) {
+    for (Variant& variant : variants) {
+      const Result result = startAndFilter(cloud, variant.search, variant.threads);
+      variant.runs.push_back(result.times);
+      report = result.report;
+    }
+    for (Rival& rival : rivals)
+      rival.seconds.push_back(secondsOf([&] { rival.found = rival.triangles(); }));
+  }
+  const double points = double(cloud->size());
+  std::printf("%s: N %zu, k %.4f, internal share %.4f, %zu triangles in %zu regions, "
+              "peak %.0f bytes/point\n",
+              bench::shortName(word).c_str(),
+              cloud->size(),
+              double(report.internal_points + report.boundary_points) / points,
+              double(report.internal_points) / points,
+              report.output_triangles,
+              report.components,
+              bytes);
+  printVariants(variants, 1e6 / points);
+  printRatios(variants, rivals, 1e6 / points);
+  std::fflush(stdout);
+}
+
+Settings
+parse(int argc, char** argv)
+{
+  Settings settings;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--repeats" && i + 1 < argc)
+      settings.repeats = std::stoul(argv[++i]);
+    else if (word == "--no-rivals")
+      settings.rivals = false;
+    else
+      settings.clouds.push_back(word);
+  }
+  return settings;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
+  try {
+    const Settings settings = parse(argc, argv);
+    for (const std::string& word : settings.clouds)
+      benchmark(word, settings);
+  }
+  catch (const std::exception& problem) {
+    std::fprintf(stderr, "bench_surface_ccaa: %s\n", problem.what());
+    return 1;
+  }
+}

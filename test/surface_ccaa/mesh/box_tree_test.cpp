@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of mesh/box_tree.h.
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+
+#include <gtest/gtest.h>
+
+#include "support/random_source.h"
+
+namespace pcl {
+namespace ccaa {
+namespace test {
+namespace {
+
+std::vector<Box>
+randomBoxes(std::size_t count, std::uint64_t seed)
+{
+  RandomSource random(seed);
+  std::vector<Box> boxes(count);
+  for (Box& box : boxes) {
+    const Position corner(random.uniform(), random.uniform(), random.uniform());
+    const double size = 0.3 * random.uniform() * random.uniform();
+    box = Box(corner, corner + Position::Constant(size));
+  }
+  return boxes;
+}
+
+std::vector<index_t>
+found(const BoxTree& tree, const Box& query)
+{
+  std::vector<index_t> result;
+  tree.forEachMeeting(query, [&](index_t index) { result.push_back(index); });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<index_t>
+foundOneByOne(const std::vector<Box>& boxes, const Box& query)
+{
+  std::vector<index_t> result;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (boxes[i].intersects(query))
+      result.push_back(static_cast<index_t>(i));
+  return result;
+}
+
+TEST(BoxTree, FindsWhatLookingAtEveryBoxFinds)
+{
+  for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 65u, 1000u}) {
+    const std::vector<Box> boxes = randomBoxes(count, count);
+    const BoxTree tree(boxes);
+    for (const Box& query : randomBoxes(50, 99))
+      EXPECT_EQ(found(tree, query), foundOneByOne(boxes, query));
+  }
+}
+
+TEST(BoxTree, TouchingCounts)
+{
+  const BoxTree tree({Box(Position(0, 0, 0), Position(1, 1, 1))});
+  EXPECT_EQ(found(tree, Box(Position(1, 1, 1), Position(2, 2, 2))).size(), 1u);
+}
+
+TEST(BoxTree, NeverFindsEmptyBoxes)
+{
+  std::vector<Box> boxes = randomBoxes(20, 1);
+  boxes[4].setEmpty();
+  const BoxTree tree(boxes);
+  EXPECT_EQ(tree.size(), 19u);
+  const std::vector<index_t> all =
+      found(tree, Box(Position::Constant(-9), Position::Constant(9)));
+  EXPECT_EQ(std::count(all.begin(), all.end(), 4), 0);
+}
+
+TEST(BoxTree, OfNothingFindsNothing)
+{
+  EXPECT_TRUE(found(BoxTree(), Box(Position(0, 0, 0))).empty());
+  EXPECT_TRUE(found(BoxTree({Box(), Box()}), Box(Position(0, 0, 0))).empty());
+}
+
+TEST(BoxTree, HoldsBoxesAllInOnePlace)
+{
+  const BoxTree tree(std::vector<Box>(100, Box(Position(2, 2, 2))));
+  EXPECT_EQ(found(tree, Box(Position(2, 2, 2))).size(), 100u);
+}
+
+} // namespace
+} // namespace test
+} // namespace ccaa
+} // namespace pcl

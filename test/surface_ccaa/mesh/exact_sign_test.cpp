@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of mesh/exact_sign.h.
+#include <pcl/surface_ccaa/mesh/exact_sign.h>
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <Eigen/Geometry>
+
+#include "support/random_source.h"
+
+#include <limits>
+
+namespace pcl {
+namespace ccaa {
+namespace test {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+/** \brief The same determinant in rational numbers. */
+int
+rationalSide(const Position& a, const Position& b, const Position& c, const Position& d)
+{
+  Rational m[3][3];
+  const Position* rows[3] = {&a, &b, &c};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      m[i][k] = Rational((*rows[i])[k]) - Rational(d[k]);
+  const Rational determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                               m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  return -determinant.sign();
+}
+
+Position
+randomPosition(RandomSource& random)
+{
+  return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+}
+
+TEST(ExactSign, SideIsPositiveWhereTheTriangleTurnsCounterClockwise)
+{
+  const Position a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+  EXPECT_EQ(sideOfPlane(a, b, c, {0.2, 0.2, 1.0}), 1);
+  EXPECT_EQ(sideOfPlane(a, b, c, {0.2, 0.2, -1.0}), -1);
+  EXPECT_EQ(sideOfPlane(a, b, c, {5.0, 7.0, 0.0}), 0);
+}
+
+TEST(ExactSign, AgreesWithRationalNumbersNextToThePlane)
+{
+  RandomSource random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const Position a = randomPosition(random), b = randomPosition(random),
+                   c = randomPosition(random);
+    const double u = random.uniform(), v = random.uniform();
+    Position d = a + u * (b - a) + v * (c - a);
+    if (i % 2 == 1)
+      d.x() = std::nextafter(d.x(), 2.0);
+    EXPECT_EQ(sideOfPlane(a, b, c, d), rationalSide(a, b, c, d));
+  }
+}
+
+TEST(ExactSign, AgreesWithRationalNumbersFarFromTheOrigin)
+{
+  RandomSource random(2);
+  const Position shift(494678.0, 5420315.0, 251.0);
+  for (int i = 0; i < 500; ++i) {
+    Position p[4];
+    for (Position& point : p)
+      point = (randomPosition(random) * 1e-3 + shift).cast<float>().cast<double>();
+    EXPECT_EQ(sideOfPlane(p[0], p[1], p[2], p[3]),
+              rationalSide(p[0], p[1], p[2], p[3]));
+  }
+}
+
+TEST(ExactSign, HoldsOverTheWholeRangeOfDoubles)
+{
+  RandomSource random(3);
+  for (int i = 0; i < 500; ++i) {
+    Position p[4];
+    for (Position& point : p)
+      for (int k = 0; k < 3; ++k)
+        point[k] = std::ldexp(random.uniform(-1, 1),
+                              static_cast<int>(random.uniform(-400.0, 400.0)));
+    EXPECT_EQ(sideOfPlane(p[0], p[1], p[2], p[3]),
+              rationalSide(p[0], p[1], p[2], p[3]));
+  }
+}
+
+TEST(ExactSign, HoldsForTheSmallestNumbers)
+{
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(sideOfPlane({0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}), 1);
+  EXPECT_EQ(turnInPlane({0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}, 2), 1);
+}
+
+TEST(ExactSign, SwappingTwoPointsSwapsTheSign)
+{
+  RandomSource random(4);
+  for (int i = 0; i < 200; ++i) {
+    const Position a = randomPosition(random), b = randomPosition(random),
+                   c = randomPosition(random), d = 0.5 * (a + b);
+    EXPECT_EQ(sideOfPlane(a, b, c, d), -sideOfPlane(b, a, c, d));
+  }
+}
+
+TEST(ExactSign, TurnIsPositiveCounterClockwiseInEveryPlane)
+{
+  const Position o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  EXPECT_EQ(turnInPlane(o, y, z, 0), 1);
+  EXPECT_EQ(turnInPlane(o, z, x, 1), 1);
+  EXPECT_EQ(turnInPlane(o, x, y, 2), 1);
+  EXPECT_EQ(turnInPlane(o, y, x, 2), -1);
+}
+
+TEST(ExactSign, TurnOfThreePointsOnALineIsZero)
+{
+  const Position a(0.1, 0.3, 0), b(0.7, 0.9, 0), c = a + (b - a) * 0.5;
+  EXPECT_EQ(turnInPlane({0, 0, 0}, {3, 3, 1}, {9, 9, 4}, 2), 0);
+  EXPECT_EQ(turnInPlane(a, b, c, 2), -turnInPlane(b, a, c, 2));
+}
+
+TEST(ExactSign, NoAxisIsDroppableOnlyForCollinearPoints)
+{
+  EXPECT_EQ(droppableAxis({0, 0, 0}, {1, 2, 3}, {2, 4, 6}), -1);
+  EXPECT_EQ(droppableAxis({1, 1, 1}, {1, 1, 1}, {2, 4, 6}), -1);
+  EXPECT_EQ(droppableAxis({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 2);
+  EXPECT_EQ(droppableAxis({0, 0, 0}, {1e-9, 0, 1}, {0, 1e-30, 1}) >= 0, true);
+}
+
+} // namespace
+} // namespace test
+} // namespace ccaa
+} // namespace pcl
