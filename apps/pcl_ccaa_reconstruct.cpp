@@ -45,7 +45,11 @@ makeCommandLine()
   const pcl::UmbrellaFilter filter;
   const auto neighbors = static_cast<long long>(start.getNumberOfNeighbors());
   const auto internal = static_cast<long long>(filter.getMinimumInternalPoints());
-  const double angle = std::round(start.getMinimumAngle() * 18000 / M_PI) / 100;
+  const auto degrees = [](double angle) {
+    return std::round(angle * 18000 / M_PI) / 100;
+  };
+  const double angle = degrees(start.getMinimumAngle());
+  const double certified_angle = degrees(start.getCertifiedMinimumAngle());
   const auto text = [] { return po::value<std::string>(); };
   const auto count = [](long long n) {
     return po::value<long long>()->default_value(n);
@@ -67,6 +71,17 @@ makeCommandLine()
   add("min-angle",
       app::realValue(angle),
       "smallest angle between two edges at a point, in degrees, 0 to 60");
+  add("certified-angle",
+      app::realValue(certified_angle),
+      "the same for edges that no other point speaks against, in degrees, 0 to 60");
+  add("max-length",
+      app::realValue(start.getLengthFactor()),
+      "longest edge as a multiple of the spacing around it, 1 or more");
+  add("plain",
+      po::bool_switch(),
+      "shortest edges first and --min-angle alone, without asking for each edge "
+      "whether "
+      "other points speak against it; faults and holes are more");
   add("min-region",
       count(internal),
       "regions with fewer inner points than this are removed; 0 keeps all");
@@ -98,6 +113,7 @@ takeSettings(const app::Arguments& arguments, app::ReconstructSettings& settings
   settings.report = app::takeText(arguments, "report");
   settings.until = app::takeText(arguments, "until");
   settings.search = app::takeText(arguments, "search");
+  settings.plain = arguments["plain"].as<bool>();
   settings.quiet = arguments.count("quiet") != 0;
   app::Status status = checkChoices(settings);
   if (status.ok())
@@ -109,6 +125,11 @@ takeSettings(const app::Arguments& arguments, app::ReconstructSettings& settings
         arguments, "min-region", 0, 1000000000, settings.minimum_internal_points);
   if (status.ok())
     status = app::takeReal(arguments, "min-angle", 0, 60, settings.minimum_angle);
+  if (status.ok())
+    status = app::takeReal(
+        arguments, "certified-angle", 0, 60, settings.certified_minimum_angle);
+  if (status.ok())
+    status = app::takeReal(arguments, "max-length", 1, 1e6, settings.length_factor);
   return status;
 }
 

@@ -40,6 +40,7 @@ describeFilter(const pcl::UmbrellaReport& filter)
           {"overfull_triangles", filter.overfull_triangles},
           {"umbrella_triangles", filter.umbrella_triangles},
           {"small_region_triangles", filter.small_region_triangles},
+          {"twist_triangles", filter.twist_triangles},
           {"output_triangles", filter.output_triangles},
           {"reversed_triangles", filter.reversed_triangles},
           {"components", filter.components},
@@ -77,6 +78,9 @@ describeRun(const ReconstructSettings& settings,
                  {"parameters",
                   {{"neighbors", settings.neighbors},
                    {"min_angle_degrees", settings.minimum_angle},
+                   {"certified_angle_degrees", settings.certified_minimum_angle},
+                   {"length_factor", settings.length_factor},
+                   {"plain", settings.plain},
                    {"min_region", settings.minimum_internal_points}}},
                  {"warnings", warnings}};
   if (result.filtered) {

@@ -83,6 +83,9 @@ runStart(const ReconstructSettings& settings,
   start.setSearchMethod(makeSearch(settings));
   start.setNumberOfNeighbors(settings.neighbors);
   start.setMinimumAngle(settings.minimum_angle * M_PI / 180);
+  start.setCertifiedMinimumAngle(settings.certified_minimum_angle * M_PI / 180);
+  start.setLengthFactor(settings.length_factor);
+  start.setUseCertificates(!settings.plain);
   start.setNumberOfThreads(settings.threads);
   start.setProgressCallback(bar.callback());
   Stopwatch watch;

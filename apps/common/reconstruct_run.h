@@ -23,7 +23,10 @@ struct ReconstructSettings {
   unsigned int threads = 0;
   unsigned int neighbors = 0;
   unsigned int minimum_internal_points = 0;
-  double minimum_angle = 0; // degrees
+  double minimum_angle = 0;           // degrees
+  double certified_minimum_angle = 0; // degrees
+  double length_factor = 0;           // local spacings
+  bool plain = false;                 // the thesis' rules alone
   bool quiet = false;
 };
 

@@ -201,7 +201,8 @@ private:
     words.nextWord(name);
     if (!nextCount(words, entries))
       return true; // only the name of a table
-    FieldArray ignored{"", is_binary_ ? Field::UINT8 : Field::FLOAT32, 4, {}};
+    FieldArray ignored{
+        "", std::uint8_t(is_binary_ ? Field::UINT8 : Field::FLOAT32), 4, {}};
     return readArray(entries, ignored);
   }
 

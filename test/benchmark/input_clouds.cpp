@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: clouds for benchmarks, from files or made to order.
 #include "input_clouds.h"
 
+#include <pcl/common/point_tests.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
-#include <pcl/common/point_tests.h>
 #include <pcl/conversions.h>
 
 #include <algorithm>

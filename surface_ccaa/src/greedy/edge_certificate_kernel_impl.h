@@ -26,18 +26,18 @@ constexpr int SPACING_NEIGHBORS = 6;
 
 /** Over this ratio of thickness to width a neighborhood is thick: no plane is in sight
  * at the scale of the spacing. */
-constexpr float THICK_RATIO = 0.25f;
+constexpr float THICK_RATIO = 0.2f;
 
 /** A thick neighborhood with no gap of this share of its thickness is noise, not a pile
  * of sheets. */
-constexpr float LAYER_GAP = 0.4f;
+constexpr float LAYER_GAP = 0.5f;
 
 /** Sine of the steepest rise of a certified edge over the plane. */
-constexpr float STEEPEST_EDGE = 0.8f;
+constexpr float STEEPEST_EDGE = 0.85f;
 
 /** Sine of the steepest rise over the plane at which a witness still counts as lying in
  * it, 44 degrees. */
-constexpr float STEEPNESS = 0.7f;
+constexpr float STEEPNESS = 0.75f;
 
 inline float
 magnitude(float value)
@@ -273,9 +273,9 @@ isUnlayered(const Neighborhood<LANES>& hood)
   return gap < LAYER_GAP * (heights[hood.count] - heights[0]);
 }
 
-/** The edges that lead along the surface: not steeper over the plane than STEEPEST_EDGE.
- * An edge that climbs out of it has no circle in the plane to be empty, and would bridge
- * the sheets of a thin wall. */
+/** The edges that lead along the surface: not steeper over the plane than
+ * STEEPEST_EDGE. An edge that climbs out of it has no circle in the plane to be empty,
+ * and would bridge the sheets of a thin wall. */
 template <int LANES>
 inline std::uint64_t
 edgesAlongSurface(const Neighborhood<LANES>& hood)

@@ -29,12 +29,15 @@ struct EdgeCounts {
   }
 };
 
-/** An edge that leaves its block and waits for its level. */
+/** An edge that waits for its level. */
 struct WaitingEdge {
   CandidateEdge edge;
   unsigned int level;
   EdgeStanding standing;
 };
+
+/** By block, each in the order of levels. */
+using WaitingEdges = std::vector<std::vector<WaitingEdge>>;
 
 /** The edges of one task, by standing. */
 struct EdgeQueue {
@@ -120,61 +123,94 @@ private:
                         });
   }
 
+  /** No edge has been added before, so an insertion touches only points that edges of
+   * its level or lower ones join to it: groups of the level can find and insert their
+   * edges at the same time. */
   bool
   certifiedPass(const CandidateEdges& candidates)
   {
-    return pass("edges",
-                [&](index_t a, const auto& add) { candidates.forCertified(a, add); });
+    const char* stage = "edges";
+    WaitingEdges waiting(schedule_.blockCount());
+    const bool done = level(stage, 0, [&](std::size_t block, EdgeQueue& queue) {
+      const auto add = [&](const CandidateEdge& edge, EdgeStanding standing) {
+        const unsigned int level = BlockSchedule::levelOf(edge.a, edge.b);
+        if (level == 0)
+          queue.add(edge, standing);
+        else
+          waiting[block].push_back({edge, level, standing});
+      };
+      for (std::size_t r = schedule_.begin(0, block); r < schedule_.end(0, block); ++r)
+        candidates.forCertified(static_cast<index_t>(r), add);
+      sortByLevel(waiting[block]);
+    });
+    return done && insertWaiting(stage, 1, waiting);
   }
 
-  /** All candidates between points whose umbrella is open. Who is open is settled
-   * before the pass: an answer that changed while it runs would depend on the schedule.
-   */
+  /** All candidates between points whose umbrella is open. They are found before the
+   * first of them is added: an answer that changed on the way would depend on the
+   * schedule. */
   bool
   plainPass(const CandidateEdges& candidates)
   {
+    const char* stage = "second pass";
+    WaitingEdges waiting(schedule_.blockCount());
     std::vector<char> open(points_.size());
-    const bool settled =
-        forEachBlock(points_.size(),
-                     loop("second pass", BlockSchedule::BLOCK),
-                     [&](std::size_t, std::size_t first, std::size_t last) {
-                       for (std::size_t rank = first; rank < last; ++rank)
-                         open[rank] = !joined_.isClosed(static_cast<index_t>(rank));
-                     });
-    return settled && pass("second pass", [&](index_t a, const auto& add) {
-             if (!open[static_cast<std::size_t>(a)])
-               return;
-             candidates.forPlain(
-                 a,
-                 [&](index_t b) {
-                   return open[static_cast<std::size_t>(b)] && !joined_.areJoined(a, b);
-                 },
-                 add);
-           });
+    const auto settle = [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t rank = first; rank < last; ++rank)
+        open[rank] = !joined_.isClosed(static_cast<index_t>(rank));
+    };
+    const auto find = [&](std::size_t block, std::size_t first, std::size_t last) {
+      for (std::size_t rank = first; rank < last; ++rank)
+        if (open[rank])
+          findPlain(candidates, open, static_cast<index_t>(rank), waiting[block]);
+      sortByLevel(waiting[block]);
+    };
+    const LoopContext blocks = loop(stage, BlockSchedule::BLOCK);
+    return forEachBlock(points_.size(), blocks, settle) &&
+           forEachBlock(points_.size(), blocks, find) &&
+           insertWaiting(stage, 0, waiting);
   }
 
-  /** Work off the edges that collect(point, add) finds, level by level. */
-  template <typename Collect>
-  bool
-  pass(const char* stage, Collect collect)
+  void
+  findPlain(const CandidateEdges& candidates,
+            const std::vector<char>& open,
+            index_t a,
+            std::vector<WaitingEdge>& waiting) const
   {
-    std::vector<std::vector<WaitingEdge>> waiting(schedule_.blockCount());
-    const bool blocks_done = level(stage, 0, [&](std::size_t block, EdgeQueue& queue) {
-      collectBlock(collect, block, queue, waiting[block]);
+    candidates.forPlain(
+        a,
+        [&](index_t b) {
+          return open[static_cast<std::size_t>(b)] && !joined_.areJoined(a, b);
+        },
+        [&](const CandidateEdge& edge, EdgeStanding standing) {
+          waiting.push_back({edge, levelOfInsertion(edge), standing});
+        });
+  }
+
+  /** The lowest level with a group that holds all points an insertion touches: the ends
+   * and whoever is joined to both, which may lie in another block than they. */
+  unsigned int
+  levelOfInsertion(const CandidateEdge& edge) const
+  {
+    unsigned int level = BlockSchedule::levelOf(edge.a, edge.b);
+    joined_.forCommonNeighbors(edge.a, edge.b, [&](index_t c) {
+      level = std::max(level, BlockSchedule::levelOf(edge.a, c));
     });
-    if (!blocks_done)
-      return false;
-    for (unsigned int l = 1; l < schedule_.levels(); ++l) {
-      const bool done = level(stage, l, [&](std::size_t group, EdgeQueue& queue) {
-        const std::size_t first = group << l;
+    return level;
+  }
+
+  /** Insert what waits, from a level upwards. */
+  bool
+  insertWaiting(const char* stage, unsigned int from, const WaitingEdges& waiting)
+  {
+    bool done = true;
+    for (unsigned int l = from; done && l < schedule_.levels(); ++l)
+      done = level(stage, l, [&](std::size_t group, EdgeQueue& queue) {
         const std::size_t last = std::min(waiting.size(), (group + 1) << l);
-        for (std::size_t block = first; block < last; ++block)
+        for (std::size_t block = group << l; block < last; ++block)
           collectWaiting(waiting[block], l, queue);
       });
-      if (!done)
-        return false;
-    }
-    return true;
+    return done;
   }
 
   /** Work off the groups of one level; fill(group, queue) names the edges of a group.
@@ -198,22 +234,9 @@ private:
     return done;
   }
 
-  template <typename Collect>
-  void
-  collectBlock(Collect& collect,
-               std::size_t block,
-               EdgeQueue& queue,
-               std::vector<WaitingEdge>& waiting) const
+  static void
+  sortByLevel(std::vector<WaitingEdge>& waiting)
   {
-    const auto add = [&](const CandidateEdge& edge, EdgeStanding standing) {
-      const unsigned int level = BlockSchedule::levelOf(edge.a, edge.b);
-      if (level == 0)
-        queue.add(edge, standing);
-      else
-        waiting.push_back({edge, level, standing});
-    };
-    for (std::size_t r = schedule_.begin(0, block); r < schedule_.end(0, block); ++r)
-      collect(static_cast<index_t>(r), add);
     std::stable_sort(
         waiting.begin(), waiting.end(), [](const WaitingEdge& e, const WaitingEdge& f) {
           return e.level < f.level;

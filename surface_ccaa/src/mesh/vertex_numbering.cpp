@@ -11,6 +11,32 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
+/** Triangles ahead whose points are fetched: their places in memory are random. */
+constexpr std::size_t LOOK_AHEAD = 16;
+
+inline void
+prefetch(const void* address)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address, 1);
+#else
+  (void)address;
+#endif
+}
+
+/** \brief Fetch what belongs to the points of a triangle some way ahead. */
+template <typename Item>
+inline void
+lookAhead(const Triangles& triangles,
+          std::size_t current,
+          std::size_t end,
+          const std::vector<Item>& of_points)
+{
+  if (current + LOOK_AHEAD < end)
+    for (const auto point : triangles[current + LOOK_AHEAD])
+      prefetch(&of_points[static_cast<std::size_t>(point)]);
+}
+
 /** \brief Numbering by several threads at once.
  *
  * Every point has a ticket. First each block of triangles claims the points it holds,
@@ -76,7 +102,8 @@ private:
   {
     const Ticket claim = FIRST_CLAIM - block;
     pcl::index_t won = 0;
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      lookAhead(triangles_, i, end, tickets_);
       for (const auto point : triangles_[i]) {
         auto& ticket = ticketOf(point);
         Ticket holder = ticket.load(std::memory_order_relaxed);
@@ -89,6 +116,7 @@ private:
         if (holder != 0)
           won_[FIRST_CLAIM - holder].fetch_sub(1, std::memory_order_relaxed);
       }
+    }
     won_[block].fetch_add(won, std::memory_order_relaxed);
   }
 
@@ -96,7 +124,8 @@ private:
   number(Ticket block, pcl::index_t next, std::size_t begin, std::size_t end)
   {
     const Ticket claim = FIRST_CLAIM - block;
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      lookAhead(triangles_, i, end, tickets_);
       for (auto& corner : triangles_[i]) {
         auto& ticket = ticketOf(corner);
         Ticket holder = ticket.load(std::memory_order_relaxed);
@@ -109,6 +138,7 @@ private:
         corner = (holder & NUMBERED) != 0 ? static_cast<pcl::index_t>(holder ^ NUMBERED)
                                           : ~corner;
       }
+    }
   }
 
   void
@@ -128,19 +158,6 @@ private:
   std::vector<pcl::index_t> point_of_vertex_;
 };
 
-/** Triangles ahead whose points are fetched: their places in memory are random. */
-constexpr std::size_t LOOK_AHEAD = 16;
-
-inline void
-prefetch(const void* address)
-{
-#if defined(__GNUC__) || defined(__clang__)
-  __builtin_prefetch(address, 1);
-#else
-  (void)address;
-#endif
-}
-
 /** \brief The plain way, which does with one pass what threads need three for. */
 std::vector<pcl::index_t>
 numberInOrder(std::size_t point_count, const LoopContext& context, Triangles& triangles)
@@ -150,9 +167,7 @@ numberInOrder(std::size_t point_count, const LoopContext& context, Triangles& tr
   point_of_vertex.reserve(std::min(point_count, 3 * triangles.size()));
   const auto number = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (i + LOOK_AHEAD < end)
-        for (const auto point : triangles[i + LOOK_AHEAD])
-          prefetch(&vertex_of_point[static_cast<std::size_t>(point)]);
+      lookAhead(triangles, i, end, vertex_of_point);
       for (auto& corner : triangles[i]) {
         auto& vertex = vertex_of_point[static_cast<std::size_t>(corner)];
         if (vertex < 0) {

@@ -13,7 +13,7 @@ namespace {
 
 /** Widest digit. Each digit value has a place of its own that is written to; with more
  * of them than fit the first cache and TLB the scattered writes get slow. */
-constexpr unsigned int MAX_DIGIT_BITS = 9;
+constexpr unsigned int MAX_DIGIT_BITS = 12;
 
 /** One pass: where the digit is, and how many points each slice has of each value. */
 class Pass {

@@ -119,8 +119,8 @@ FilterRun::orient()
 {
   if (settings_.consistent_orientation) {
     OrientationReport oriented = windOutward();
-    if (oriented.oneSided() > 0 && cutTwistedRegions(oriented))
-      oriented = windOutward();
+    while (oriented.oneSided() > 0 && cutTwistedRegions(oriented))
+      oriented = windOutward(); // until nothing is cut: filtering twice changes nothing
     report_.one_sided_components = oriented.oneSided();
   }
   adjacency_.clear();
@@ -155,7 +155,7 @@ FilterRun::cutTwistedRegions(const OrientationReport& oriented)
                                     oriented.components,
                                     settings_.twist_limits,
                                     alive_);
-  report_.twist_triangles = cut;
+  report_.twist_triangles += cut;
   if (cut == 0 || control_.cancelled())
     return false;
   triangles_ = liveTriangles(triangles_, alive_, stage("twists"));

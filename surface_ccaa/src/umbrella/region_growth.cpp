@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: regions large enough to be trusted (condition C3.4-3).
 #include <pcl/surface_ccaa/umbrella/region_growth.h>
 
-#include "disjoint_sets.h"
+#include "parallel_sets.h"
 
 #include <numeric>
 
@@ -10,14 +10,14 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-using Number = DisjointSets::Number;
+using Number = ParallelSets::Number;
 
 bool
 joinCorners(const Triangles& triangles,
             const AliveFlags& alive,
             std::size_t vertex_count,
             const LoopContext& context,
-            DisjointSets& regions)
+            ParallelSets& regions)
 {
   const auto make = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -41,7 +41,7 @@ joinCorners(const Triangles& triangles,
 std::vector<std::atomic<Number>>
 countInternalPoints(const std::vector<Fan>& fans,
                     const LoopContext& context,
-                    DisjointSets& regions)
+                    ParallelSets& regions)
 {
   std::vector<std::atomic<Number>> internal(fans.size());
   const auto count = [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -80,7 +80,7 @@ removeSmallRegions(const Triangles& triangles,
                    std::vector<Fan>& fans)
 {
   RegionReport report;
-  DisjointSets regions(fans.size());
+  ParallelSets regions(fans.size());
   if (!joinCorners(triangles, alive, fans.size(), context, regions))
     return report;
   const auto internal = countInternalPoints(fans, context, regions);

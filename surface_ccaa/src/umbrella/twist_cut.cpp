@@ -32,7 +32,7 @@ public:
   , adjacency_(adjacency)
   , positions_(positions)
   , limits_(limits)
-  , number_(triangles.size(), -1)
+  , number_(triangles.size(), UNKNOWN)
   {}
 
   /** \return the triangles to delete; none when the region is to stay as it is */
@@ -53,18 +53,26 @@ public:
     });
     std::vector<index_t> wrong;
     for (auto edge = bent; edge != edges_.end(); ++edge)
-      if (!carryOver(*edge)) {
-        wrong.push_back(edge->lower);
-        wrong.push_back(edge->higher);
+      if (!isWrong(edge->lower) && !isWrong(edge->higher) && !carryOver(*edge)) {
+        wrong.push_back(evenness(edge->lower) < evenness(edge->higher) ? edge->lower
+                                                                       : edge->higher);
+        number_[static_cast<std::size_t>(wrong.back())] = WRONG;
       }
-    std::sort(wrong.begin(), wrong.end());
-    wrong.erase(std::unique(wrong.begin(), wrong.end()), wrong.end());
     const double allowed = limits_.largest_share * static_cast<double>(region_.size());
     return static_cast<double>(wrong.size()) <= allowed ? wrong
                                                         : std::vector<index_t>();
   }
 
 private:
+  static constexpr index_t UNKNOWN = -1;
+  static constexpr index_t WRONG = -2;
+
+  bool
+  isWrong(index_t triangle) const
+  {
+    return number_[static_cast<std::size_t>(triangle)] == WRONG;
+  }
+
   /** The region of the seed, in ascending order, and its inner edges. */
   void
   collect(index_t seed)
@@ -74,7 +82,7 @@ private:
     for (std::size_t next = 0; next < region_.size(); ++next)
       for (int corner = 0; corner < 3; ++corner) {
         const index_t other = adjacency_.across(region_[next], corner);
-        if (other >= 0 && number_[static_cast<std::size_t>(other)] < 0) {
+        if (other >= 0 && number_[static_cast<std::size_t>(other)] == UNKNOWN) {
           number_[static_cast<std::size_t>(other)] = 0;
           region_.push_back(other);
         }
@@ -119,6 +127,20 @@ private:
     return length > 0 ? Position(across / length) : Position(Position::Zero());
   }
 
+  /** How evenly a triangle continues its neighbors: the sum of the cosines over its
+   * edges. */
+  double
+  evenness(index_t triangle) const
+  {
+    double sum = 0;
+    for (int corner = 0; corner < 3; ++corner) {
+      const index_t other = adjacency_.across(triangle, corner);
+      if (other >= 0)
+        sum += edgeBetween(other, triangle, corner).cosine;
+    }
+    return sum;
+  }
+
   /** \return false when the winding that the edge wants contradicts the others' */
   bool
   carryOver(const InnerEdge& edge)
@@ -132,7 +154,7 @@ private:
   const TriangleAdjacency& adjacency_;
   const Positions& positions_;
   const TwistLimits& limits_;
-  std::vector<index_t> number_; /**< state of each triangle in sets_ */
+  std::vector<index_t> number_; /**< state of each triangle in sets_, or WRONG */
   std::vector<index_t> region_;
   std::vector<InnerEdge> edges_;
   LabelSets sets_;

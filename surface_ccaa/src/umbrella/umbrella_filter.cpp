@@ -53,6 +53,7 @@ UmbrellaFilter::readInput()
   ccaa::FilterSettings settings;
   settings.minimum_internal_points = minimum_internal_points_;
   settings.consistent_orientation = consistent_orientation_;
+  settings.twist_limits.largest_share = largest_twist_share_;
   settings.threads = ccaa::resolveThreads(threads_);
   ccaa::FilterViews views;
   if (ccaa::pointCount(cloud) > 0)

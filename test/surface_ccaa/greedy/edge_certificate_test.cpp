@@ -2,8 +2,9 @@
 // Part of PclSurfaceRepair: tests of the empty-circle test.
 #include <pcl/surface_ccaa/greedy/edge_certificate.h>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include "ranked_cloud.h"
 

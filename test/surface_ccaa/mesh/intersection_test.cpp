@@ -51,6 +51,15 @@ TEST(SegmentMeetsTriangle, InItsPlane)
   EXPECT_FALSE(segmentMeetsTriangle({5, 0, 0}, {0, 5, 0}, FLOOR));
 }
 
+TEST(SegmentMeetsTriangle, InItsPlaneOverEachOfItsEdges)
+{
+  for (const Position& outside :
+       {Position(-1, 1, 0), Position(1, -1, 0), Position(4, 4, 0)}) {
+    EXPECT_TRUE(segmentMeetsTriangle(outside, {1, 1, 0}, FLOOR));
+    EXPECT_TRUE(segmentMeetsTriangle({1, 1, 0}, outside, FLOOR));
+  }
+}
+
 TEST(TrianglesMeet, WithoutACommonCornerWhenTheyCross)
 {
   EXPECT_TRUE(trianglesMeet(FLOOR, {Position(1, 1, -1), {1, 1, 1}, {5, 5, 0}}));

@@ -278,6 +278,18 @@ TEST(Orientation, FindsAOneSidedComponentThatSeveralThreadsShare)
   EXPECT_EQ(orient(band, hints).oneSided(), 1u);
 }
 
+TEST(Orientation, CountsTheWindingsOfAllThreads)
+{
+  Shape sheet = grid(300, 300);
+  const Triangles expected = sheet.triangles;
+  for (std::size_t i = 0; i < 4 * expected.size() / 10; ++i)
+    std::swap(sheet.triangles[i][1], sheet.triangles[i][2]);
+  OrientationHints hints;
+  hints.threads = 2;
+  EXPECT_EQ(orient(sheet, hints).reversed, 4 * expected.size() / 10);
+  EXPECT_EQ(sheet.triangles, expected);
+}
+
 TEST(Orientation, CancellingLeavesTheTrianglesAsTheyWere)
 {
   Shape shape = largeRawShape(false);

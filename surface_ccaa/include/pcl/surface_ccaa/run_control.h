@@ -18,7 +18,8 @@ using ProgressCallback = std::function<bool(const std::string& stage, double fra
 /** \brief One run's view of its progress callback.
  *
  * Only the thread that owns the run calls report(); parallel workers poll cancelled(),
- * which is safe from any thread. Once the callback has said false it is not asked again.
+ * which is safe from any thread. Once the callback has said false it is not asked
+ * again.
  */
 class RunControl {
 public:

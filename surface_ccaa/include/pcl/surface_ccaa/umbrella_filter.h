@@ -106,6 +106,20 @@ public:
     return consistent_orientation_;
   }
 
+  /** \brief Largest share of a one-sided region's triangles that may go to make it
+   * two-sided, 0 to 1 (see ccaa::cutTwists()). Default 0.1; 0 leaves one-sided regions
+   * as they are. Without consistent orientation nothing is cut. */
+  void
+  setLargestTwistShare(double share)
+  {
+    largest_twist_share_ = share;
+  }
+  double
+  getLargestTwistShare() const
+  {
+    return largest_twist_share_;
+  }
+
   /** \brief Threads to use, 0 (the default) = all. The result is the same for any. */
   void
   setNumberOfThreads(unsigned int threads)
@@ -147,7 +161,7 @@ protected:
   performProcessing(pcl::PolygonMesh& output) override;
 
   std::string
-  getClassName() const
+  getClassName() const override
   {
     return "UmbrellaFilter";
   }
@@ -169,6 +183,7 @@ private:
 
   std::size_t minimum_internal_points_ = 10;
   bool consistent_orientation_ = true;
+  double largest_twist_share_ = 0.1;
   unsigned int threads_ = 0;
   ccaa::ProgressCallback progress_;
   std::vector<PointRole> roles_;

@@ -13,11 +13,11 @@ namespace ccaa {
  *
  * A group of level 0 is a block of BLOCK points, compact in space because ranks follow
  * a curve; a group of level l is 2^l blocks. An edge belongs to the lowest level at
- * which one group holds both its ends. Levels are worked off in order, the groups of a
- * level in any order or at once: two groups of one level have no point in common, and
- * an insertion touches only the ends of the edge and points joined to both, all in the
- * same group. So the result is the same for any number of threads, and the working set
- * of a block stays in the cache. */
+ * which one group holds both its ends and every point joined to both. Levels are worked
+ * off in order, the groups of a level in any order or at once: two groups of one level
+ * have no point in common, and an insertion touches only those points. So the result is
+ * the same for any number of threads, and the working set of a block stays in the
+ * cache. */
 class BlockSchedule {
 public:
   /** \brief log2 of the points per block. */
@@ -65,7 +65,7 @@ public:
     return past < points_ ? past : points_;
   }
 
-  /** \brief Level that the edge between two ranks belongs to. */
+  /** \brief Lowest level at which one group holds both points. */
   static unsigned int
   levelOf(index_t a, index_t b)
   {

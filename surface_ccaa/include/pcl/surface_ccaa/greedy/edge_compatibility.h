@@ -58,6 +58,15 @@ public:
     return slotOf(a, b) < SLOTS;
   }
 
+  /** \brief Calls use(c) for every point joined to both. */
+  template <typename Use>
+  void
+  forCommonNeighbors(index_t a, index_t b, Use use) const
+  {
+    for (const Apex& c : commonNeighbors(a, b))
+      use(c.rank);
+  }
+
   /** \brief Whether the point has at least three edges, all with two triangles. */
   bool
   isClosed(index_t rank) const;

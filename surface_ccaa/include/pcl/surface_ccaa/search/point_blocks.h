@@ -15,6 +15,11 @@
 namespace pcl {
 namespace ccaa {
 
+namespace search {
+struct BlockView;
+struct Scratch;
+} // namespace search
+
 /** \brief The k nearest neighbors of every point, one row per rank.
  *
  * Its memory is not initialised before the search writes it, so that each thread
@@ -185,6 +190,13 @@ public:
   within(const std::array<float, 3>& query, float max_sqr_distance) const;
 
 private:
+  /** Rows of the points of some blocks, one task of a thread. */
+  void
+  fillRows(NeighborTable& table,
+           const search::BlockView& view,
+           const search::Scratch& scratch,
+           std::size_t first_block) const;
+
   void
   fillBlocks(const PointArray& points, int threads);
 

@@ -19,7 +19,7 @@ struct TwistLimits {
    * more than this, in radians. */
   double smooth_angle = 0.5235987755982988; // 30 degrees
   /** \brief Largest share of a region's triangles that a cut may cost. */
-  double largest_share = 0.01;
+  double largest_share = 0.1;
 };
 
 /** \brief Delete the triangles that turn one-sided regions over.

@@ -11,17 +11,17 @@
 namespace pcl {
 namespace ccaa {
 
-/** \brief Disjoint sets of the numbers [0, count), without locks.
+/** \brief Sets of the numbers [0, count), without locks.
  *
  * A root is always the lowest number of its set, so the final sets and roots do not
  * depend on who joined what first. Parents only ever move towards the root, which is
  * why relaxed order is enough: a stale parent is a longer way, not a wrong one. */
-class DisjointSets {
+class ParallelSets {
 public:
   using Number = std::uint32_t;
 
   /** \brief Sets of nothing; each number is to be given by makeSet() first. */
-  explicit DisjointSets(std::size_t count) : parents_(count) {}
+  explicit ParallelSets(std::size_t count) : parents_(count) {}
 
   void
   makeSet(Number number)
