@@ -304,22 +304,6 @@ constexpr int EDGE_LANES = PCL_CCAA_REGISTER_BYTES / 4;
 using Lanes = float __attribute__((vector_size(PCL_CCAA_REGISTER_BYTES)));
 using LaneNumbers = std::int32_t __attribute__((vector_size(PCL_CCAA_REGISTER_BYTES)));
 
-/** The widest angle under which one side sees each edge, as the signed square of its
- * cotangent, a fraction. Fractions are compared crosswise: a division per witness and
- * edge would cost more than all the rest. */
-struct WidestAngle {
-  Lanes numerator = Lanes{} + UNSEEN;
-  Lanes denominator = Lanes{} + 1.0f;
-
-  inline void
-  widen(const Lanes& n, const Lanes& d, const LaneNumbers& on_this_side)
-  {
-    const LaneNumbers wider = (n * denominator < numerator * d) & on_this_side;
-    numerator = wider ? n : numerator;
-    denominator = wider ? d : denominator;
-  }
-};
-
 inline Lanes
 magnitudes(const Lanes& values)
 {
@@ -334,9 +318,19 @@ load(const float* values)
   return lanes;
 }
 
-/** The empty-circle test of as many edges at once, the first of them \a offset: the two
- * sides' signed squares sum to zero or more exactly if the two angles sum to at most
- * pi. A witness c sees the edge under an angle of cotangent p / sqrt(q). */
+/** The smaller value where the mask is set, else the first. A value behind an unset
+ * mask becomes NaN, which loses the comparison. */
+inline Lanes
+smallerWhere(const LaneNumbers& mask, const Lanes& least, const Lanes& value)
+{
+  const Lanes counted = (Lanes)((LaneNumbers)value | ~mask);
+  return counted < least ? counted : least;
+}
+
+/** The empty-circle test of as many edges at once, the first of them \a offset. A
+ * witness c sees an edge under an angle of cotangent p / sqrt(q); its signed square is
+ * kept, and the smallest of each side stands for the widest angle. The two sum to zero
+ * or more exactly if the two angles sum to at most pi. */
 template <int LANES>
 inline void
 emptyCircleTest(const Neighborhood<LANES>& hood, int offset, float* margin)
@@ -345,7 +339,7 @@ emptyCircleTest(const Neighborhood<LANES>& hood, int offset, float* margin)
               edge_z = load(hood.z + offset);
   const Lanes own = edge_x * edge_x + edge_y * edge_y + edge_z * edge_z;
   const Lanes least = 1e-12f * own * own;
-  WidestAngle left, right;
+  Lanes left = Lanes{} + UNSEEN, right = left;
   for (int i = 0; i < hood.count; ++i) {
     const float x = hood.x[i], y = hood.y[i], z = hood.z[i];
     const float witness = x * x + y * y + z * z;
@@ -353,15 +347,14 @@ emptyCircleTest(const Neighborhood<LANES>& hood, int offset, float* margin)
     const Lanes p = witness - product;
     const Lanes square = witness * own - product * product;
     const Lanes q = square > least ? square : least;
+    const Lanes cotangent = p * magnitudes(p) / q;
     // The end of the edge itself has p = 0 and side = 0 and so stands on neither side;
     // a witness exactly between the ends is moved off the line by the last term.
     const Lanes side = edge_x * y - edge_y * x + 1e-6f * p;
-    const Lanes signed_square = p * magnitudes(p);
-    left.widen(signed_square, q, side > 0);
-    right.widen(signed_square, q, side < 0);
+    left = smallerWhere(side > 0, left, cotangent);
+    right = smallerWhere(side < 0, right, cotangent);
   }
-  const Lanes sum =
-      left.numerator * right.denominator + right.numerator * left.denominator;
+  const Lanes sum = left + right;
   __builtin_memcpy(margin + offset, &sum, sizeof(sum));
 }
 

@@ -8,7 +8,16 @@
 
 namespace pcl {
 namespace ccaa {
+/** An edge leaving a point: single precision, of which the differences of coordinates
+ * have no more anyway. */
+struct JoinedEdges::Direction {
+  float x, y, z;
+  double squared_length;
+};
+
 namespace {
+
+using Direction = JoinedEdges::Direction;
 
 struct Vector {
   double x, y, z;
@@ -30,14 +39,31 @@ dot(const Vector& a, const Vector& b)
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/** Whether the angle between two directions is under the limit, without root or acos.
- */
-bool
-isSharper(const Vector& u, const Vector& v, const AngleLimit& limit)
+float
+product(const Direction& u, const Direction& v)
 {
-  const double product = dot(u, v);
-  return product > 0 &&
-         product * product > limit.squared_cosine * dot(u, u) * dot(v, v);
+  return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+Direction
+towards(const Coordinates& from, const Coordinates& to)
+{
+  Direction d{to[0] - from[0], to[1] - from[1], to[2] - from[2], 0};
+  d.squared_length = product(d, d);
+  return d;
+}
+
+/** Whether the angle between two directions is under the limit, without root or acos,
+ * and without branches: the answers are as good as random. Squares are compared in
+ * double, where they cannot underflow. */
+bool
+isSharper(const Direction& u, const Direction& v, const AngleLimit& limit)
+{
+  const double along = product(u, v);
+  const bool ahead = along > 0;
+  const bool narrow =
+      along * along > limit.squared_cosine * u.squared_length * v.squared_length;
+  return ahead & narrow;
 }
 
 /** How two apexes lie to an edge ab and to each other. */
@@ -180,18 +206,19 @@ JoinedEdges::overfills(index_t a, index_t b, const Apexes& apexes) const
 }
 
 bool
-JoinedEdges::hasSmallAngleAt(index_t at, index_t towards, const AngleLimit& limit) const
+JoinedEdges::hasSmallAngleAt(index_t at,
+                             const Direction& edge,
+                             const AngleLimit& limit) const
 {
   const Coordinates& place = coordinates_[static_cast<std::size_t>(at)];
-  const Vector edge = between(place, coordinates_[static_cast<std::size_t>(towards)]);
+  bool small = false;
   for (const index_t other : rows_[static_cast<std::size_t>(at)].neighbors) {
     if (other == NeighborRows::NONE)
       break;
-    const Vector beside = between(place, coordinates_[static_cast<std::size_t>(other)]);
-    if (isSharper(edge, beside, limit))
-      return true;
+    const Coordinates& end = coordinates_[static_cast<std::size_t>(other)];
+    small |= isSharper(edge, towards(place, end), limit);
   }
-  return false;
+  return small;
 }
 
 /** Rule 3: at both ends against every edge there, and at the apexes. */
@@ -201,13 +228,14 @@ JoinedEdges::hasSmallAngle(index_t a,
                            const Apexes& apexes,
                            const AngleLimit& limit) const
 {
-  if (hasSmallAngleAt(a, b, limit) || hasSmallAngleAt(b, a, limit))
+  const Coordinates& from = coordinates_[static_cast<std::size_t>(a)];
+  const Coordinates& to = coordinates_[static_cast<std::size_t>(b)];
+  if (hasSmallAngleAt(a, towards(from, to), limit) ||
+      hasSmallAngleAt(b, towards(to, from), limit))
     return true;
   for (const Apex& apex : apexes) {
     const Coordinates& c = coordinates_[static_cast<std::size_t>(apex.rank)];
-    if (isSharper(between(c, coordinates_[static_cast<std::size_t>(a)]),
-                  between(c, coordinates_[static_cast<std::size_t>(b)]),
-                  limit))
+    if (isSharper(towards(c, from), towards(c, to), limit))
       return true;
   }
   return false;

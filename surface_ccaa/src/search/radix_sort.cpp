@@ -11,8 +11,8 @@ namespace ccaa {
 
 namespace {
 
-/** Widest digit. Each digit value has a place of its own that is written to; with more
- * of them than fit the first cache and TLB the scattered writes get slow. */
+/** Widest digit. Wider ones need fewer passes over memory, until the places written to,
+ * one per value, no longer fit the second cache. */
 constexpr unsigned int MAX_DIGIT_BITS = 12;
 
 /** One pass: where the digit is, and how many points each slice has of each value. */

@@ -69,6 +69,7 @@ FilterRun::buildAdjacency()
 {
   adjacency_.build(triangles_, positions_.size(), settings_.threads, &control_);
   alive_.assign(triangles_.size(), 1);
+  fans_ = adjacency_.fans();
 }
 
 /** Brings the mesh to C3.4-1. */
@@ -91,7 +92,6 @@ FilterRun::mend()
 void
 FilterRun::eliminate()
 {
-  fans_ = adjacency_.fans();
   report_.umbrella_triangles += eliminateChains(
       triangles_, adjacency_, positions_, stage("umbrella"), alive_, fans_);
   if (control_.cancelled())
@@ -105,7 +105,9 @@ FilterRun::eliminate()
 void
 FilterRun::dropDeleted()
 {
-  if (report_.umbrella_triangles + report_.small_region_triangles > 0) {
+  if (report_.umbrella_triangles + report_.small_region_triangles +
+          report_.twist_triangles >
+      0) {
     triangles_ = liveTriangles(triangles_, alive_, stage("regions"));
     if (settings_.consistent_orientation)
       adjacency_.keep(alive_, fans_);
@@ -119,7 +121,7 @@ FilterRun::orient()
 {
   if (settings_.consistent_orientation) {
     OrientationReport oriented = windOutward();
-    while (oriented.oneSided() > 0 && cutTwistedRegions(oriented))
+    while (oriented.oneSided() > 0 && cutTwistedRegions())
       oriented = windOutward(); // until nothing is cut: filtering twice changes nothing
     report_.one_sided_components = oriented.oneSided();
   }
@@ -143,23 +145,22 @@ FilterRun::windOutward()
   return oriented;
 }
 
-/** What is left around a cut is examined like any other mesh.
+/** The points around a cut are examined like those around any other deletion.
  * \return whether anything was cut */
 bool
-FilterRun::cutTwistedRegions(const OrientationReport& oriented)
+FilterRun::cutTwistedRegions()
 {
-  alive_.assign(triangles_.size(), 1);
-  const std::size_t cut = cutTwists(triangles_,
-                                    adjacency_,
-                                    positions_,
-                                    oriented.components,
-                                    settings_.twist_limits,
-                                    alive_);
-  report_.twist_triangles += cut;
-  if (cut == 0 || control_.cancelled())
+  const std::vector<index_t> twists = findTwists(
+      triangles_, adjacency_, positions_, settings_.twist_limits, stage("twists"));
+  if (twists.empty() || control_.cancelled())
     return false;
-  triangles_ = liveTriangles(triangles_, alive_, stage("twists"));
-  buildAdjacency();
+  report_.twist_triangles += twists.size();
+  alive_.assign(triangles_.size(), 1);
+  for (const index_t twist : twists) {
+    alive_[static_cast<std::size_t>(twist)] = 0;
+    for (const index_t corner : triangles_[static_cast<std::size_t>(twist)])
+      fans_[static_cast<std::size_t>(corner)] = Fan::SEVERAL; // to be looked at
+  }
   eliminate();
   dropDeleted();
   return !control_.cancelled();

@@ -80,7 +80,7 @@ private:
   OrientationReport
   windOutward();
   bool
-  cutTwistedRegions(const OrientationReport& oriented);
+  cutTwistedRegions();
 
   LoopContext
   stage(const char* name)

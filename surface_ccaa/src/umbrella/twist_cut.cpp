@@ -8,123 +8,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pcl {
 namespace ccaa {
 namespace {
 
-/** An edge between two triangles of a one-sided region. */
-struct InnerEdge {
-  index_t lower;    /**< triangle of lower index */
-  index_t higher;   /**< the other triangle */
-  double cosine;    /**< of the angle between their normals, wound alike */
-  bool wound_alike; /**< as the triangles are wound now */
+/** An edge between two triangles whose normals differ a lot. */
+struct BentEdge {
+  index_t lower;  /**< triangle of lower index */
+  index_t higher; /**< the other triangle */
+  double cosine;  /**< of the angle between their normals, wound alike */
+  bool wound_alike;
 };
 
-/** The edges of one region, and where they say that it is turned over. */
-class TwistFinder {
+/** What is known of the edge at each corner of a triangle, two bits a corner. Edges are
+ * noted at their triangle of higher index. */
+constexpr unsigned int SMOOTH = 1;
+constexpr unsigned int WOUND_ALIKE = 2;
+
+/** The mesh with a normal for each triangle. */
+class BendMeter {
 public:
-  TwistFinder(const Triangles& triangles,
-              const TriangleAdjacency& adjacency,
-              const Positions& positions,
-              const TwistLimits& limits)
-  : triangles_(triangles)
-  , adjacency_(adjacency)
-  , positions_(positions)
-  , limits_(limits)
-  , number_(triangles.size(), UNKNOWN)
-  {}
-
-  /** \return the triangles to delete; none when the region is to stay as it is */
-  std::vector<index_t>
-  trianglesToDelete(index_t seed)
+  BendMeter(const Triangles& triangles,
+            const TriangleAdjacency& adjacency,
+            const Positions& positions,
+            const LoopContext& context)
+  : triangles_(triangles), adjacency_(adjacency), normals_(triangles.size())
   {
-    collect(seed);
-    const double smooth = std::cos(limits_.smooth_angle);
-    const auto bent = std::stable_partition(
-        edges_.begin(), edges_.end(), [smooth](const InnerEdge& edge) {
-          return edge.cosine > smooth;
-        });
-    for (auto edge = edges_.begin(); edge != bent; ++edge)
-      if (!carryOver(*edge))
-        return {};
-    std::stable_sort(bent, edges_.end(), [](const InnerEdge& e, const InnerEdge& f) {
-      return e.cosine > f.cosine;
-    });
-    std::vector<index_t> wrong;
-    for (auto edge = bent; edge != edges_.end(); ++edge)
-      if (!isWrong(edge->lower) && !isWrong(edge->higher) && !carryOver(*edge)) {
-        wrong.push_back(evenness(edge->lower) < evenness(edge->higher) ? edge->lower
-                                                                       : edge->higher);
-        number_[static_cast<std::size_t>(wrong.back())] = WRONG;
-      }
-    const double allowed = limits_.largest_share * static_cast<double>(region_.size());
-    return static_cast<double>(wrong.size()) <= allowed ? wrong
-                                                        : std::vector<index_t>();
+    forEachBlock(triangles.size(),
+                 context,
+                 [&](std::size_t, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     normals_[i] = normal(triangles[i], positions);
+                 });
   }
 
-private:
-  static constexpr index_t UNKNOWN = -1;
-  static constexpr index_t WRONG = -2;
-
-  bool
-  isWrong(index_t triangle) const
+  /** The edge at a corner of a triangle to a neighbor. */
+  BentEdge
+  edge(index_t triangle, int corner, index_t other) const
   {
-    return number_[static_cast<std::size_t>(triangle)] == WRONG;
-  }
-
-  /** The region of the seed, in ascending order, and its inner edges. */
-  void
-  collect(index_t seed)
-  {
-    region_.assign(1, seed);
-    number_[static_cast<std::size_t>(seed)] = 0;
-    for (std::size_t next = 0; next < region_.size(); ++next)
-      for (int corner = 0; corner < 3; ++corner) {
-        const index_t other = adjacency_.across(region_[next], corner);
-        if (other >= 0 && number_[static_cast<std::size_t>(other)] == UNKNOWN) {
-          number_[static_cast<std::size_t>(other)] = 0;
-          region_.push_back(other);
-        }
-      }
-    std::sort(region_.begin(), region_.end());
-    sets_ = {};
-    edges_.clear();
-    for (const index_t triangle : region_) {
-      number_[static_cast<std::size_t>(triangle)] = sets_.add();
-      for (int corner = 0; corner < 3; ++corner) {
-        const index_t other = adjacency_.across(triangle, corner);
-        if (other >= 0 && other < triangle)
-          edges_.push_back(edgeBetween(other, triangle, corner));
-      }
-    }
-  }
-
-  InnerEdge
-  edgeBetween(index_t lower, index_t higher, int corner) const
-  {
-    const Triangle& mine = triangles_[static_cast<std::size_t>(higher)];
-    const Triangle& theirs = triangles_[static_cast<std::size_t>(lower)];
+    const Triangle& mine = triangles_[static_cast<std::size_t>(triangle)];
+    const Triangle& theirs = triangles_[static_cast<std::size_t>(other)];
     const index_t from = mine[static_cast<std::size_t>(corner)];
     const index_t to = mine[static_cast<std::size_t>((corner + 1) % 3)];
     bool same_direction = false;
     for (std::size_t c = 0; c < 3; ++c)
-      same_direction =
-          same_direction || (theirs[c] == from && theirs[(c + 1) % 3] == to);
-    const double cosine = normal(mine).dot(normal(theirs));
-    return {lower, higher, same_direction ? -cosine : cosine, !same_direction};
-  }
-
-  /** Unit normal; zero for a triangle without area, whose edges all count as bent. */
-  Position
-  normal(const Triangle& triangle) const
-  {
-    const Position& a = positions_[static_cast<std::size_t>(triangle[0])];
-    const Position& b = positions_[static_cast<std::size_t>(triangle[1])];
-    const Position& c = positions_[static_cast<std::size_t>(triangle[2])];
-    const Position across = (b - a).cross(c - a);
-    const double length = across.norm();
-    return length > 0 ? Position(across / length) : Position(Position::Zero());
+      same_direction |= (theirs[c] == from) & (theirs[c == 2 ? 0 : c + 1] == to);
+    const double cosine = normals_[static_cast<std::size_t>(triangle)].dot(
+        normals_[static_cast<std::size_t>(other)]);
+    return {other, triangle, same_direction ? -cosine : cosine, !same_direction};
   }
 
   /** How evenly a triangle continues its neighbors: the sum of the cosines over its
@@ -136,51 +69,190 @@ private:
     for (int corner = 0; corner < 3; ++corner) {
       const index_t other = adjacency_.across(triangle, corner);
       if (other >= 0)
-        sum += edgeBetween(other, triangle, corner).cosine;
+        sum += edge(triangle, corner, other).cosine;
     }
     return sum;
   }
 
-  /** \return false when the winding that the edge wants contradicts the others' */
-  bool
-  carryOver(const InnerEdge& edge)
+private:
+  /** Unit normal; zero for a triangle without area, whose edges all count as bent. */
+  static Eigen::Vector3f
+  normal(const Triangle& triangle, const Positions& positions)
   {
-    const index_t lower = number_[static_cast<std::size_t>(edge.lower)];
-    const index_t higher = number_[static_cast<std::size_t>(edge.higher)];
-    return sets_.join(lower, higher ^ (edge.wound_alike ? 0 : 1));
+    const Position& a = positions[static_cast<std::size_t>(triangle[0])];
+    const Position& b = positions[static_cast<std::size_t>(triangle[1])];
+    const Position& c = positions[static_cast<std::size_t>(triangle[2])];
+    const Position across = (b - a).cross(c - a);
+    const double length = across.norm();
+    return length > 0 ? Eigen::Vector3f((across / length).cast<float>())
+                      : Eigen::Vector3f(Eigen::Vector3f::Zero());
   }
 
   const Triangles& triangles_;
   const TriangleAdjacency& adjacency_;
-  const Positions& positions_;
+  std::vector<Eigen::Vector3f> normals_;
+};
+
+/** One search for twists. */
+class TwistSearch {
+public:
+  TwistSearch(const Triangles& triangles,
+              const TriangleAdjacency& adjacency,
+              const Positions& positions,
+              const TwistLimits& limits,
+              const LoopContext& context)
+  : adjacency_(adjacency)
+  , limits_(limits)
+  , context_(context)
+  , meter_(triangles, adjacency, positions, context)
+  , edges_(triangles.size())
+  {}
+
+  std::vector<index_t>
+  find()
+  {
+    measureEdges();
+    if (context_.cancelled())
+      return {};
+    joinSmoothEdges();
+    joinBentEdges();
+    return wrong_.empty() ? wrong_ : affordable();
+  }
+
+private:
+  std::size_t
+  size() const
+  {
+    return edges_.size();
+  }
+
+  /** The part that takes the time, on all threads. */
+  void
+  measureEdges()
+  {
+    const double smooth = std::cos(limits_.smooth_angle);
+    std::vector<std::vector<BentEdge>> bent(context_.blockCount(size()));
+    forEachBlock(
+        size(), context_, [&](std::size_t block, std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            edges_[i] = edgesOf(static_cast<index_t>(i), smooth, bent[block]);
+        });
+    for (const std::vector<BentEdge>& part : bent)
+      bent_.insert(bent_.end(), part.begin(), part.end());
+    std::stable_sort(
+        bent_.begin(), bent_.end(), [](const BentEdge& e, const BentEdge& f) {
+          return e.cosine > f.cosine;
+        });
+  }
+
+  std::uint8_t
+  edgesOf(index_t triangle, double smooth, std::vector<BentEdge>& bent) const
+  {
+    unsigned int bits = 0;
+    for (int corner = 0; corner < 3; ++corner) {
+      const index_t other = adjacency_.across(triangle, corner);
+      if (other < 0 || other > triangle)
+        continue;
+      const BentEdge edge = meter_.edge(triangle, corner, other);
+      if (edge.cosine > smooth)
+        bits |= (SMOOTH | (edge.wound_alike ? WOUND_ALIKE : 0u)) << 2 * corner;
+      else
+        bent.push_back(edge);
+    }
+    return static_cast<std::uint8_t>(bits);
+  }
+
+  void
+  joinSmoothEdges()
+  {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const auto triangle = static_cast<index_t>(i);
+      sets_.add();
+      for (int corner = 0; corner < 3; ++corner) {
+        const unsigned int bits = edges_[i] >> 2 * corner & 3u;
+        if ((bits & SMOOTH) != 0 && !join(adjacency_.across(triangle, corner),
+                                          triangle,
+                                          (bits & WOUND_ALIKE) != 0))
+          truly_one_sided_.push_back(triangle);
+      }
+    }
+  }
+
+  void
+  joinBentEdges()
+  {
+    std::vector<char> is_wrong(size(), 0);
+    for (const BentEdge& edge : bent_) {
+      if (is_wrong[static_cast<std::size_t>(edge.lower)] != 0 ||
+          is_wrong[static_cast<std::size_t>(edge.higher)] != 0 ||
+          join(edge.lower, edge.higher, edge.wound_alike))
+        continue;
+      wrong_.push_back(meter_.evenness(edge.lower) < meter_.evenness(edge.higher)
+                           ? edge.lower
+                           : edge.higher);
+      is_wrong[static_cast<std::size_t>(wrong_.back())] = 1;
+    }
+  }
+
+  /** \return false when the winding that the edge wants contradicts the others' */
+  bool
+  join(index_t lower, index_t higher, bool wound_alike)
+  {
+    return sets_.join(2 * lower, 2 * higher + (wound_alike ? 0 : 1));
+  }
+
+  /** First triangle of the region of a triangle. */
+  std::size_t
+  region(index_t triangle)
+  {
+    return static_cast<std::size_t>(sets_.find(2 * triangle) >> 1);
+  }
+
+  /** The wrong triangles of regions that are worth cutting. */
+  std::vector<index_t>
+  affordable()
+  {
+    struct Balance {
+      double triangles = 0;
+      double wrong = 0;
+    };
+    std::vector<Balance> balance(size());
+    for (std::size_t i = 0; i < size(); ++i)
+      ++balance[region(static_cast<index_t>(i))].triangles;
+    for (const index_t triangle : wrong_)
+      ++balance[region(triangle)].wrong;
+    for (const index_t triangle : truly_one_sided_)
+      balance[region(triangle)].triangles = 0;
+    std::vector<index_t> kept;
+    for (const index_t triangle : wrong_) {
+      const Balance& all = balance[region(triangle)];
+      if (all.wrong <= limits_.largest_share * all.triangles)
+        kept.push_back(triangle);
+    }
+    return kept;
+  }
+
+  const TriangleAdjacency& adjacency_;
   const TwistLimits& limits_;
-  std::vector<index_t> number_; /**< state of each triangle in sets_, or WRONG */
-  std::vector<index_t> region_;
-  std::vector<InnerEdge> edges_;
-  LabelSets sets_;
+  const LoopContext& context_;
+  const BendMeter meter_;
+  std::vector<std::uint8_t> edges_; /**< SMOOTH and WOUND_ALIKE, two bits a corner */
+  std::vector<BentEdge> bent_;
+  LabelSets sets_; /**< a label for each triangle */
+  std::vector<index_t> truly_one_sided_;
+  std::vector<index_t> wrong_;
 };
 
 } // namespace
 
-std::size_t
-cutTwists(const Triangles& triangles,
-          const TriangleAdjacency& adjacency,
-          const Positions& positions,
-          const std::vector<OrientedComponent>& components,
-          const TwistLimits& limits,
-          AliveFlags& alive)
+std::vector<index_t>
+findTwists(const Triangles& triangles,
+           const TriangleAdjacency& adjacency,
+           const Positions& positions,
+           const TwistLimits& limits,
+           const LoopContext& context)
 {
-  TwistFinder finder(triangles, adjacency, positions, limits);
-  std::size_t deleted = 0;
-  for (const OrientedComponent& component : components) {
-    if (component.rule != OutwardRule::ONE_SIDED)
-      continue;
-    for (const index_t triangle : finder.trianglesToDelete(component.first_triangle)) {
-      alive[static_cast<std::size_t>(triangle)] = 0;
-      ++deleted;
-    }
-  }
-  return deleted;
+  return TwistSearch(triangles, adjacency, positions, limits, context).find();
 }
 
 } // namespace ccaa

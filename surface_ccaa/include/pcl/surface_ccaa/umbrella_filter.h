@@ -107,7 +107,7 @@ public:
   }
 
   /** \brief Largest share of a one-sided region's triangles that may go to make it
-   * two-sided, 0 to 1 (see ccaa::cutTwists()). Default 0.1; 0 leaves one-sided regions
+   * two-sided, 0 to 1 (see ccaa::findTwists()). Default 0.1; 0 leaves one-sided regions
    * as they are. Without consistent orientation nothing is cut. */
   void
   setLargestTwistShare(double share)

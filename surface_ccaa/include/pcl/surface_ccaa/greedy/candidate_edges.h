@@ -71,15 +71,23 @@ public:
   }
 
 private:
-  /** Bit of the slot in which a row holds a neighbor, 0 if it does not. */
+  /** Bit of the slot in which a row holds a neighbor, 0 if it does not. All slots are
+   * looked at, sixteen at a time: that vectorises and has no branch to mispredict. */
   std::uint64_t
   slotBit(index_t rank, index_t neighbor) const
   {
     const index_t* row = neighbors_.row(rank);
-    for (unsigned int slot = 0; slot < neighbors_.k; ++slot)
-      if (row[slot] == neighbor)
-        return std::uint64_t(1) << slot;
-    return 0;
+    std::uint64_t match = 0;
+    unsigned int slot = 0;
+    for (; slot + 16 <= neighbors_.k; slot += 16) {
+      std::uint32_t group = 0;
+      for (unsigned int s = 0; s < 16; ++s)
+        group |= row[slot + s] == neighbor ? 1u << s : 0u;
+      match |= std::uint64_t(group) << slot;
+    }
+    for (; slot < neighbors_.k; ++slot)
+      match |= std::uint64_t(row[slot] == neighbor) << slot;
+    return match;
   }
 
   CandidateEdge

@@ -2,55 +2,52 @@
 // Part of PclSurfaceRepair: finds the wrong triangles that make a region one-sided.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/orientation.h>
-#include <pcl/surface_ccaa/mesh/point_chains.h>
+#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
 
-/** \brief Settings of cutTwists(). */
+/** \brief Settings of findTwists(). */
 struct TwistLimits {
   /** \brief An edge bends when the normals of its two triangles, wound alike, differ by
    * more than this, in radians. */
   double smooth_angle = 0.5235987755982988; // 30 degrees
-  /** \brief Largest share of a region's triangles that a cut may cost. */
+  /** \brief Largest share of a region's triangles that a cut may cost, 0 to 1. */
   double largest_share = 0.1;
 };
 
-/** \brief Delete the triangles that turn one-sided regions over.
+/** \brief The triangles that turn one-sided regions over.
  *
  * A few wrong triangles that connect two sheets the wrong way round make a whole region
  * one-sided although each of its points has a perfect umbrella. The surface of an
  * object is not (D1.3-1), so somewhere along such a way a triangle is wrong. Windings
  * are carried over the smooth edges first and then over the others, the least bent
  * first; an edge whose triangles then disagree lies where the surface is turned over,
- * and both go.
+ * and the one of them that continues its neighbors less evenly is named.
  *
  * A region that is turned over along smooth edges alone, like a Moebius band, is truly
  * one-sided, and one that could be cut only at the price of more than
- * TwistLimits::largest_share of it is not understood: both are left as they are.
+ * TwistLimits::largest_share of it is not understood: of both nothing is named.
  *
- * Cost: linear in the triangles but for sorting the bent edges of one-sided regions.
- * Deterministic; ties go to the lower triangle.
+ * Cost: linear in the triangles but for sorting the bent edges. The same result for any
+ * number of threads; ties go by triangle index.
  * \param[in] triangles the mesh, without overfull edges
  * \param[in] adjacency of the triangles
  * \param[in] positions of the vertices
- * \param[in] components what orientTriangles() found
  * \param[in] limits settings
- * \param[in,out] alive one flag a triangle, cleared for those to be deleted
- * \return number of triangles deleted */
-std::size_t
-cutTwists(const Triangles& triangles,
-          const TriangleAdjacency& adjacency,
-          const Positions& positions,
-          const std::vector<OrientedComponent>& components,
-          const TwistLimits& limits,
-          AliveFlags& alive);
+ * \param[in] context how to run
+ * \return triangles whose deletion makes these regions two-sided; none when all regions
+ * are two-sided, and after cancelling */
+std::vector<index_t>
+findTwists(const Triangles& triangles,
+           const TriangleAdjacency& adjacency,
+           const Positions& positions,
+           const TwistLimits& limits,
+           const LoopContext& context);
 
 } // namespace ccaa
 } // namespace pcl
