@@ -76,9 +76,10 @@ gather(const CertificateInput& input, std::int32_t rank, Neighborhood<LANES>& ho
 }
 
 /** Scale to units of the local spacing, so that nothing below can over- or underflow;
- * the spacing itself is found in double for the same reason. */
+ * the spacing itself is found in double for the same reason.
+ * \return the spacing */
 template <int LANES>
-inline void
+inline double
 normalise(Neighborhood<LANES>& hood)
 {
   const int nearest = hood.count < SPACING_NEIGHBORS ? hood.count : SPACING_NEIGHBORS;
@@ -87,7 +88,8 @@ normalise(Neighborhood<LANES>& hood)
     const double x = hood.x[j], y = hood.y[j], z = hood.z[j];
     sum += x * x + y * y + z * z;
   }
-  const auto scale = static_cast<float>(__builtin_sqrt(nearest / sum));
+  const double spacing = __builtin_sqrt(sum / nearest);
+  const auto scale = static_cast<float>(1.0 / spacing);
   for (int j = 0; j < LANES; ++j) {
     hood.x[j] *= scale;
     hood.y[j] *= scale;
@@ -95,6 +97,7 @@ normalise(Neighborhood<LANES>& hood)
     hood.squared[j] =
         hood.x[j] * hood.x[j] + hood.y[j] * hood.y[j] + hood.z[j] * hood.z[j];
   }
+  return spacing;
 }
 
 /** A symmetric 3 x 3 matrix. */
@@ -366,7 +369,7 @@ votesOf(const CertificateInput& input, std::int32_t rank)
   gather(input, rank, hood);
   if (hood.count == 0)
     return {};
-  normalise(hood);
+  const double spacing = normalise(hood);
   const Symmetric c = covariance(hood);
   const Direction n = planeNormal(c);
   turnToPlane(hood, n);
@@ -377,6 +380,7 @@ votesOf(const CertificateInput& input, std::int32_t rank)
   for (int offset = 0; offset < hood.count; offset += EDGE_LANES)
     emptyCircleTest(hood, offset, margin);
   EdgeVotes votes;
+  votes.reach = static_cast<float>(spacing * input.reach);
   for (int j = 0; j < hood.count; ++j) {
     const bool in_reach = hood.squared[j] <= input.reach * input.reach;
     const bool certified = in_reach && margin[j] >= 0;

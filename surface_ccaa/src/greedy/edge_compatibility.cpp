@@ -197,7 +197,7 @@ JoinedEdges::crossesOrShadows(index_t a, index_t b, Apexes& apexes) const
 bool
 JoinedEdges::overfills(index_t a, index_t b, const Apexes& apexes) const
 {
-  if (apexes.count > 2 || degree(a) == SLOTS || degree(b) == SLOTS)
+  if (apexes.count > 2 || isFull(a) || isFull(b))
     return true;
   for (const Apex& c : apexes)
     if (trianglesAt(a, c.slot_at_a) >= 2 || trianglesAt(b, c.slot_at_b) >= 2)

@@ -39,14 +39,13 @@ public:
       const index_t b = neighbors_.row(a)[__builtin_ctzll(bits)];
       const EdgeVotes& theirs = votes_[static_cast<std::size_t>(b)];
       const std::uint64_t back = slotBit(b, a);
-      if (back == 0)
-        use(edge(a, b), EdgeStanding::CERTIFIED);
-      else if ((theirs.in_reach & back) == 0)
+      const CandidateEdge candidate = edge(a, b);
+      if (back == 0 ? candidate.length > theirs.reach : (theirs.in_reach & back) == 0)
         continue;
-      else if ((theirs.certified & back) == 0)
-        use(edge(a, b), EdgeStanding::DISPUTED);
-      else if (a < b)
-        use(edge(a, b), EdgeStanding::CERTIFIED);
+      if (back != 0 && (theirs.certified & back) == 0)
+        use(candidate, EdgeStanding::DISPUTED);
+      else if (back == 0 || a < b)
+        use(candidate, EdgeStanding::CERTIFIED);
     }
   }
 
@@ -61,12 +60,13 @@ public:
       const index_t b = neighbors_.row(a)[__builtin_ctzll(bits)];
       if (!wanted(b))
         continue;
+      const EdgeVotes& theirs = votes_[static_cast<std::size_t>(b)];
       const std::uint64_t back = slotBit(b, a);
-      const bool in_charge =
-          back == 0 ||
-          (a < b && (votes_[static_cast<std::size_t>(b)].in_reach & back) != 0);
+      const CandidateEdge candidate = edge(a, b);
+      const bool in_charge = back == 0 ? candidate.length <= theirs.reach
+                                       : a < b && (theirs.in_reach & back) != 0;
       if (in_charge)
-        use(edge(a, b), EdgeStanding::PLAIN);
+        use(candidate, EdgeStanding::PLAIN);
     }
   }
 

@@ -114,6 +114,12 @@ private:
   unsigned int
   degree(index_t rank) const;
 
+  bool
+  isFull(index_t rank) const
+  {
+    return rows_[static_cast<std::size_t>(rank)].neighbors.back() != NeighborRows::NONE;
+  }
+
   Apexes
   commonNeighbors(index_t a, index_t b) const;
 

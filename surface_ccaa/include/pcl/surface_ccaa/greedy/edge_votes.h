@@ -12,6 +12,7 @@ namespace ccaa {
 struct EdgeVotes {
   std::uint64_t in_reach = 0;  /**< not longer than the length limit of this point */
   std::uint64_t certified = 0; /**< in reach, and passes the empty-circle test */
+  float reach = 0; /**< the length limit of this point, in units of the cloud */
 };
 
 } // namespace ccaa
