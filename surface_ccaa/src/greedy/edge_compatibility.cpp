@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the growing greedy mesh and its three-part test
 // (thesis 3.3).
 #include <pcl/surface_ccaa/greedy/edge_compatibility.h>
+#include <pcl/surface_ccaa/greedy/slot_match.h>
 
 #include <cassert>
 #include <cmath>
@@ -120,12 +121,8 @@ JoinedEdges::JoinedEdges(const RankedPoints& points)
 unsigned int
 JoinedEdges::slotOf(index_t rank, index_t neighbor) const
 {
-  const Row& row = rows_[static_cast<std::size_t>(rank)];
-  // Every slot is looked at and the matches are gathered as bits: this vectorises, and
-  // has no branch to mispredict.
-  std::uint32_t match = 0;
-  for (unsigned int slot = 0; slot < SLOTS; ++slot)
-    match |= row.neighbors[slot] == neighbor ? 1u << slot : 0u;
+  const std::uint32_t match =
+      matchSixteen(rows_[static_cast<std::size_t>(rank)].neighbors.data(), neighbor);
   return match == 0 ? SLOTS : static_cast<unsigned int>(__builtin_ctz(match));
 }
 

@@ -132,6 +132,7 @@ private:
     const char* stage = "edges";
     WaitingEdges waiting(schedule_.blockCount());
     const bool done = level(stage, 0, [&](std::size_t block, EdgeQueue& queue) {
+      queue.by_standing.front().reserve(4 * BlockSchedule::BLOCK); // 3 a point and some
       const auto add = [&](const CandidateEdge& edge, EdgeStanding standing) {
         const unsigned int level = BlockSchedule::levelOf(edge.a, edge.b);
         if (level == 0)

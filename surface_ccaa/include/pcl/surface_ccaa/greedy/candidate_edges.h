@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/greedy/edge_certificate.h>
 #include <pcl/surface_ccaa/greedy/length_buckets.h>
 #include <pcl/surface_ccaa/greedy/ranked_points.h>
+#include <pcl/surface_ccaa/greedy/slot_match.h>
 
 #include <cmath>
 #include <vector>
@@ -71,20 +72,15 @@ public:
   }
 
 private:
-  /** Bit of the slot in which a row holds a neighbor, 0 if it does not. All slots are
-   * looked at, sixteen at a time: that vectorises and has no branch to mispredict. */
+  /** Bit of the slot in which a row holds a neighbor, 0 if it does not. */
   std::uint64_t
   slotBit(index_t rank, index_t neighbor) const
   {
     const index_t* row = neighbors_.row(rank);
     std::uint64_t match = 0;
     unsigned int slot = 0;
-    for (; slot + 16 <= neighbors_.k; slot += 16) {
-      std::uint32_t group = 0;
-      for (unsigned int s = 0; s < 16; ++s)
-        group |= row[slot + s] == neighbor ? 1u << s : 0u;
-      match |= std::uint64_t(group) << slot;
-    }
+    for (; slot + 16 <= neighbors_.k; slot += 16)
+      match |= std::uint64_t(matchSixteen(row + slot, neighbor)) << slot;
     for (; slot < neighbors_.k; ++slot)
       match |= std::uint64_t(row[slot] == neighbor) << slot;
     return match;
