@@ -11,7 +11,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 
 /** Width of everything: points per block, boxes per group, queries per round. */
 constexpr unsigned int LANES = 8;
@@ -94,6 +94,6 @@ extern const Kernel AVX2_KERNEL;
 void
 sortLongRow(float* distances, std::int32_t* ranks, unsigned int size);
 
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -15,11 +15,11 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 
 const Kernel AVX2_KERNEL = {avx2::nearestOfBlock, avx2::nearestOfPlace, avx2::within};
 
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl
 

@@ -8,11 +8,11 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 
 const Kernel BASELINE_KERNEL = {
     baseline::nearestOfBlock, baseline::nearestOfPlace, baseline::within};
 
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

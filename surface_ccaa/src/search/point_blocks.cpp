@@ -12,9 +12,9 @@ namespace ccaa {
 
 namespace {
 
-using search::BLOCK_FLOATS;
-using search::GROUP_FLOATS;
-using search::LANES;
+using block_kernel::BLOCK_FLOATS;
+using block_kernel::GROUP_FLOATS;
+using block_kernel::LANES;
 
 static_assert(PointBlocks::BLOCK_SIZE == LANES, "kernels are built for blocks");
 

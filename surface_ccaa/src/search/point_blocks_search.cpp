@@ -13,27 +13,27 @@ namespace ccaa {
 
 namespace {
 
-using search::BLOCK_FLOATS;
-using search::LANES;
+using block_kernel::BLOCK_FLOATS;
+using block_kernel::LANES;
 
 static_assert(sizeof(index_t) == sizeof(std::int32_t), "kernels write 32-bit ranks");
 
 /** Blocks that a thread takes at a time: a few milliseconds of work. */
 constexpr std::size_t BLOCKS_PER_TASK = 256;
 
-const search::Kernel&
+const block_kernel::Kernel&
 kernelFor(PointBlocks::Instructions instructions)
 {
   if (instructions == PointBlocks::Instructions::BASELINE)
-    return search::BASELINE_KERNEL;
+    return block_kernel::BASELINE_KERNEL;
 #ifdef PCL_CCAA_HAS_AVX2_KERNEL
   static const bool has_avx2 = __builtin_cpu_supports("avx2") &&
                                __builtin_cpu_supports("popcnt") &&
                                __builtin_cpu_supports("bmi");
   if (has_avx2)
-    return search::AVX2_KERNEL;
+    return block_kernel::AVX2_KERNEL;
 #endif
-  return search::BASELINE_KERNEL;
+  return block_kernel::BASELINE_KERNEL;
 }
 
 std::size_t
@@ -62,14 +62,14 @@ public:
     view_.places = view_.sorted_ranks + capacity;
   }
 
-  const search::Scratch&
+  const block_kernel::Scratch&
   view() const
   {
     return view_;
   }
 
 private:
-  search::Scratch view_{};
+  block_kernel::Scratch view_{};
   std::unique_ptr<float[]> floats_;
   std::unique_ptr<std::int32_t[]> ranks_;
 };
@@ -94,7 +94,7 @@ public:
   View&
   operator=(const View&) = delete;
 
-  const search::BlockView&
+  const block_kernel::BlockView&
   operator*() const
   {
     return view_;
@@ -103,7 +103,7 @@ public:
 private:
   /** 8 to the power of 12 exceeds what an index can count. */
   std::array<const float*, 12> levels_{};
-  search::BlockView view_{};
+  block_kernel::BlockView view_{};
 };
 
 bool
@@ -133,8 +133,8 @@ sortedNeighbors(const std::vector<index_t>& order,
 
 void
 PointBlocks::fillRows(NeighborTable& table,
-                      const search::BlockView& view,
-                      const search::Scratch& scratch,
+                      const block_kernel::BlockView& view,
+                      const block_kernel::Scratch& scratch,
                       std::size_t first_block) const
 {
   const std::size_t end =
@@ -210,7 +210,7 @@ PointBlocks::within(const std::array<float, 3>& query, float max_sqr_distance) c
   if (size() == 0 || !isFinite(query))
     return {};
   const View view(coordinates_, boxes_, size());
-  search::RangeCursor cursor{{query[0], query[1], query[2]}, max_sqr_distance, 0};
+  block_kernel::RangeCursor cursor{{query[0], query[1], query[2]}, max_sqr_distance, 0};
   std::vector<index_t> ranks;
   std::vector<float> sqr_distances;
   std::size_t found = 0;
@@ -228,7 +228,7 @@ PointBlocks::within(const std::array<float, 3>& query, float max_sqr_distance) c
   return sortedNeighbors(order_, ranks, sqr_distances, found);
 }
 
-namespace search {
+namespace block_kernel {
 
 void
 sortLongRow(float* distances, std::int32_t* ranks, unsigned int size)
@@ -249,7 +249,7 @@ sortLongRow(float* distances, std::int32_t* ranks, unsigned int size)
   }
 }
 
-} // namespace search
+} // namespace block_kernel
 
 } // namespace ccaa
 } // namespace pcl

@@ -13,7 +13,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 inline void
@@ -83,6 +83,6 @@ within(const BlockView& view,
 }
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -6,7 +6,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 /** Rows up to here are sorted by counting, which takes the square of their length. */
@@ -135,6 +135,6 @@ private:
 };
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -7,7 +7,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 constexpr float INFINITE = __builtin_inff();
@@ -126,6 +126,6 @@ smallest(const float* values, unsigned int lanes)
 }
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -7,7 +7,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace avx2 {
 
 // The same operations as lanes_baseline.h, where they are explained.
@@ -174,6 +174,6 @@ pack(const Floats& distances,
 }
 
 } // namespace avx2
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

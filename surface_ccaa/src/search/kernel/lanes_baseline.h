@@ -6,7 +6,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace baseline {
 
 // The loops have a fixed length and no branch, so that the compiler turns them into
@@ -198,6 +198,6 @@ pack(const Floats& distances,
 }
 
 } // namespace baseline
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -7,7 +7,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 constexpr std::uint32_t NO_BLOCK = ~std::uint32_t(0);
@@ -219,6 +219,6 @@ private:
 };
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -6,7 +6,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 /** Points within a distance, in the order of their ranks. */
@@ -80,6 +80,6 @@ private:
 };
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

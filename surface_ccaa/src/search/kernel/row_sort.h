@@ -7,7 +7,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 /** The bits of a distance that is not negative order as the distance does. */
@@ -89,6 +89,6 @@ sortedPlaces(const float* row, unsigned int size, std::int32_t* places)
 }
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

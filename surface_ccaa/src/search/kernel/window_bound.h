@@ -7,7 +7,7 @@
 
 namespace pcl {
 namespace ccaa {
-namespace search {
+namespace block_kernel {
 namespace PCL_CCAA_KERNEL {
 
 /** Halvings of the interval that holds the bound: 8 octaves, down to 1/16. */
@@ -161,6 +161,6 @@ private:
 };
 
 } // namespace PCL_CCAA_KERNEL
-} // namespace search
+} // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -15,10 +15,10 @@
 namespace pcl {
 namespace ccaa {
 
-namespace search {
+namespace block_kernel {
 struct BlockView;
 struct Scratch;
-} // namespace search
+} // namespace block_kernel
 
 /** \brief The k nearest neighbors of every point, one row per rank.
  *
@@ -193,8 +193,8 @@ private:
   /** Rows of the points of some blocks, one task of a thread. */
   void
   fillRows(NeighborTable& table,
-           const search::BlockView& view,
-           const search::Scratch& scratch,
+           const block_kernel::BlockView& view,
+           const block_kernel::Scratch& scratch,
            std::size_t first_block) const;
 
   void
