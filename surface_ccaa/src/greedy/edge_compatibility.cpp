@@ -64,7 +64,7 @@ isSharper(const Direction& u, const Direction& v, const AngleLimit& limit)
   const bool ahead = along > 0;
   const bool narrow =
       along * along > limit.squared_cosine * u.squared_length * v.squared_length;
-  return ahead & narrow;
+  return ahead && narrow;
 }
 
 /** How two apexes lie to an edge ab and to each other. */

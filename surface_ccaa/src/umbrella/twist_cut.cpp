@@ -54,7 +54,7 @@ public:
     const index_t to = mine[static_cast<std::size_t>((corner + 1) % 3)];
     bool same_direction = false;
     for (std::size_t c = 0; c < 3; ++c)
-      same_direction |= (theirs[c] == from) & (theirs[c == 2 ? 0 : c + 1] == to);
+      same_direction |= theirs[c] == from && theirs[c == 2 ? 0 : c + 1] == to;
     const double cosine = normals_[static_cast<std::size_t>(triangle)].dot(
         normals_[static_cast<std::size_t>(other)]);
     return {other, triangle, same_direction ? -cosine : cosine, !same_direction};
