@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -50,6 +51,27 @@ struct EdgeQueue {
   }
 };
 
+std::size_t
+lowestRank(const Triangle& triangle)
+{
+  return static_cast<std::size_t>(std::min({triangle[0], triangle[1], triangle[2]}));
+}
+
+/** Counting sort of the triangles of a block by their lowest ranks.
+ * \param[in] first first rank of the block
+ * \param[out] sorted as many places as there are triangles */
+void
+sortByLowestRank(const Triangles& triangles, std::size_t first, Triangle* sorted)
+{
+  std::array<std::uint32_t, BlockSchedule::BLOCK + 1> place{};
+  for (const Triangle& triangle : triangles)
+    ++place[lowestRank(triangle) - first + 1];
+  for (std::size_t rank = 0; rank < BlockSchedule::BLOCK; ++rank)
+    place[rank + 1] += place[rank];
+  for (const Triangle& triangle : triangles)
+    sorted[place[lowestRank(triangle) - first]++] = triangle;
+}
+
 /** One run of the greedy start. */
 class Run {
 public:
@@ -85,16 +107,30 @@ public:
     return true;
   }
 
+  /** All triangles in the order of their lowest ranks: whoever works on the mesh finds
+   * neighbors near each other in memory. */
   Triangles
   takeTriangles()
   {
-    std::size_t total = 0;
-    for (const Triangles& part : made_)
-      total += part.size();
-    Triangles all;
-    all.reserve(total);
-    for (const Triangles& part : made_)
-      all.insert(all.end(), part.begin(), part.end());
+    // The first level of the first pass left a part for each block; the rest is little.
+    std::vector<Triangles> of_block(
+        std::make_move_iterator(made_.begin()),
+        std::make_move_iterator(made_.begin() +
+                                std::ptrdiff_t(schedule_.blockCount())));
+    for (std::size_t part = schedule_.blockCount(); part < made_.size(); ++part)
+      for (const Triangle& triangle : made_[part])
+        of_block[lowestRank(triangle) >> BlockSchedule::BLOCK_BITS].push_back(triangle);
+    std::vector<std::size_t> starts(1, 0);
+    for (const Triangles& block : of_block)
+      starts.push_back(starts.back() + block.size());
+    Triangles all(starts.back());
+    forEachBlock(of_block.size(),
+                 loop("second pass", 1),
+                 [&](std::size_t block, std::size_t, std::size_t) {
+                   sortByLowestRank(of_block[block],
+                                    schedule_.begin(0, block),
+                                    all.data() + starts[block]);
+                 });
     return all;
   }
 
@@ -308,6 +344,8 @@ greedyTriangulation(const RankedPoints& points,
   report.candidate_edges = report.joined_edges + report.refused_overfull +
                            report.refused_tetrahedron + report.refused_angle;
   Triangles triangles = run.takeTriangles();
+  if (control.cancelled())
+    return {};
   report.triangles = triangles.size();
   return triangles;
 }

@@ -6,6 +6,7 @@
 #include "outward_votes.h"
 #include "winding.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -135,6 +136,27 @@ cancelledReport()
   return report;
 }
 
+bool
+hasOneSided(const Decision& decision)
+{
+  return std::any_of(decision.components.begin(),
+                     decision.components.end(),
+                     [](const OrientedComponent& component) {
+                       return component.rule == OutwardRule::ONE_SIDED;
+                     });
+}
+
+OrientationReport
+makeReport(Decision& decision, std::size_t reversed)
+{
+  OrientationReport report;
+  report.reversed = reversed;
+  report.components = std::move(decision.components);
+  for (const OrientedComponent& component : report.components)
+    ++report.decided[static_cast<std::size_t>(component.rule)];
+  return report;
+}
+
 } // namespace
 
 OrientationReport
@@ -151,6 +173,8 @@ orientTriangles(Triangles& triangles,
   const WoundMesh mesh{triangles, positions, winding};
   const LoopContext context{hints.threads, &control, "outer side"};
   Decision decision = startDecision(winding);
+  if (hints.stop_if_one_sided && hasOneSided(decision))
+    return makeReport(decision, 0);
   decideByEvidence(collectEvidence(mesh, hints, context), decision);
   if (decision.any_undecided) {
     const std::vector<Votes> sight = collectFreeSight(mesh, context);
@@ -160,12 +184,7 @@ orientTriangles(Triangles& triangles,
   }
   if (!control.report("outer side", 1.0))
     return cancelledReport();
-  OrientationReport report;
-  report.reversed = apply(decision, winding, hints.threads, triangles);
-  report.components = std::move(decision.components);
-  for (const OrientedComponent& component : report.components)
-    ++report.decided[static_cast<std::size_t>(component.rule)];
-  return report;
+  return makeReport(decision, apply(decision, winding, hints.threads, triangles));
 }
 
 } // namespace ccaa

@@ -12,7 +12,7 @@ namespace ccaa {
 namespace {
 
 /** \brief Below so many triangles a part of its own costs more than it gains. */
-constexpr std::size_t SMALLEST_PART = 50000;
+constexpr std::size_t SMALLEST_PART = 20000;
 
 std::vector<MeshPart>
 cutIntoParts(std::size_t triangles, int threads)

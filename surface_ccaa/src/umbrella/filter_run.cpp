@@ -120,9 +120,12 @@ void
 FilterRun::orient()
 {
   if (settings_.consistent_orientation) {
-    OrientationReport oriented = windOutward();
+    OrientationReport oriented = windOutward(true);
     while (oriented.oneSided() > 0 && cutTwistedRegions())
-      oriented = windOutward(); // until nothing is cut: filtering twice changes nothing
+      oriented = windOutward(true); // until nothing is cut: filtering twice is once
+    if (oriented.oneSided() > 0)
+      oriented = windOutward(false);
+    report_.reversed_triangles = oriented.reversed;
     report_.one_sided_components = oriented.oneSided();
   }
   adjacency_.clear();
@@ -130,7 +133,7 @@ FilterRun::orient()
 }
 
 OrientationReport
-FilterRun::windOutward()
+FilterRun::windOutward(bool only_if_two_sided)
 {
   const LoopContext context = stage("reading hints");
   OrientationHints hints;
@@ -138,11 +141,9 @@ FilterRun::windOutward()
   const auto viewpoints = gather(views_.viewpoints, point_of_vertex_, context);
   hints.normals = normals;
   hints.viewpoints = viewpoints;
+  hints.stop_if_one_sided = only_if_two_sided;
   hints.threads = settings_.threads;
-  const auto oriented =
-      orientTriangles(triangles_, adjacency_, positions_, hints, control_);
-  report_.reversed_triangles += oriented.reversed;
-  return oriented;
+  return orientTriangles(triangles_, adjacency_, positions_, hints, control_);
 }
 
 /** The points around a cut are examined like those around any other deletion.

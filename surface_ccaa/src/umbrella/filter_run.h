@@ -78,7 +78,7 @@ private:
   void
   orient();
   OrientationReport
-  windOutward();
+  windOutward(bool only_if_two_sided);
   bool
   cutTwistedRegions();
 

@@ -39,7 +39,10 @@ struct OrientationHints {
   PointView normals;    /**< of any length; non-finite and zero do not vote */
   PointView viewpoints; /**< sensor position for each vertex */
   std::optional<Position>
-      viewpoint;   /**< one sensor position; used without viewpoints */
+      viewpoint; /**< one sensor position; used without viewpoints */
+  /** \brief Turn nothing and report no sides where a component is one-sided: for who
+   * means to mend it first. */
+  bool stop_if_one_sided = false;
   int threads = 1; /**< at least 1; the result is the same for any */
 };
 
