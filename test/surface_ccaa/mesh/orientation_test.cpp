@@ -193,6 +193,19 @@ TEST(Orientation, LeavesOneSidedComponentsAlone)
   EXPECT_TRUE(std::equal(before.begin(), before.begin() + 24, shape.triangles.begin()));
 }
 
+TEST(Orientation, TurnsNothingWhenItIsToStopAtAOneSidedComponent)
+{
+  Shape shape = joined(moebiusBand(12), translated(icosphere(1), {5.0, 0.0, 0.0}));
+  shape.triangles = randomlyReversed(shape.triangles, 4);
+  const Triangles before = shape.triangles;
+  OrientationHints hints;
+  hints.stop_if_one_sided = true;
+  const OrientationReport report = orient(shape, hints);
+  EXPECT_EQ(report.oneSided(), 1u);
+  EXPECT_EQ(report.reversed, 0u);
+  EXPECT_EQ(shape.triangles, before);
+}
+
 TEST(Orientation, DoesNotCrossAnEdgeOfThreeTriangles)
 {
   Shape shape = threeOnEdge();
