@@ -114,7 +114,8 @@ public:
     measureEdges();
     if (context_.cancelled())
       return {};
-    joinSmoothEdges();
+    if (!joinSmoothEdges())
+      return {};
     joinBentEdges();
     return wrong_.empty() ? wrong_ : affordable();
   }
@@ -162,10 +163,15 @@ private:
     return static_cast<std::uint8_t>(bits);
   }
 
-  void
+  /** One triangle after the other: each takes the label of a neighbor before it.
+   * \return false when cancelled */
+  bool
   joinSmoothEdges()
   {
     for (std::size_t i = 0; i < size(); ++i) {
+      if (i % BLOCK_SIZE == 0 && context_.control != nullptr &&
+          !context_.control->report(context_.stage, double(i) / double(size())))
+        return false;
       const auto triangle = static_cast<index_t>(i);
       sets_.add();
       for (int corner = 0; corner < 3; ++corner) {
@@ -176,6 +182,7 @@ private:
           truly_one_sided_.push_back(triangle);
       }
     }
+    return true;
   }
 
   void
