@@ -20,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 namespace pcl {
 namespace ccaa {
@@ -379,6 +380,17 @@ TEST_F(GreedyStartTest, CancellingLeavesAnEmptyResult)
     EXPECT_TRUE(reached) << stop;
     EXPECT_TRUE(start_.getReport().cancelled) << stop;
   }
+}
+
+TEST_F(GreedyStartTest, AnExceptionFromTheCallbackCancels)
+{
+  start_.setProgressCallback([](const std::string& stage, double) -> bool {
+    if (stage == "edges")
+      throw std::runtime_error("not now");
+    return true;
+  });
+  EXPECT_TRUE(reconstruct(bumpySphere(5000)).empty());
+  EXPECT_TRUE(start_.getReport().cancelled);
 }
 
 TEST_F(GreedyStartTest, ProgressStaysBetweenZeroAndOne)

@@ -12,7 +12,8 @@ namespace ccaa {
 
 /** \brief Called from the thread that started the run with the name of the stage and
  * the share of that stage that is done, 0 to 1. Return false to cancel the run: it
- * stops within 100 ms of work and leaves an empty result. */
+ * stops within 100 ms of work and leaves an empty result. An exception counts as false:
+ * it may not cross the parallel loops of a run. */
 using ProgressCallback = std::function<bool(const std::string& stage, double fraction)>;
 
 /** \brief One run's view of its progress callback.
@@ -33,7 +34,7 @@ public:
   {
     if (cancelled())
       return false;
-    if (callback_ && !callback_(stage, fraction))
+    if (callback_ && !wantsMore(stage, fraction))
       cancelled_.store(true, std::memory_order_relaxed);
     return !cancelled();
   }
@@ -45,6 +46,17 @@ public:
   }
 
 private:
+  bool
+  wantsMore(const char* stage, double fraction) const
+  {
+    try {
+      return callback_(stage, fraction);
+    }
+    catch (...) {
+      return false;
+    }
+  }
+
   ProgressCallback callback_;
   std::atomic<bool> cancelled_{false};
 };
