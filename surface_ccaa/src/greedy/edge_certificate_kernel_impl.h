@@ -242,8 +242,7 @@ template <int LANES>
 inline void
 turnToPlane(Neighborhood<LANES>& hood, const Direction& n)
 {
-  // A tangent from the axis most across the normal (Duff et al. 2017 is for unit n, but
-  // branches are cheap here and this stays accurate for every n).
+  // Any tangent will do, as long as it is made of components that are not both small.
   const bool along_x = magnitude(n.x) > 0.6f;
   const Direction u = along_x ? unit(-n.y, n.x, 0) : unit(0, -n.z, n.y);
   const Direction v{

@@ -9,16 +9,14 @@
 
 namespace pcl {
 namespace ccaa {
+namespace {
+
 /** An edge leaving a point: single precision, of which the differences of coordinates
  * have no more anyway. */
-struct JoinedEdges::Direction {
+struct Direction {
   float x, y, z;
   double squared_length;
 };
-
-namespace {
-
-using Direction = JoinedEdges::Direction;
 
 struct Vector {
   double x, y, z;
@@ -203,17 +201,16 @@ JoinedEdges::overfills(index_t a, index_t b, const Apexes& apexes) const
 }
 
 bool
-JoinedEdges::hasSmallAngleAt(index_t at,
-                             const Direction& edge,
-                             const AngleLimit& limit) const
+JoinedEdges::hasSmallAngleAt(index_t at, index_t end, const AngleLimit& limit) const
 {
   const Coordinates& place = coordinates_[static_cast<std::size_t>(at)];
+  const Direction edge = towards(place, coordinates_[static_cast<std::size_t>(end)]);
   bool small = false;
   for (const index_t other : rows_[static_cast<std::size_t>(at)].neighbors) {
     if (other == NeighborRows::NONE)
       break;
-    const Coordinates& end = coordinates_[static_cast<std::size_t>(other)];
-    small |= isSharper(edge, towards(place, end), limit);
+    const Coordinates& beside = coordinates_[static_cast<std::size_t>(other)];
+    small |= isSharper(edge, towards(place, beside), limit);
   }
   return small;
 }
@@ -225,11 +222,10 @@ JoinedEdges::hasSmallAngle(index_t a,
                            const Apexes& apexes,
                            const AngleLimit& limit) const
 {
+  if (hasSmallAngleAt(a, b, limit) || hasSmallAngleAt(b, a, limit))
+    return true;
   const Coordinates& from = coordinates_[static_cast<std::size_t>(a)];
   const Coordinates& to = coordinates_[static_cast<std::size_t>(b)];
-  if (hasSmallAngleAt(a, towards(from, to), limit) ||
-      hasSmallAngleAt(b, towards(to, from), limit))
-    return true;
   for (const Apex& apex : apexes) {
     const Coordinates& c = coordinates_[static_cast<std::size_t>(apex.rank)];
     if (isSharper(towards(c, from), towards(c, to), limit))

@@ -40,13 +40,12 @@ public:
       const index_t b = neighbors_.row(a)[__builtin_ctzll(bits)];
       const EdgeVotes& theirs = votes_[static_cast<std::size_t>(b)];
       const std::uint64_t back = slotBit(b, a);
+      const bool disputed = back != 0 && (theirs.certified & back) == 0;
+      if (back != 0 && !disputed && b < a)
+        continue; // the other end is in charge of it
       const CandidateEdge candidate = edge(a, b);
-      if (back == 0 ? candidate.length > theirs.reach : (theirs.in_reach & back) == 0)
-        continue;
-      if (back != 0 && (theirs.certified & back) == 0)
-        use(candidate, EdgeStanding::DISPUTED);
-      else if (back == 0 || a < b)
-        use(candidate, EdgeStanding::CERTIFIED);
+      if (isInReach(candidate, theirs, back))
+        use(candidate, disputed ? EdgeStanding::DISPUTED : EdgeStanding::CERTIFIED);
     }
   }
 
@@ -61,17 +60,24 @@ public:
       const index_t b = neighbors_.row(a)[__builtin_ctzll(bits)];
       if (!wanted(b))
         continue;
-      const EdgeVotes& theirs = votes_[static_cast<std::size_t>(b)];
       const std::uint64_t back = slotBit(b, a);
+      if (back != 0 && b < a)
+        continue; // the other end is in charge of it
       const CandidateEdge candidate = edge(a, b);
-      const bool in_charge = back == 0 ? candidate.length <= theirs.reach
-                                       : a < b && (theirs.in_reach & back) != 0;
-      if (in_charge)
+      if (isInReach(candidate, votes_[static_cast<std::size_t>(b)], back))
         use(candidate, EdgeStanding::PLAIN);
     }
   }
 
 private:
+  /** Whether the far end finds an edge in reach: by its vote where the near end is in
+   * its row (bit \a back), else by its length limit. */
+  static bool
+  isInReach(const CandidateEdge& candidate, const EdgeVotes& far, std::uint64_t back)
+  {
+    return back != 0 ? (far.in_reach & back) != 0 : candidate.length <= far.reach;
+  }
+
   /** Bit of the slot in which a row holds a neighbor, 0 if it does not. */
   std::uint64_t
   slotBit(index_t rank, index_t neighbor) const

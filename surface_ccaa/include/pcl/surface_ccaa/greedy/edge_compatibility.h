@@ -41,8 +41,6 @@ struct AngleLimit {
  * the rows of a, b and the points joined to both, nothing else. */
 class JoinedEdges {
 public:
-  struct Direction;
-
   static constexpr unsigned int SLOTS = 16;
 
   explicit JoinedEdges(const RankedPoints& points);
@@ -136,7 +134,7 @@ private:
                 const AngleLimit& limit) const;
 
   bool
-  hasSmallAngleAt(index_t at, const Direction& edge, const AngleLimit& limit) const;
+  hasSmallAngleAt(index_t at, index_t end, const AngleLimit& limit) const;
 
   void
   addSlot(index_t rank, index_t neighbor, unsigned int triangles);
