@@ -5,11 +5,10 @@
 #include <pcl/surface/reconstruction.h>
 #include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/greedy/ranked_points.h>
-#include <pcl/surface_ccaa/run_control.h>
+#include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_ccaa/search/point_blocks.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -28,6 +27,8 @@ namespace pcl {
  * points at one place only the one of lowest index does. No edge has more than two
  * triangles; windings are arbitrary. The result is the same for any number of threads.
  *
+ * Stages of the progress callback: "neighbors", "edges", "second pass", "polygons".
+ *
  * Cost O(N k^2) and about 250 bytes per point while it runs. One object serves one
  * thread at a time. Errors (PCL_ERROR, no triangles): a parameter out of range, an
  * index outside the cloud, fewer than three usable points.
@@ -35,7 +36,7 @@ namespace pcl {
  * \tparam PointT any point type with x, y and z of type float in a row
  */
 template <typename PointT>
-class GreedyStart : public MeshConstruction<PointT> {
+class GreedyStart : public MeshConstruction<PointT>, public ccaa::RunSettings {
 public:
   using Ptr = shared_ptr<GreedyStart<PointT>>;
   using ConstPtr = shared_ptr<const GreedyStart<PointT>>;
@@ -137,26 +138,6 @@ public:
     return parameters_.second_pass;
   }
 
-  /** \brief Threads to use, 0 (the default) = all. The result is the same for any. */
-  void
-  setNumberOfThreads(unsigned int threads)
-  {
-    threads_ = threads;
-  }
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief See ccaa::ProgressCallback: returning false cancels the run. Stages:
-   * "neighbors", "edges", "second pass", "polygons". */
-  void
-  setProgressCallback(ccaa::ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
-  }
-
   /** \brief Counts and seconds of the last run. */
   const ccaa::GreedyReport&
   getReport() const
@@ -202,8 +183,6 @@ private:
   searchTree(int threads, ccaa::RunControl& control, Neighborhoods& found);
 
   ccaa::GreedyParameters parameters_;
-  unsigned int threads_ = 0;
-  ccaa::ProgressCallback progress_;
   ccaa::GreedyReport report_;
 };
 

@@ -4,13 +4,12 @@
 
 #include <pcl/surface/processing.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/run_control.h>
+#include <pcl/surface_ccaa/run_settings.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -74,7 +73,7 @@ struct UmbrellaReport {
  * output. One object serves one thread at a time; const getters may be called from
  * several.
  */
-class UmbrellaFilter : public MeshProcessing {
+class UmbrellaFilter : public MeshProcessing, public ccaa::RunSettings {
 public:
   using Ptr = shared_ptr<UmbrellaFilter>;
   using ConstPtr = shared_ptr<const UmbrellaFilter>;
@@ -118,25 +117,6 @@ public:
   getLargestTwistShare() const
   {
     return largest_twist_share_;
-  }
-
-  /** \brief Threads to use, 0 (the default) = all. The result is the same for any. */
-  void
-  setNumberOfThreads(unsigned int threads)
-  {
-    threads_ = threads;
-  }
-  unsigned int
-  getNumberOfThreads() const
-  {
-    return threads_;
-  }
-
-  /** \brief See ccaa::ProgressCallback: returning false cancels the run. */
-  void
-  setProgressCallback(ccaa::ProgressCallback callback)
-  {
-    progress_ = std::move(callback);
   }
 
   /** \brief Role of each point of the cloud after the last run, in cloud order. */
@@ -184,8 +164,6 @@ private:
   std::size_t minimum_internal_points_ = 10;
   bool consistent_orientation_ = true;
   double largest_twist_share_ = 0.1;
-  unsigned int threads_ = 0;
-  ccaa::ProgressCallback progress_;
   std::vector<PointRole> roles_;
   UmbrellaReport report_;
   std::shared_ptr<ccaa::FilterRun> run_; /**< only between initCompute() and its end */

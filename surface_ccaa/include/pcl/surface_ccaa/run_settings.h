@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the settings that every algorithm's run has.
+#pragma once
+
+#include <pcl/surface_ccaa/run_control.h>
+
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief Base of every class of this library that computes: how many threads it uses,
+ * and whom it tells about its progress.
+ *
+ * That an algorithm has this base also tells ConsecutiveReconstruction that it honours
+ * indices and leaves out points that are not finite, which not every class of PCL does.
+ */
+class RunSettings {
+public:
+  RunSettings() = default;
+  RunSettings(const RunSettings&) = default;
+  RunSettings&
+  operator=(const RunSettings&) = default;
+  virtual ~RunSettings() = default;
+
+  /** \brief Threads to use, 0 (the default) = all. The result is the same for any. */
+  void
+  setNumberOfThreads(unsigned int threads)
+  {
+    threads_ = threads;
+  }
+  unsigned int
+  getNumberOfThreads() const
+  {
+    return threads_;
+  }
+
+  /** \brief See ccaa::ProgressCallback: returning false cancels the run. */
+  void
+  setProgressCallback(ProgressCallback callback)
+  {
+    progress_ = std::move(callback);
+  }
+  const ProgressCallback&
+  getProgressCallback() const
+  {
+    return progress_;
+  }
+
+protected:
+  unsigned int threads_ = 0;
+  ProgressCallback progress_;
+};
+
+} // namespace ccaa
+} // namespace pcl
