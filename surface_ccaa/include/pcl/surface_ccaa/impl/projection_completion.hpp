@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the base algorithm of CCAA (thesis 3.1, 3.5).
+#pragma once
+
+#include <pcl/search/kdtree.h>
+#include <pcl/surface_ccaa/greedy/usable_points.h>
+#include <pcl/surface_ccaa/impl/block_search.hpp>
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/projection/polygon_completion.h>
+#include <pcl/surface_ccaa/projection_completion.h>
+#include <pcl/surface_ccaa/search/block_search.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace pcl {
+
+template <typename PointT>
+void
+ProjectionCompletion<PointT>::performReconstruction(pcl::PolygonMesh& output)
+{
+  performReconstruction(output.polygons);
+}
+
+template <typename PointT>
+void
+ProjectionCompletion<PointT>::performReconstruction(
+    std::vector<pcl::Vertices>& polygons)
+{
+  polygons.clear();
+  kept_.clear();
+  report_ = {};
+  ccaa::CompletionOutput output;
+  output.error = faultOfInput();
+  if (output.error.empty()) {
+    ccaa::RunControl control(progress_);
+    ccaa::CompletionInput input;
+    input.points = pointArray();
+    input.normals = normalArray();
+    input.selection = indices_.get();
+    input.given = partial_mesh_ ? &partial_mesh_->polygons : nullptr;
+    if (tree_ && !std::dynamic_pointer_cast<search::BlockSearch<PointT>>(tree_))
+      input.search = [&](const auto& points, auto k, auto& table) {
+        return searchTree(points, k, control, table);
+      };
+    output = ccaa::completePolygons(
+        input, parameters_, ccaa::resolveThreads(threads_), control, report_);
+  }
+  if (!output.error.empty())
+    PCL_ERROR("[pcl::%s::performReconstruction] %s\n",
+              getClassName().c_str(),
+              output.error.c_str());
+  polygons = std::move(output.polygons);
+  kept_ = std::move(output.kept);
+}
+
+template <typename PointT>
+std::string
+ProjectionCompletion<PointT>::faultOfInput() const
+{
+  if (const char* wrong = ccaa::outOfRange(parameters_))
+    return std::string(wrong) + " is out of range";
+  const auto outside = std::find_if(indices_->begin(), indices_->end(), [&](index_t i) {
+    return i < 0 || static_cast<std::size_t>(i) >= input_->size();
+  });
+  if (outside != indices_->end())
+    return "index " + std::to_string(*outside) + " is outside the cloud of " +
+           std::to_string(input_->size()) + " points";
+  if (partial_mesh_) {
+    const std::size_t points = static_cast<std::size_t>(partial_mesh_->cloud.width) *
+                               partial_mesh_->cloud.height;
+    if (points != 0 && points != input_->size())
+      return "the partial mesh has " + std::to_string(points) + " points, the cloud " +
+             std::to_string(input_->size());
+  }
+  return {};
+}
+
+template <typename PointT>
+ccaa::PointArray
+ProjectionCompletion<PointT>::pointArray() const
+{
+  static_assert(sizeof(PointT) % sizeof(float) == 0, "points are rows of floats");
+  if (input_->empty())
+    return {};
+  return {&input_->front().x, sizeof(PointT) / sizeof(float), input_->size()};
+}
+
+template <typename PointT>
+ccaa::PointArray
+ProjectionCompletion<PointT>::normalArray() const
+{
+  if constexpr (traits::has_normal<PointT>::value) {
+    if (!input_->empty())
+      return {
+          &input_->front().normal_x, sizeof(PointT) / sizeof(float), input_->size()};
+  }
+  return {};
+}
+
+/** Point by point, with any search method. */
+template <typename PointT>
+bool
+ProjectionCompletion<PointT>::searchTree(const Indices& points,
+                                         unsigned int k,
+                                         ccaa::RunControl& control,
+                                         std::vector<index_t>& table)
+{
+  table.assign(points.size() * k, ccaa::NeighborRows::NONE);
+  if (points.size() < 3) // some trees do not take an empty selection
+    return true;
+  tree_->setInputCloud(input_, std::make_shared<const Indices>(points));
+  const ccaa::RankTable places(points, input_->size());
+  const ccaa::LoopContext loop{
+      ccaa::resolveThreads(threads_), &control, "partial mesh", 4096};
+  return ccaa::forEachBlock(
+      points.size(), loop, [&](std::size_t, std::size_t first, std::size_t last) {
+        Indices near;
+        std::vector<float> sqr_distances;
+        for (std::size_t place = first; place < last; ++place) {
+          const PointT& point = (*input_)[static_cast<std::size_t>(points[place])];
+          tree_->nearestKSearch(point, static_cast<int>(k) + 1, near, sqr_distances);
+          places.fillRow(
+              static_cast<index_t>(place), near, sqr_distances, k, &table[place * k]);
+        }
+      });
+}
+
+} // namespace pcl
+
+#define PCL_INSTANTIATE_ProjectionCompletion(T)                                        \
+  template class PCL_EXPORTS pcl::ProjectionCompletion<T>;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the part of a cloud and its partial mesh still to be done.
+#pragma once
+
+#include <pcl/surface_ccaa/greedy/ranked_points.h>
+#include <pcl/surface_ccaa/mesh/intersection.h>
+#include <pcl/surface_ccaa/mesh/triangle.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief What the base algorithm works on: the open points (free points and boundary
+ * points) and the triangles that touch them, the \e rim.
+ *
+ * Vertices are numbered anew: first the open points, then the other corners of the rim.
+ * All that is closed already is left out, so that the work depends on what is missing
+ * and not on the size of the cloud. */
+struct OpenSurface {
+  Positions positions;         /**< of all vertices */
+  std::size_t open_points = 0; /**< vertices [0, open_points) */
+  Triangles rim;               /**< each edge has two triangles at most, which agree */
+  std::vector<index_t> neighbor_table; /**< of the open points among themselves */
+  NeighborRows neighbors;              /**< the same as rows, nearest first */
+  /** \brief Distance between samples around each open point (see
+   * TriangleTrial::spacing()), 0 where it is to be told from the neighbors. */
+  std::vector<double> spacings;
+  Positions normals; /**< outward, of the open points, zero where unknown; or empty */
+};
+
+/** \brief Fill the neighbor table by comparing all with all: for small open surfaces.
+ * Rows ascend by distance, then by number. Cost O(n^2 log n). */
+void
+findNeighborsDirectly(OpenSurface& open, unsigned int k);
+
+} // namespace ccaa
+} // namespace pcl

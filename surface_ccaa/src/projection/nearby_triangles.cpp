@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the triangles around open points, for crossing tests.
+#include <pcl/surface_ccaa/projection/nearby_triangles.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_set>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+using Cell = std::array<std::int64_t, 3>;
+
+/** Cells may share a number, which chooses a few triangles too many. */
+std::uint64_t
+numberOf(const Cell& cell)
+{
+  std::uint64_t number = 0;
+  for (const std::int64_t coordinate : cell)
+    number = (number ^ static_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15u;
+  return number;
+}
+
+Cell
+cellOf(const Position& position, double size)
+{
+  return {static_cast<std::int64_t>(std::floor(position[0] / size)),
+          static_cast<std::int64_t>(std::floor(position[1] / size)),
+          static_cast<std::int64_t>(std::floor(position[2] / size))};
+}
+
+/** The cells of the open points and all around them. */
+std::unordered_set<std::uint64_t>
+cellsAround(const PointView& points, const std::vector<pcl::index_t>& open, double size)
+{
+  std::unordered_set<std::uint64_t> cells, seen;
+  for (const pcl::index_t vertex : open) {
+    const Cell middle = cellOf(points[vertex], size);
+    if (!seen.insert(numberOf(middle)).second)
+      continue;
+    for (std::int64_t x = -1; x <= 1; ++x)
+      for (std::int64_t y = -1; y <= 1; ++y)
+        for (std::int64_t z = -1; z <= 1; ++z)
+          cells.insert(numberOf({middle[0] + x, middle[1] + y, middle[2] + z}));
+  }
+  return cells;
+}
+
+} // namespace
+
+NearbyTriangles::NearbyTriangles(const Triangles& triangles,
+                                 const AliveFlags& alive,
+                                 const PointView& points,
+                                 const std::vector<pcl::index_t>& open,
+                                 double cell)
+: triangles_(triangles), alive_(alive), points_(points)
+{
+  if (open.empty() || triangles.empty() || !(cell > 0.0))
+    return;
+  const auto cells = cellsAround(points, open, cell);
+  std::uint64_t last = 0;
+  bool last_is_near = false;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const std::uint64_t number = numberOf(cellOf(points[triangles[t][0]], cell));
+    if (t == 0 || number != last) { // neighbors in the list mostly share a cell
+      last = number;
+      last_is_near = cells.count(number) != 0;
+    }
+    if (last_is_near)
+      chosen_.push_back(static_cast<pcl::index_t>(t));
+  }
+  std::vector<Box> boxes;
+  boxes.reserve(chosen_.size());
+  for (const pcl::index_t t : chosen_) {
+    const Corners c = cornersOf(t);
+    boxes.emplace_back(c[0].cwiseMin(c[1]).cwiseMin(c[2]),
+                       c[0].cwiseMax(c[1]).cwiseMax(c[2]));
+  }
+  tree_ = std::make_unique<BoxTree>(boxes);
+}
+
+Corners
+NearbyTriangles::cornersOf(pcl::index_t triangle) const
+{
+  const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
+  return {points_[t[0]], points_[t[1]], points_[t[2]]};
+}
+
+bool
+NearbyTriangles::meets(const Corners& corners, const Box& box) const
+{
+  bool found = false;
+  if (tree_)
+    tree_->forEachMeeting(box, [&](pcl::index_t place) {
+      const pcl::index_t t = chosen_[static_cast<std::size_t>(place)];
+      found = found || (alive_[static_cast<std::size_t>(t)] != 0 &&
+                        trianglesMeet(corners, cornersOf(t)));
+    });
+  return found;
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which open points lie in space and not on a surface.
+#include <pcl/surface_ccaa/projection/scattered_points.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Neighbors whose distance tells how densely the points lie. */
+constexpr unsigned int SPACING_NEIGHBORS = 6;
+constexpr double LARGEST_SPACING = 2.5;
+/** How much farther apart points are scattered however flat they lie. */
+constexpr double FAR_RATIO = 3.0;
+constexpr double LARGEST_THICKNESS = 0.15;
+
+/** Distances to the sixth open neighbor, or the last one where there are fewer; known
+ * spacings where there are any. */
+std::vector<double>
+spacingsOf(const OpenSurface& open)
+{
+  std::vector<double> spacings(open.open_points, 0.0);
+  for (std::size_t i = 0; i < open.open_points; ++i) {
+    if (open.spacings[i] > 0.0) {
+      spacings[i] = open.spacings[i];
+      continue;
+    }
+    const auto point = static_cast<pcl::index_t>(i);
+    const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
+    double sum = 0.0;
+    for (unsigned int j = 0; j < count; ++j)
+      sum += (open.positions[i] -
+              open.positions[static_cast<std::size_t>(open.neighbors.row(point)[j])])
+                 .squaredNorm();
+    spacings[i] = count > 0 ? std::sqrt(sum / count) : 0.0;
+  }
+  return spacings;
+}
+
+double
+medianOf(std::vector<double> values)
+{
+  if (values.empty())
+    return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+} // namespace
+
+double
+neighborhoodThickness(const OpenSurface& open, pcl::index_t point)
+{
+  const pcl::index_t* row = open.neighbors.row(point);
+  const unsigned int count = open.neighbors.count(point);
+  Position mean = Position::Zero();
+  for (unsigned int j = 0; j < count; ++j)
+    mean += open.positions[static_cast<std::size_t>(row[j])] / count;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (unsigned int j = 0; j < count; ++j) {
+    const Position offset = open.positions[static_cast<std::size_t>(row[j])] - mean;
+    covariance += offset * offset.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance,
+                                                              Eigen::EigenvaluesOnly);
+  const auto& variances = solver.eigenvalues();
+  return variances[2] > 0.0 ? std::max(0.0, variances[0]) / variances[2] : 0.0;
+}
+
+std::vector<std::uint8_t>
+findScatteredPoints(const OpenSurface& open, double usual_spacing)
+{
+  const std::vector<double> spacings = spacingsOf(open);
+  const double limit =
+      LARGEST_SPACING * (usual_spacing > 0.0 ? usual_spacing : medianOf(spacings));
+  std::vector<std::uint8_t> used(open.positions.size(), 0);
+  for (const Triangle& triangle : open.rim)
+    for (const pcl::index_t corner : triangle)
+      used[static_cast<std::size_t>(corner)] = 1;
+  std::vector<std::uint8_t> scattered(open.open_points, 0);
+  for (std::size_t i = 0; i < open.open_points; ++i)
+    scattered[i] =
+        used[i] == 0 && spacings[i] > limit &&
+        (spacings[i] > FAR_RATIO * limit ||
+         neighborhoodThickness(open, static_cast<pcl::index_t>(i)) > LARGEST_THICKNESS);
+  return scattered;
+}
+
+} // namespace ccaa
+} // namespace pcl

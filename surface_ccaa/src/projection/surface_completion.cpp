@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/orientation.h>
+#include <pcl/surface_ccaa/projection/doubtful_triangles.h>
+#include <pcl/surface_ccaa/projection/fan_settlement.h>
+#include <pcl/surface_ccaa/projection/island_alignment.h>
+#include <pcl/surface_ccaa/projection/mending.h>
+#include <pcl/surface_ccaa/projection/new_islands.h>
+#include <pcl/surface_ccaa/projection/partial_surface.h>
+#include <pcl/surface_ccaa/projection/scattered_points.h>
+#include <pcl/surface_ccaa/projection/surface_completion.h>
+#include <pcl/surface_ccaa/projection/surface_growth.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Neighbors whose distance sets the size of the cells of NearbyTriangles. */
+constexpr unsigned int CELL_NEIGHBORS = 6;
+/** Cell size in typical distances between open points. */
+constexpr double CELL_FACTOR = 4.0;
+
+/** Whether the next triangle over an edge runs through it the other way. */
+bool
+isWoundLike(const Triangle& triangle, int corner, const Triangle& other)
+{
+  const pcl::index_t from = triangle[static_cast<std::size_t>(corner)];
+  const pcl::index_t to = triangle[static_cast<std::size_t>((corner + 1) % 3)];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (other[i] == to && other[(i + 1) % 3] == from)
+      return true;
+  return false;
+}
+
+bool
+isWoundConsistently(const Triangles& triangles,
+                    const TriangleAdjacency& adjacency,
+                    const LoopContext& context)
+{
+  std::atomic<bool> consistent{true};
+  forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
+    for (std::size_t t = begin; t < end; ++t)
+      for (int corner = 0; corner < 3; ++corner) {
+        const pcl::index_t other =
+            adjacency.across(static_cast<pcl::index_t>(t), corner);
+        if (other >= 0 && !isWoundLike(triangles[t],
+                                       corner,
+                                       triangles[static_cast<std::size_t>(other)]))
+          consistent.store(false, std::memory_order_relaxed);
+      }
+  });
+  return consistent.load();
+}
+
+PartialMeshFault
+findFault(const Triangles& triangles,
+          const TriangleAdjacency& adjacency,
+          const LoopContext& context)
+{
+  if (!adjacency.overfullEdges().empty())
+    return PartialMeshFault::NON_MANIFOLD_EDGE;
+  for (const Fan fan : adjacency.fans())
+    if (fan == Fan::SEVERAL || fan == Fan::OVERFULL)
+      return PartialMeshFault::NON_MANIFOLD_VERTEX;
+  if (!isWoundConsistently(triangles, adjacency, context))
+    return PartialMeshFault::BADLY_ORIENTED;
+  return PartialMeshFault::NONE;
+}
+
+/** One run, step by step. */
+class Completion {
+public:
+  Completion(PartialMesh& mesh,
+             const NeighborSearch& search,
+             const CompletionParameters& parameters,
+             int threads,
+             RunControl& control,
+             CompletionReport& report)
+  : mesh_(mesh)
+  , search_(search)
+  , parameters_(parameters)
+  , context_{threads, &control, "partial mesh"}
+  , control_(control)
+  , report_(report)
+  {}
+
+  CompletedMesh
+  run();
+
+private:
+  std::vector<pcl::index_t>
+  openVertices() const;
+  bool
+  searchNeighbors(std::vector<pcl::index_t>& open);
+  void
+  align(const std::vector<pcl::index_t>& open);
+  double
+  cellSize(const std::vector<pcl::index_t>& open) const;
+  LastingRule
+  lastingRule() const
+  {
+    return {parameters_.minimum_internal_points, doubts_.typical_fold};
+  }
+  bool
+  grow(PartialSurface& surface, std::vector<pcl::index_t>& open);
+  std::vector<pcl::index_t>
+  touchedVertices(const PartialSurface& surface,
+                  const std::vector<pcl::index_t>& open) const;
+  double
+  usualSpacing() const;
+  OpenSurface
+  openSurface(const PartialSurface& surface,
+              std::vector<pcl::index_t>& open,
+              std::vector<pcl::index_t>& vertices);
+  void
+  collect(const PartialSurface& surface, CompletedMesh& result) const;
+  void
+  dropSmallIslands(CompletedMesh& result);
+  void
+  orient(Triangles& triangles);
+
+  PartialMesh& mesh_;
+  const NeighborSearch& search_;
+  const CompletionParameters& parameters_;
+  LoopContext context_;
+  RunControl& control_;
+  CompletionReport& report_;
+  TriangleAdjacency adjacency_;
+  Islands islands_;
+  Doubts doubts_;
+  std::vector<pcl::index_t> table_;
+};
+
+CompletedMesh
+Completion::run()
+{
+  CompletedMesh result;
+  report_.given_triangles = mesh_.given.size();
+  adjacency_.build(mesh_.given, mesh_.points.size(), context_.threads, &control_);
+  if (control_.cancelled())
+    return result;
+  result.fault = findFault(mesh_.given, adjacency_, context_);
+  if (result.fault != PartialMeshFault::NONE || control_.cancelled())
+    return result;
+  islands_ = labelIslands(adjacency_);
+  doubts_ =
+      doubtfulTriangles(mesh_.given, adjacency_, islands_, mesh_.points, context_);
+  if (parameters_.keep_given)
+    doubts_.triangles.clear();
+  std::vector<pcl::index_t> open = openVertices();
+  report_.open_points = open.size();
+  if (!searchNeighbors(open))
+    return result;
+  align(open);
+  PartialSurface surface(mesh_.given, adjacency_, mesh_.points, mesh_.normals);
+  for (const pcl::index_t t : doubts_.triangles)
+    surface.remove(t);
+  if (!grow(surface, open))
+    return result;
+  collect(surface, result);
+  dropSmallIslands(result);
+  orient(result.triangles);
+  return result;
+}
+
+/** Boundary points, free points, and the corners of triangles that are to go. */
+std::vector<pcl::index_t>
+Completion::openVertices() const
+{
+  std::vector<std::uint8_t> is_open(mesh_.points.size(), 0);
+  for (std::size_t v = 0; v < is_open.size(); ++v)
+    is_open[v] = adjacency_.fan(static_cast<pcl::index_t>(v)) != Fan::CLOSED;
+  for (const pcl::index_t t : doubts_.triangles)
+    for (const pcl::index_t corner : mesh_.given[static_cast<std::size_t>(t)])
+      is_open[static_cast<std::size_t>(corner)] = 1;
+  std::vector<pcl::index_t> open;
+  for (std::size_t v = 0; v < is_open.size(); ++v)
+    if (is_open[v] != 0)
+      open.push_back(static_cast<pcl::index_t>(v));
+  return open;
+}
+
+bool
+Completion::searchNeighbors(std::vector<pcl::index_t>& open)
+{
+  return control_.report("partial mesh", 0.9) &&
+         search_(open, parameters_.neighbors, table_) && !control_.cancelled();
+}
+
+/** Islands that are to be joined must agree before growth begins. */
+void
+Completion::align(const std::vector<pcl::index_t>& open)
+{
+  if (islands_.count < 2 && mesh_.normals.empty())
+    return;
+  std::vector<IslandContact> contacts;
+  const std::size_t k = parameters_.neighbors;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (std::size_t j = i * k; j < (i + 1) * k && table_[j] >= 0; ++j) {
+      const IslandContact contact{open[i], open[static_cast<std::size_t>(table_[j])]};
+      if (adjacency_.fan(contact.one) != Fan::NONE &&
+          adjacency_.fan(contact.other) != Fan::NONE)
+        contacts.push_back(contact);
+    }
+  alignIslands(
+      mesh_.given, adjacency_, islands_, mesh_.points, mesh_.normals, contacts);
+}
+
+/** Several times the typical distance between open points: the median of the distances
+ * to the sixth of their neighbors. */
+double
+Completion::cellSize(const std::vector<pcl::index_t>& open) const
+{
+  std::vector<double> distances;
+  const std::size_t k = parameters_.neighbors;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    std::size_t j = std::min<std::size_t>(CELL_NEIGHBORS, k);
+    while (j > 0 && table_[i * k + j - 1] < 0)
+      --j;
+    if (j > 0)
+      distances.push_back(
+          (mesh_.points[open[i]] -
+           mesh_.points[open[static_cast<std::size_t>(table_[i * k + j - 1])]])
+              .norm());
+  }
+  if (distances.empty())
+    return 0.0;
+  const auto middle =
+      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return CELL_FACTOR * *middle;
+}
+
+/** Median length of the given edges, of every so many; 0 without any. */
+double
+Completion::usualSpacing() const
+{
+  constexpr std::size_t STRIDE = 16;
+  std::vector<double> lengths;
+  for (std::size_t t = 0; t < mesh_.given.size(); t += STRIDE)
+    lengths.push_back(
+        (mesh_.points[mesh_.given[t][0]] - mesh_.points[mesh_.given[t][1]]).norm());
+  if (lengths.empty())
+    return 0.0;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+/** The open surface without the points that are scattered in space. Those that happen
+ * to have flat neighborhoods show when the others are gone. */
+OpenSurface
+Completion::openSurface(const PartialSurface& surface,
+                        std::vector<pcl::index_t>& open,
+                        std::vector<pcl::index_t>& vertices)
+{
+  constexpr int LARGEST_ROUNDS = 4;
+  const double usual_spacing = usualSpacing();
+  for (int round = 0;; ++round) {
+    OpenSurface gap = surface.openAt(open, {}, vertices);
+    gap.neighbors = {table_.data(), parameters_.neighbors};
+    if (round == LARGEST_ROUNDS)
+      return gap;
+    const std::vector<std::uint8_t> scattered = findScatteredPoints(gap, usual_spacing);
+    std::vector<pcl::index_t> remaining;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (scattered[i] == 0)
+        remaining.push_back(open[i]);
+    if (remaining.size() == open.size())
+      return gap;
+    open = std::move(remaining);
+    if (!searchNeighbors(open))
+      return {};
+  }
+}
+
+bool
+Completion::grow(PartialSurface& surface, std::vector<pcl::index_t>& open)
+{
+  std::vector<pcl::index_t> vertices;
+  const OpenSurface gap = openSurface(surface, open, vertices);
+  if (control_.cancelled())
+    return false;
+  const NearbyTriangles nearby(
+      mesh_.given, surface.aliveGiven(), mesh_.points, open, cellSize(open));
+  SurfaceGrowth growth(gap, parameters_, &nearby);
+  if (!growth.run(&control_))
+    return false;
+  for (Triangle made : lastingTriangles(growth.surface().triangles(),
+                                        gap.rim.size(),
+                                        gap.positions,
+                                        lastingRule())) {
+    for (pcl::index_t& corner : made)
+      corner = vertices[static_cast<std::size_t>(corner)];
+    surface.add(made);
+  }
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (gap.spacings[i] <= 0.0)
+      surface.noteSpacing(open[i], growth.spacing(static_cast<pcl::index_t>(i)));
+  Mending mending(surface, gap, vertices, nearby, parameters_, lastingRule());
+  if (!mending.run(growth.obstructedPoints(), &control_))
+    return false;
+  settleFans(surface, touchedVertices(surface, open), parameters_.keep_given);
+  return true;
+}
+
+/** The open points, and the corners of triangles that went or came. */
+std::vector<pcl::index_t>
+Completion::touchedVertices(const PartialSurface& surface,
+                            const std::vector<pcl::index_t>& open) const
+{
+  std::vector<pcl::index_t> touched = open;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
+    const auto triangle = static_cast<pcl::index_t>(t);
+    if (surface.isGiven(triangle) != surface.isAlive(triangle))
+      touched.insert(touched.end(), surface[triangle].begin(), surface[triangle].end());
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
+}
+
+void
+Completion::collect(const PartialSurface& surface, CompletedMesh& result) const
+{
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
+    const auto triangle = static_cast<pcl::index_t>(t);
+    if (!surface.isAlive(triangle))
+      continue;
+    if (surface.isGiven(triangle))
+      result.kept.push_back(triangle);
+    result.triangles.push_back(surface[triangle]);
+  }
+}
+
+/** Growth and mending may leave pieces behind that are cut off from the rest (C3.4-3).
+ */
+void
+Completion::dropSmallIslands(CompletedMesh& result)
+{
+  adjacency_.build(result.triangles, mesh_.points.size(), context_.threads, &control_);
+  if (control_.cancelled())
+    return;
+  const std::vector<std::uint8_t> lasts =
+      lastingFlags(result.triangles,
+                   adjacency_,
+                   parameters_.keep_given ? result.kept.size() : 0,
+                   parameters_.minimum_internal_points);
+  std::size_t last = 0, kept = 0;
+  for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+    if (lasts[t] == 0)
+      continue;
+    if (t < result.kept.size())
+      result.kept[kept++] = result.kept[t];
+    result.triangles[last++] = result.triangles[t];
+  }
+  const bool dropped = last < result.triangles.size();
+  result.triangles.resize(last);
+  result.kept.resize(kept);
+  report_.kept_triangles = kept;
+  report_.new_triangles = last - kept;
+  if (dropped)
+    adjacency_.build(
+        result.triangles, mesh_.points.size(), context_.threads, &control_);
+}
+
+/** The whole, outward where that can be told. */
+void
+Completion::orient(Triangles& triangles)
+{
+  for (const Fan fan : adjacency_.fans())
+    report_.free_points += fan == Fan::NONE;
+  OrientationHints hints;
+  hints.normals = mesh_.normals;
+  hints.viewpoints = mesh_.viewpoints;
+  hints.viewpoint = mesh_.viewpoint;
+  hints.threads = context_.threads;
+  orientTriangles(triangles, adjacency_, mesh_.points, hints, control_);
+}
+
+} // namespace
+
+CompletedMesh
+completeSurface(PartialMesh mesh,
+                const NeighborSearch& search,
+                const CompletionParameters& parameters,
+                int threads,
+                RunControl& control,
+                CompletionReport& report)
+{
+  CompletedMesh result =
+      Completion(mesh, search, parameters, threads, control, report).run();
+  report.cancelled = control.cancelled();
+  if (report.cancelled)
+    return {};
+  return result;
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: triangle by triangle, the best supported one first.
+#include <pcl/surface_ccaa/projection/empty_ball.h>
+#include <pcl/surface_ccaa/projection/local_fan.h>
+#include <pcl/surface_ccaa/projection/loop_closure.h>
+#include <pcl/surface_ccaa/projection/scattered_points.h>
+#include <pcl/surface_ccaa/projection/surface_growth.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Least height of a triangle over its front edge, as a share of the edge. */
+constexpr double LEAST_HEIGHT = 1e-3;
+/** Thickest neighborhood (see neighborhoodThickness()) in which a surface begins: noise
+ * of half a spacing stays below it, points scattered in space do not. */
+constexpr double LARGEST_SEED_THICKNESS = 0.15;
+/** Triangles between two looks at the cancel flag. */
+constexpr std::size_t POLL_INTERVAL = 512;
+
+Position
+unitNormal(const Position& a, const Position& b, const Position& c)
+{
+  return (b - a).cross(c - a).normalized();
+}
+
+} // namespace
+
+SurfaceGrowth::SurfaceGrowth(const OpenSurface& open,
+                             const CompletionParameters& parameters,
+                             const NearbyTriangles* nearby)
+: open_(open)
+, parameters_(parameters)
+, cos_smooth_(std::cos(parameters.smooth_fold))
+, cos_largest_(std::cos(parameters.largest_fold))
+, surface_(open)
+, trial_(open, surface_, parameters.support, nearby)
+, seen_(open.positions.size(), 0)
+{}
+
+bool
+SurfaceGrowth::run(RunControl* control)
+{
+  if (!growFront(control) || !growFromSeeds(control, LARGEST_SEED_THICKNESS))
+    return false;
+  if (surface_.triangles().empty() && !growFromSeeds(control, 1.0))
+    return false;
+  closeLoops();
+  noteBowties();
+  return true;
+}
+
+bool
+SurfaceGrowth::growFromSeeds(RunControl* control, double thickness)
+{
+  for (std::size_t i = 0; i < open_.open_points; ++i) {
+    const auto vertex = static_cast<pcl::index_t>(i);
+    if (control != nullptr && i % POLL_INTERVAL == 0 &&
+        !control->report(
+            "growth", static_cast<double>(i) / static_cast<double>(open_.open_points)))
+      return false;
+    if (!surface_.hasTriangles(vertex) &&
+        neighborhoodThickness(open_, vertex) <= thickness && plantSeed(vertex) &&
+        !growFront(control))
+      return false;
+  }
+  return true;
+}
+
+bool
+SurfaceGrowth::growFront(RunControl* control)
+{
+  proposeNew();
+  for (std::size_t steps = 1; !proposals_.empty(); ++steps) {
+    if (control != nullptr && steps % POLL_INTERVAL == 0 &&
+        !control->report("growth", 0.0))
+      return false;
+    const Proposal best = proposals_.top();
+    proposals_.pop();
+    has_proposal_[static_cast<std::size_t>(best.edge)] = 0;
+    if (surface_.front()[best.edge].alive)
+      take(best);
+  }
+  return true;
+}
+
+/** The surface may have changed since the proposal was made. */
+void
+SurfaceGrowth::take(const Proposal& proposal)
+{
+  const FrontEdge edge = surface_.front()[proposal.edge];
+  if (!isAdmissible(edge, proposal.apex)) {
+    propose(proposal.edge);
+    return;
+  }
+  if (trial_.crossesSurface({edge.to, edge.from, proposal.apex})) {
+    const std::pair<FrontIndex, pcl::index_t> ban{proposal.edge, proposal.apex};
+    banned_.insert(std::lower_bound(banned_.begin(), banned_.end(), ban), ban);
+    propose(proposal.edge);
+    return;
+  }
+  surface_.advance(proposal.edge, proposal.apex);
+  proposeNew();
+  for (const FrontIndex beside : {edge.previous, edge.next})
+    if (surface_.front()[beside].alive)
+      propose(beside);
+}
+
+void
+SurfaceGrowth::proposeNew()
+{
+  const auto count = static_cast<FrontIndex>(surface_.front().size());
+  has_proposal_.resize(static_cast<std::size_t>(count), 0);
+  for (; unproposed_ < count; ++unproposed_)
+    if (surface_.front()[unproposed_].alive)
+      propose(unproposed_);
+}
+
+void
+SurfaceGrowth::propose(FrontIndex i)
+{
+  std::uint8_t& has_proposal = has_proposal_[static_cast<std::size_t>(i)];
+  if (has_proposal != 0)
+    return;
+  const FrontEdge& edge = surface_.front()[i];
+  if (!trial_.isOpenPoint(edge.from) || !trial_.isOpenPoint(edge.to))
+    return; // where the boundary leads out of the open surface
+  collectWitnesses(i);
+  graded_.clear();
+  for (const pcl::index_t apex : witnesses_) {
+    Grade g;
+    if (apex != edge.apex && surface_.isOpen(apex) && grade(edge, apex, g))
+      graded_.emplace_back(g, apex);
+  }
+  std::sort(graded_.begin(), graded_.end(), [](const auto& one, const auto& other) {
+    if (one.first < other.first || other.first < one.first)
+      return one.first < other.first;
+    return one.second < other.second;
+  });
+  for (const auto& [g, apex] : graded_)
+    if (!std::binary_search(banned_.begin(), banned_.end(), std::pair(i, apex)) &&
+        isAdmissible(edge, apex)) {
+      proposals_.push({g, i, apex});
+      has_proposal = 1;
+      return;
+    }
+}
+
+/** The open points around a front edge, its ends left out. */
+void
+SurfaceGrowth::collectWitnesses(FrontIndex i)
+{
+  const FrontEdge& edge = surface_.front()[i];
+  ++call_;
+  witnesses_.clear();
+  for (const pcl::index_t end : {edge.from, edge.to})
+    seen_[static_cast<std::size_t>(end)] = call_;
+  for (const pcl::index_t end : {edge.from, edge.to})
+    for (unsigned int j = 0; j < open_.neighbors.k; ++j) {
+      const pcl::index_t near = open_.neighbors.row(end)[j];
+      if (near == NeighborRows::NONE)
+        break;
+      witness(near);
+    }
+  witness(surface_.front()[edge.previous].from);
+  witness(surface_.front()[edge.next].to);
+}
+
+void
+SurfaceGrowth::witness(pcl::index_t vertex)
+{
+  std::uint32_t& seen = seen_[static_cast<std::size_t>(vertex)];
+  if (seen != call_ && trial_.isOpenPoint(vertex))
+    witnesses_.push_back(vertex);
+  seen = call_;
+}
+
+bool
+SurfaceGrowth::grade(const FrontEdge& edge, pcl::index_t apex, Grade& grade)
+{
+  const Position &a = surface_.position(edge.to), &b = surface_.position(edge.from),
+                 &c = surface_.position(apex);
+  const Position normal = (b - a).cross(c - a);
+  const double doubled_area = normal.norm();
+  if (!(doubled_area > LEAST_HEIGHT * (b - a).squaredNorm()))
+    return false;
+  const Position behind = unitNormal(b, a, surface_.position(edge.apex));
+  const double cosine = behind.dot(normal) / doubled_area;
+  if (cosine < cos_largest_ || !trial_.isSupported(edge, apex))
+    return false;
+  EmptyBall ball(a, b, c);
+  if (!isEmpty(ball, {edge.to, edge.from, apex}))
+    return false;
+  const bool touches = surface_.hasTriangles(apex) && !isStitched(edge, apex);
+  const bool folded = cosine < cos_smooth_;
+  grade.tier = touches ? 2 : folded ? 1 : 0;
+  grade.cost = folded ? -cosine : ball.radius();
+  return true;
+}
+
+bool
+SurfaceGrowth::isEmpty(EmptyBall& ball, const Triangle& corners) const
+{
+  for (const pcl::index_t w : witnesses_)
+    if (w != corners[0] && w != corners[1] && w != corners[2]) {
+      ball.exclude(surface_.position(w));
+      if (!ball.exists())
+        return false;
+    }
+  return true;
+}
+
+/** Whether one of the two new edges closes a gap to a triangle that is there. */
+bool
+SurfaceGrowth::isStitched(const FrontEdge& edge, pcl::index_t apex) const
+{
+  return surface_.front().find(apex, edge.from) != FrontEdge::NONE ||
+         surface_.front().find(edge.to, apex) != FrontEdge::NONE;
+}
+
+bool
+SurfaceGrowth::isAdmissible(const FrontEdge& edge, pcl::index_t apex) const
+{
+  if (!surface_.isOpen(apex) || !surface_.takesEdge(edge.from, apex) ||
+      !surface_.takesEdge(apex, edge.to))
+    return false;
+  const Position normal = unitNormal(surface_.position(edge.to),
+                                     surface_.position(edge.from),
+                                     surface_.position(apex));
+  if (surface_.hasTriangles(apex) && !isStitched(edge, apex) &&
+      surface_.normalSum(apex).dot(normal) <= 0.0)
+    return false;
+  return agreesWithNormal(apex, normal) &&
+         fitsFans(surface_, edge.to, edge.from, apex, normal) &&
+         fitsFans(surface_, edge.from, apex, edge.to, normal) &&
+         fitsFans(surface_, apex, edge.to, edge.from, normal);
+}
+
+bool
+SurfaceGrowth::agreesWithNormal(pcl::index_t vertex, const Position& normal) const
+{
+  return open_.normals.empty() ||
+         open_.normals[static_cast<std::size_t>(vertex)].dot(normal) >= 0.0;
+}
+
+/** Begin a new piece of surface: the smallest triangle with an empty ball that a point
+ * and two of its neighbors form, none of which has triangles. */
+bool
+SurfaceGrowth::plantSeed(pcl::index_t vertex)
+{
+  const pcl::index_t* row = open_.neighbors.row(vertex);
+  const unsigned int count = open_.neighbors.count(vertex);
+  witnesses_.assign(row, row + count);
+  double least = std::numeric_limits<double>::infinity();
+  Triangle seed{};
+  for (unsigned int i = 0; i < count; ++i)
+    for (unsigned int j = i + 1; j < count; ++j) {
+      const Triangle corners{vertex, row[i], row[j]};
+      if (surface_.hasTriangles(row[i]) || surface_.hasTriangles(row[j]) ||
+          !trial_.isSupported(corners))
+        continue;
+      EmptyBall ball(surface_.position(vertex),
+                     surface_.position(row[i]),
+                     surface_.position(row[j]));
+      if (ball.circumradius() < least && isEmpty(ball, corners) &&
+          ball.radius() < least && !trial_.crossesSurface(corners)) {
+        least = ball.radius();
+        seed = corners;
+      }
+    }
+  if (least == std::numeric_limits<double>::infinity())
+    return false;
+  addSeed(seed);
+  return true;
+}
+
+/** Wound as given normals say, if there are any. */
+void
+SurfaceGrowth::addSeed(Triangle seed)
+{
+  if (!open_.normals.empty()) {
+    const Position normal = unitNormal(surface_.position(seed[0]),
+                                       surface_.position(seed[1]),
+                                       surface_.position(seed[2]));
+    double agreement = 0.0;
+    for (const pcl::index_t corner : seed)
+      agreement += open_.normals[static_cast<std::size_t>(corner)].dot(normal);
+    if (agreement < 0.0)
+      std::swap(seed[1], seed[2]);
+  }
+  surface_.addTriangle(seed);
+}
+
+void
+SurfaceGrowth::closeLoops()
+{
+  LoopClosure closure(surface_, trial_);
+  std::vector<std::uint8_t> seen(surface_.front().size(), 0);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto edge = static_cast<FrontIndex>(i);
+    if (!surface_.front()[edge].alive || seen[i] != 0)
+      continue;
+    for (FrontIndex j = edge;
+         j != FrontEdge::NONE && seen[static_cast<std::size_t>(j)] == 0;
+         j = surface_.front()[j].next)
+      seen[static_cast<std::size_t>(j)] = 1;
+    if (closure.close(edge) == LoopClosure::Outcome::OBSTRUCTED)
+      obstructed_.insert(
+          obstructed_.end(), closure.corners().begin(), closure.corners().end());
+  }
+}
+
+/** Points where two stretches of front still touch belong to the obstructed ones. */
+void
+SurfaceGrowth::noteBowties()
+{
+  for (std::size_t i = 0; i < open_.open_points; ++i) {
+    const auto vertex = static_cast<pcl::index_t>(i);
+    std::size_t fans = 0;
+    surface_.front().forEdgesFrom(vertex, [&](FrontIndex) { ++fans; });
+    if (fans > 1)
+      obstructed_.push_back(vertex);
+  }
+  std::sort(obstructed_.begin(), obstructed_.end());
+  obstructed_.erase(std::unique(obstructed_.begin(), obstructed_.end()),
+                    obstructed_.end());
+}
+
+} // namespace ccaa
+} // namespace pcl
