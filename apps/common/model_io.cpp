@@ -125,6 +125,12 @@ holdsFreePoints(const std::string& path)
   return endingOf(path) != ".stl";
 }
 
+bool
+holdsFaceProperties(const std::string& path)
+{
+  return endingOf(path) == ".ply";
+}
+
 Status
 readCloud(const std::string& path, Model& model)
 {

@@ -51,6 +51,11 @@ isMeshOutput(const std::string& path);
 bool
 holdsFreePoints(const std::string& path);
 
+/** \brief Whether the format of \a path can hold numbers of single triangles under a
+ * name of ours (PLY). */
+bool
+holdsFaceProperties(const std::string& path);
+
 /** \brief Write \a mesh into the file opened for \a path, in the format of its ending.
  * Nothing has its name before OutputFile::commit(). \a warnings gets what the format
  * cannot hold. */

@@ -50,6 +50,44 @@ describeFilter(const pcl::UmbrellaReport& filter)
           {"free_points", filter.free_points}};
 }
 
+/** Keys as the thesis has them (3.1, 3.5); seconds, and seconds a point. */
+json
+describeSpeedup(const pcl::SpeedupReport& speedup)
+{
+  return {{"t_A", speedup.base_seconds},
+          {"t_BA", speedup.chain_seconds},
+          {"S", speedup.speedup},
+          {"c_A", speedup.base_cost},
+          {"c_B", speedup.start_cost},
+          {"c_F", speedup.filter_cost},
+          {"k", speedup.connected_share},
+          {"condition_holds", speedup.is_advantageous}};
+}
+
+/** What is known only of the stages that were run. */
+void
+describeLaterStages(const ReconstructSettings& settings,
+                    const ReconstructResult& result,
+                    json& report)
+{
+  const pcl::ConsecutiveReport& chain = result.chain;
+  if (settings.hasFilter()) {
+    report["internal_share"] = chain.internalShare();
+    report["c_F"] = chain.filterCost();
+    report["umbrella"] = describeFilter(result.filter);
+  }
+  if (settings.until == "base") {
+    report["base_seconds"] = chain.base_seconds;
+    report["base_seconds_per_open_point"] = chain.baseCost();
+  }
+  if (result.boundary_loops)
+    report["boundary_loops"] = *result.boundary_loops;
+  if (result.speedup)
+    report["speedup"] = describeSpeedup(*result.speedup);
+  for (const pcl::ChainStageReport& stage : chain.stages)
+    report["triangles_by_stage"][stage.name] = stage.triangles;
+}
+
 } // namespace
 
 json
@@ -60,58 +98,89 @@ describeRun(const ReconstructSettings& settings,
   const std::size_t points = pointCount(result.model.mesh.cloud);
   const std::size_t peak = peakMemoryBytes();
   const std::size_t added = peak - std::min(peak, result.memory_before);
-  json report = {{"input", settings.input},
-                 {"output", settings.output},
-                 {"until", settings.until},
-                 {"N", points},
-                 {"usable_points", result.start.points},
-                 {"k", shareOf(result.used_points, points)},
-                 {"k_usable", shareOf(result.used_points, result.start.points)},
-                 {"internal_share", nullptr},
-                 {"triangles", result.model.mesh.polygons.size()},
-                 {"stages", describeStages(result.stages, points)},
-                 {"total_seconds", totalSeconds(result)},
-                 {"peak_memory_bytes", peak},
-                 {"peak_bytes_per_point", shareOf(added, points)},
-                 {"threads", pcl::ccaa::resolveThreads(settings.threads)},
-                 {"search", settings.search},
-                 {"parameters",
-                  {{"neighbors", settings.neighbors},
-                   {"min_angle_degrees", settings.minimum_angle},
-                   {"certified_angle_degrees", settings.certified_minimum_angle},
-                   {"length_factor", settings.length_factor},
-                   {"plain", settings.plain},
-                   {"min_region", settings.minimum_internal_points}}},
-                 {"warnings", warnings}};
-  if (result.filtered) {
-    report["internal_share"] = shareOf(result.filter.internal_points, points);
-    report["umbrella"] = describeFilter(result.filter);
-  }
+  json report = {
+      {"input", settings.input},
+      {"output", settings.output},
+      {"until", settings.until},
+      {"N", points},
+      {"usable_points", result.start.points},
+      {"k", result.chain.connectedShare()},
+      {"k_usable", shareOf(result.chain.connected_points, result.start.points)},
+      {"internal_share", nullptr},
+      {"free_points", result.chain.free_points},
+      {"triangles", result.model.mesh.polygons.size()},
+      {"boundary_loops", nullptr},
+      {"c_B", result.chain.startCost()},
+      {"c_F", nullptr},
+      {"base_seconds", nullptr},
+      {"stages", describeStages(result.stages, points)},
+      {"total_seconds", totalSeconds(result)},
+      {"peak_memory_bytes", peak},
+      {"peak_bytes_per_point", shareOf(added, points)},
+      {"threads", pcl::ccaa::resolveThreads(settings.threads)},
+      {"search", settings.search},
+      {"parameters",
+       {{"neighbors", settings.neighbors},
+        {"min_angle_degrees", settings.minimum_angle},
+        {"certified_angle_degrees", settings.certified_minimum_angle},
+        {"length_factor", settings.length_factor},
+        {"plain", settings.plain},
+        {"min_region", settings.minimum_internal_points}}},
+      {"warnings", warnings}};
+  describeLaterStages(settings, result, report);
   return report;
 }
 
 std::string
 summarizeRun(const ReconstructSettings& settings, const ReconstructResult& result)
 {
-  const std::size_t points = pointCount(result.model.mesh.cloud);
+  const auto points = static_cast<double>(pointCount(result.model.mesh.cloud));
   const double seconds = totalSeconds(result);
-  char internal[32] = "";
-  if (result.filtered)
-    std::snprintf(internal,
-                  sizeof(internal),
-                  ", internal %.4f",
-                  shareOf(result.filter.internal_points, points));
   char text[256];
   std::snprintf(text,
                 sizeof(text),
-                ": %zu points, %zu triangles, k %.4f%s, %.3f s (%.2f us/point)",
+                ": %.0f points, %zu free, %zu triangles",
                 points,
-                result.model.mesh.polygons.size(),
-                shareOf(result.used_points, points),
-                internal,
+                result.chain.free_points,
+                result.model.mesh.polygons.size());
+  std::string line = settings.output + text;
+  if (result.boundary_loops)
+    line += ", " + std::to_string(*result.boundary_loops) + " boundary loops";
+  std::snprintf(text,
+                sizeof(text),
+                "; k %.4f, internal %.4f; %.3f s, us/point: %.2f (",
+                result.chain.connectedShare(),
+                result.chain.internalShare(),
                 seconds,
-                seconds * 1e6 / static_cast<double>(points));
-  return settings.output + text;
+                seconds * 1e6 / points);
+  line += text;
+  for (const auto& [stage, stage_seconds] : result.stages) {
+    std::snprintf(
+        text, sizeof(text), "%s %.2f", stage.c_str(), stage_seconds * 1e6 / points);
+    line += (stage == "search" ? "" : ", ") + std::string(text);
+  }
+  return line + ")";
+}
+
+std::string
+tabulateSpeedup(const pcl::SpeedupReport& speedup)
+{
+  char text[256];
+  std::snprintf(text,
+                sizeof(text),
+                "%9zu %7.4f %9.4f %9.4f %7.2f %8.3f %8.3f %8.3f  %s",
+                speedup.points,
+                speedup.connected_share,
+                speedup.base_seconds,
+                speedup.chain_seconds,
+                speedup.speedup,
+                speedup.base_cost * 1e6,
+                speedup.start_cost * 1e6,
+                speedup.filter_cost * 1e6,
+                speedup.is_advantageous ? "yes" : "no");
+  return "        N       k   t_A [s]  t_BA [s]       S c_A [us] c_B [us] c_F [us]  "
+         "k c_A > c_B + c_F\n" +
+         std::string(text);
 }
 
 } // namespace app

@@ -17,4 +17,8 @@ describeRun(const ReconstructSettings& settings,
 std::string
 summarizeRun(const ReconstructSettings& settings, const ReconstructResult& result);
 
+/** \brief The row of table T3.5-1 for this cloud, below its head. */
+std::string
+tabulateSpeedup(const pcl::SpeedupReport& speedup);
+
 } // namespace app

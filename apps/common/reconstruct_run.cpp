@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the stages of pcl_ccaa_reconstruct.
+// Part of PclSurfaceRepair: the work of pcl_ccaa_reconstruct.
 #include "reconstruct_run.h"
 
 #include <pcl/search/kdtree.h>
-#include <pcl/surface_ccaa/greedy_start.h>
-#include <pcl/surface_ccaa/search/block_search.h>
-#include <pcl/point_types.h>
+#include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
 
-#include "cloud_assembler.h"
+#include "boundary_loops.h"
+#include "cloud_normals.h"
 #include "point_columns.h"
 
 #include <algorithm>
@@ -16,125 +16,145 @@
 namespace app {
 namespace {
 
-pcl::PointCloud<pcl::PointXYZ>::Ptr
-toPositionsOnly(const Model& model)
+void
+setHints(const Model&, pcl::PointCloud<pcl::PointXYZ>&)
+{}
+
+void
+setHints(const Model& model, pcl::PointCloud<pcl::PointNormal>& cloud)
 {
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  const auto positions = readPositions(model.mesh.cloud);
+  const auto normals = pcl::ccaa::normalView(model.mesh.cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].getNormalVector3fMap() = normals[i].cast<float>();
+}
+
+void
+setHints(const Model& model, pcl::PointCloud<pcl::PointWithViewpoint>& cloud)
+{
+  const auto sensors = pcl::ccaa::viewpointView(model.mesh.cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3f at =
+        sensors.empty() ? model.viewpoint.position : sensors[i].cast<float>();
+    cloud[i].vp_x = at.x();
+    cloud[i].vp_y = at.y();
+    cloud[i].vp_z = at.z();
+  }
+}
+
+/** The positions, and what of the other fields tells the outer side. */
+template <typename PointT>
+typename pcl::PointCloud<PointT>::Ptr
+toTypedCloud(const Model& model)
+{
+  const auto positions = pcl::ccaa::positionView(model.mesh.cloud);
+  auto cloud = std::make_shared<pcl::PointCloud<PointT>>();
   cloud->resize(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
-    (*cloud)[i].getVector3fMap() = positions[i];
+    (*cloud)[i].getVector3fMap() = positions[i].template cast<float>();
   cloud->is_dense = model.mesh.cloud.is_dense;
-  cloud->sensor_orientation_ = model.viewpoint.orientation;
-  cloud->sensor_origin_.head<3>() = model.viewpoint.position;
+  setHints(model, *cloud);
   return cloud;
 }
 
-pcl::search::Search<pcl::PointXYZ>::Ptr
-makeSearch(const ReconstructSettings& settings)
+template <typename PointT>
+std::shared_ptr<pcl::GreedyStart<PointT>>
+makeStart(const ReconstructSettings& settings)
 {
+  auto start = std::make_shared<pcl::GreedyStart<PointT>>();
   if (settings.search == "kdtree")
-    return std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
-  auto search = std::make_shared<pcl::search::BlockSearch<pcl::PointXYZ>>();
-  search->setNumberOfThreads(settings.threads);
-  return search;
+    start->setSearchMethod(std::make_shared<pcl::search::KdTree<PointT>>());
+  else
+    start->setSearchMethod(std::make_shared<pcl::search::BlockSearch<PointT>>());
+  start->setNumberOfNeighbors(settings.neighbors);
+  start->setMinimumAngle(settings.minimum_angle * M_PI / 180);
+  start->setCertifiedMinimumAngle(settings.certified_minimum_angle * M_PI / 180);
+  start->setLengthFactor(settings.length_factor);
+  start->setUseCertificates(!settings.plain);
+  return start;
 }
 
-/** What the filter looks at: positions, normals and the place of the sensor, which
- * PCL's meshes can carry only as fields of each point. */
-pcl::PCLPointCloud2
-cloudForFilter(const Model& model)
+/** Times as they add up to the whole. */
+StageTimes
+stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
 {
-  const pcl::PCLPointCloud2& cloud = model.mesh.cloud;
-  if (!model.viewpoint.known || findField(cloud, "vp_x"))
-    return cloud;
-  std::vector<float> positions;
-  FieldArray normals{"normal", pcl::PCLPointField::FLOAT32, 3, {}};
-  std::vector<FieldArray> sensor(3, {"vp_x", pcl::PCLPointField::FLOAT32, 1, {}});
-  sensor[1].name = "vp_y";
-  sensor[2].name = "vp_z";
-  std::size_t offset = 0;
-  const bool has_normals = findNormal(cloud, offset);
-  std::size_t point_index = 0;
-  for (const Eigen::Vector3f& position : readPositions(cloud)) {
-    const std::uint8_t* const point = pointAt(cloud, point_index++);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      positions.push_back(position[static_cast<int>(axis)]);
-      sensor[axis].append(model.viewpoint.position[static_cast<int>(axis)]);
-      if (has_normals)
-        normals.append(loadScalar<float>(point + offset + 4 * axis, false));
-    }
+  const pcl::ConsecutiveReport& chain = result.chain;
+  const double greedy = std::min(result.start.greedy_seconds, chain.start_seconds);
+  StageTimes stages = {{"search", chain.start_seconds - greedy}, {"start", greedy}};
+  double sum = chain.start_seconds;
+  if (settings.hasFilter()) {
+    stages.emplace_back("filter", chain.filter_seconds);
+    sum += chain.filter_seconds;
   }
-  pcl::PCLPointCloud2 result;
-  const bool good =
-      assembleCloud(positions, {normals, sensor[0], sensor[1], sensor[2]}, result).ok();
-  return good ? result : cloud;
+  if (settings.until == "base") {
+    stages.emplace_back("base", chain.base_seconds);
+    sum += chain.base_seconds;
+  }
+  stages.emplace_back("joining", std::max(0.0, chain.total_seconds - sum));
+  return stages;
+}
+
+template <typename PointT>
+void
+reconstruct(const ReconstructSettings& settings,
+            ProgressBar& bar,
+            ReconstructResult& result)
+{
+  const auto start = makeStart<PointT>(settings);
+  const auto filter = std::make_shared<pcl::UmbrellaFilter>();
+  filter->setMinimumInternalPoints(settings.minimum_internal_points);
+  pcl::ConsecutiveReconstruction<PointT> chain;
+  chain.setStartAlgorithm(start);
+  chain.setFilter(settings.hasFilter() ? filter : nullptr);
+  if (settings.until != "base")
+    chain.setBaseAlgorithm(nullptr);
+  chain.setComputeNormals(settings.normals);
+  chain.setNumberOfThreads(settings.threads);
+  chain.setProgressCallback(bar.callback());
+  chain.setInputCloud(toTypedCloud<PointT>(result.model));
+  if (settings.measure_speedup)
+    result.speedup = chain.measureSpeedup();
+  chain.reconstruct(result.model.mesh.polygons);
+  result.start = start->getReport();
+  result.filter = filter->getReport();
+  result.chain = chain.getReport();
+  result.labels = chain.getTriangleLabels();
+  result.normals = chain.getNormals();
 }
 
 } // namespace
 
-void
-runStart(const ReconstructSettings& settings,
-         ProgressBar& bar,
-         ReconstructResult& result)
+Status
+runReconstruction(const ReconstructSettings& settings,
+                  ProgressBar& bar,
+                  ReconstructResult& result)
 {
-  pcl::GreedyStart<pcl::PointXYZ> start;
-  start.setInputCloud(toPositionsOnly(result.model));
-  start.setSearchMethod(makeSearch(settings));
-  start.setNumberOfNeighbors(settings.neighbors);
-  start.setMinimumAngle(settings.minimum_angle * M_PI / 180);
-  start.setCertifiedMinimumAngle(settings.certified_minimum_angle * M_PI / 180);
-  start.setLengthFactor(settings.length_factor);
-  start.setUseCertificates(!settings.plain);
-  start.setNumberOfThreads(settings.threads);
-  start.setProgressCallback(bar.callback());
-  Stopwatch watch;
-  start.reconstruct(result.model.mesh.polygons);
-  const double seconds = watch.lap();
-  result.start = start.getReport();
-  const double greedy = std::min(result.start.greedy_seconds, seconds);
-  result.stages.emplace_back("search", seconds - greedy);
-  result.stages.emplace_back("start", greedy);
-}
-
-void
-runFilter(const ReconstructSettings& settings,
-          ProgressBar& bar,
-          ReconstructResult& result)
-{
-  auto mesh = std::make_shared<pcl::PolygonMesh>();
-  mesh->polygons = std::move(result.model.mesh.polygons);
-  pcl::PCLPointCloud2 whole_cloud;
-  if (result.model.viewpoint.known) {
-    mesh->cloud = cloudForFilter(result.model);
-    whole_cloud = std::move(result.model.mesh.cloud);
-  }
+  const Model& model = result.model;
+  if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
+    reconstruct<pcl::PointNormal>(settings, bar, result);
+  else if (model.viewpoint.known || !pcl::ccaa::viewpointView(model.mesh.cloud).empty())
+    reconstruct<pcl::PointWithViewpoint>(settings, bar, result);
   else
-    mesh->cloud = std::move(result.model.mesh.cloud);
-  result.model.mesh = pcl::PolygonMesh();
-  pcl::UmbrellaFilter filter;
-  filter.setInputMesh(mesh);
-  filter.setMinimumInternalPoints(settings.minimum_internal_points);
-  filter.setNumberOfThreads(settings.threads);
-  filter.setProgressCallback(bar.callback());
-  Stopwatch watch;
-  filter.process(result.model.mesh);
-  result.stages.emplace_back("filter", watch.lap());
-  result.filter = filter.getReport();
-  result.filtered = true;
-  // Byte for byte what was read, whatever the classes on the way made of it.
-  result.model.mesh.cloud =
-      std::move(result.model.viewpoint.known ? whole_cloud : mesh->cloud);
+    reconstruct<pcl::PointXYZ>(settings, bar, result);
+  if (!result.chain.cancelled && result.chain.points == 0)
+    return Status::error("the reconstruction failed, perhaps for lack of memory");
+  result.stages = stageTimes(settings, result);
+  if (settings.hasFilter())
+    result.boundary_loops =
+        countBoundaryLoops(model.mesh.polygons,
+                           pointCount(model.mesh.cloud),
+                           pcl::ccaa::resolveThreads(settings.threads));
+  return {};
 }
 
-std::size_t
-countUsedPoints(const pcl::PolygonMesh& mesh)
+void
+addNormals(ReconstructResult& result)
 {
-  std::vector<bool> used(pointCount(mesh.cloud), false);
-  for (const pcl::Vertices& polygon : mesh.polygons)
-    for (const pcl::index_t corner : polygon.vertices)
-      used[static_cast<std::size_t>(corner)] = true;
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+  if (!result.normals)
+    return;
+  if (appendNormals(*result.normals, result.model.mesh.cloud))
+    return;
+  result.model.warnings.push_back(
+      "the cloud has normals already; they were kept, and none were computed");
 }
 
 } // namespace app

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the stages of pcl_ccaa_reconstruct.
+// Part of PclSurfaceRepair: the work of pcl_ccaa_reconstruct.
 #pragma once
 
+#include <pcl/surface_ccaa/consecutive/consecutive_report.h>
 #include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 
 #include "model.h"
 #include "progress.h"
 #include "report.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -18,7 +24,7 @@ struct ReconstructSettings {
   std::string input;
   std::string output;
   std::string report;
-  std::string until = "filter";
+  std::string until = "base";
   std::string search = "fast";
   unsigned int threads = 0;
   unsigned int neighbors = 0;
@@ -27,35 +33,42 @@ struct ReconstructSettings {
   double certified_minimum_angle = 0; // degrees
   double length_factor = 0;           // local spacings
   bool plain = false;                 // the thesis' rules alone
+  bool labels = false;                // as a face property
+  bool normals = false;               // as fields of the cloud
+  bool measure_speedup = false;
   bool quiet = false;
+
+  bool
+  hasFilter() const
+  {
+    return until != "start";
+  }
 };
 
 /** \brief What a run made, and what is to be told about it. */
 struct ReconstructResult {
   Model model; // cloud with all fields, polygons of the last stage
-  std::size_t usable_points = 0;
-  std::size_t used_points = 0;
   StageTimes stages;
   std::size_t memory_before = 0; // bytes, cloud loaded
   pcl::ccaa::GreedyReport start;
-  pcl::UmbrellaReport filter;
-  bool filtered = false;
+  pcl::UmbrellaReport filter; // of the last stage that is there
+  pcl::ConsecutiveReport chain;
+  std::optional<pcl::SpeedupReport> speedup;
+  std::optional<std::size_t> boundary_loops; // none known of raw triangles
+  std::vector<std::uint8_t> labels;          // of the polygons: their stage
+  pcl::PointCloud<pcl::Normal>::Ptr normals; // null unless asked for
 };
 
-/** \brief Mesh the cloud of \a result with the greedy start. */
-void
-runStart(const ReconstructSettings& settings,
-         ProgressBar& bar,
-         ReconstructResult& result);
+/** \brief Mesh the cloud of \a result; its fields stay byte for byte. Fails when the
+ * run could not be finished; after a signal the result is of no use. */
+Status
+runReconstruction(const ReconstructSettings& settings,
+                  ProgressBar& bar,
+                  ReconstructResult& result);
 
-/** \brief Take the wrong triangles out again; the cloud stays byte for byte. */
+/** \brief Add the normals that were made as fields to the cloud. One that has normals
+ * keeps them, and a warning says so. */
 void
-runFilter(const ReconstructSettings& settings,
-          ProgressBar& bar,
-          ReconstructResult& result);
-
-/** \brief Number of points that have a triangle. */
-std::size_t
-countUsedPoints(const pcl::PolygonMesh& mesh);
+addNormals(ReconstructResult& result);
 
 } // namespace app

@@ -2,50 +2,17 @@
 // Part of PclSurfaceRepair: pcl_ccaa_reconstruct as a user runs it.
 #include <gtest/gtest.h>
 
-#include "app_runner.h"
 #include "common/point_columns.h"
 #include "model_samples.h"
+#include "reconstruct_fixture.h"
 #include "support/mesh_asserts.h"
 #include "support/shared_data.h"
-#include <nlohmann/json.hpp>
 
 #include <cstring>
 #include <limits>
 
 namespace app_test {
 namespace {
-
-namespace test = pcl::ccaa::test;
-
-class ReconstructApp : public testing::Test {
-protected:
-  RunResult
-  reconstruct(const std::string& input,
-              const std::string& output,
-              const std::vector<std::string>& options = {})
-  {
-    std::vector<std::string> arguments{folder_.path(input), folder_.path(output)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_ccaa_reconstruct", arguments);
-  }
-
-  /** Done, with the message of what was not as the reason. */
-  static testing::AssertionResult
-  hasMeshed(const RunResult& result)
-  {
-    if (result.exit_code == 0)
-      return testing::AssertionSuccess();
-    return testing::AssertionFailure() << result.exit_code << ": " << result.errors;
-  }
-
-  nlohmann::json
-  report()
-  {
-    return nlohmann::json::parse(readFile(folder_.path("report.json")));
-  }
-
-  TemporaryFolder folder_;
-};
 
 TEST_F(ReconstructApp, MeshesACloudAndKeepsItsFieldsBitForBit)
 {
@@ -113,7 +80,7 @@ TEST_F(ReconstructApp, ReportsTheRun)
   EXPECT_GT(json.at("internal_share"), 0.7);
   EXPECT_EQ(loadMesh(folder_.path("out.ply")).mesh.polygons.size(),
             json.at("triangles"));
-  ASSERT_EQ(3U, json.at("stages").size());
+  ASSERT_EQ(5U, json.at("stages").size());
   double sum = 0;
   for (const auto& stage : json.at("stages")) {
     EXPECT_GE(stage.at("seconds"), 0.0);
@@ -124,7 +91,14 @@ TEST_F(ReconstructApp, ReportsTheRun)
   EXPECT_NEAR(sum, json.at("total_seconds"), 1e-9);
   EXPECT_GT(json.at("peak_memory_bytes"), 1000000);
   EXPECT_EQ("fast", json.at("search"));
-  EXPECT_EQ(json.at("triangles"), json.at("umbrella").at("output_triangles"));
+  const auto made = json.at("triangles_by_stage");
+  EXPECT_EQ(json.at("umbrella").at("output_triangles"), made.at("start"));
+  EXPECT_EQ(json.at("triangles"),
+            made.at("start").get<int>() + made.at("base").get<int>());
+  for (const char* cost : {"c_B", "c_F", "base_seconds"})
+    EXPECT_GE(json.at(cost), 0.0) << cost;
+  EXPECT_LE(json.at("free_points"), 30);
+  EXPECT_FALSE(json.contains("speedup"));
 }
 
 TEST_F(ReconstructApp, KeepsNonFinitePointsInPlace)
@@ -196,16 +170,39 @@ TEST_F(ReconstructApp, StopsAfterTheStart)
   const std::vector<std::string> options{
       "--until", "start", "--report", folder_.path("report.json")};
   ASSERT_TRUE(hasMeshed(reconstruct("in.ply", "out.ply", options)));
-  EXPECT_EQ(2U, report().at("stages").size());
-  EXPECT_TRUE(report().at("internal_share").is_null());
+  EXPECT_EQ(3U, report().at("stages").size());
+  for (const char* later : {"internal_share", "c_F", "base_seconds", "boundary_loops"})
+    EXPECT_TRUE(report().at(later).is_null()) << later;
+}
+
+TEST_F(ReconstructApp, StopsAfterTheFilter)
+{
+  save(folder_.path("in.ply"), colouredCloud(2000));
+  const std::vector<std::string> options{
+      "--until", "filter", "--report", folder_.path("report.json")};
+  ASSERT_TRUE(hasMeshed(reconstruct("in.ply", "out.ply", options)));
+  EXPECT_EQ(4U, report().at("stages").size());
+  EXPECT_TRUE(report().at("base_seconds").is_null());
+  EXPECT_EQ(report().at("triangles"), report().at("umbrella").at("output_triangles"));
+}
+
+TEST_F(ReconstructApp, TheBaseKeepsWhatTheFilterLeft)
+{
+  save(folder_.path("in.ply"), colouredCloud(3000));
+  ASSERT_TRUE(hasMeshed(reconstruct("in.ply", "base.ply")));
+  ASSERT_TRUE(hasMeshed(reconstruct("in.ply", "part.ply", {"--until", "filter"})));
+  const auto part = test::toTriangles(loadMesh(folder_.path("part.ply")).mesh.polygons);
+  const auto all = test::toTriangles(loadMesh(folder_.path("base.ply")).mesh.polygons);
+  EXPECT_TRUE(test::isSubsetOf(part, all));
 }
 
 TEST_F(ReconstructApp, RefusesBadValuesOfOptions)
 {
   save(folder_.path("in.ply"), colouredCloud(500));
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--until", "base"},
-        {"--until", "end"},
+       {std::vector<std::string>{"--until", "end"},
+        {"--until", "filter", "--measure-speedup"},
+        {"--until", "start", "--normals"},
         {"--search", "slow"},
         {"--threads", "-1"},
         {"--threads", "many"},

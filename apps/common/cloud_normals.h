@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: adds normals to a cloud with any fields.
+#pragma once
+
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace app {
+
+/** \brief Append normal_x, normal_y and normal_z to every point; the other fields keep
+ * their bytes and places.
+ * \param[in] normals one a point
+ * \return false, with nothing done, when the cloud has one of these fields already */
+bool
+appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& cloud);
+
+} // namespace app

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the command line of pcl_ccaa_reconstruct.
+#include "reconstruct_options.h"
+
+#include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/point_types.h>
+
+#include "model_io.h"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+namespace po = boost::program_options;
+
+Usage
+usage()
+{
+  Usage usage;
+  usage.program = "pcl_ccaa_reconstruct";
+  usage.synopsis = "INPUT_CLOUD OUTPUT_MESH [options]";
+  usage.summary =
+      R"(Connects the points of a cloud with triangles. Needs no normals and no settings. The
+mesh keeps all points of the cloud, in order and with all fields (colours, normals,
+intensity, ...); points no triangle could be trusted with stay without triangles.
+
+INPUT_CLOUD   )" +
+      std::string(cloud_endings) + R"(; of a mesh only the points are read
+OUTPUT_MESH   )" +
+      mesh_output_endings + "; .ply keeps most";
+  usage.examples = R"(  pcl_ccaa_reconstruct bunny.pcd bunny.ply
+  pcl_ccaa_reconstruct scan.xyz scan.ply --threads 4 --report scan.json
+  pcl_ccaa_reconstruct bunny.pcd bunny.ply --labels --normals --measure-speedup
+)";
+  return usage;
+}
+
+po::typed_value<std::string>*
+text()
+{
+  return po::value<std::string>();
+}
+
+po::typed_value<long long>*
+count(long long default_value)
+{
+  return po::value<long long>()->default_value(default_value);
+}
+
+void
+addOutputs(po::options_description_easy_init add)
+{
+  add("until",
+      text()->default_value("base"),
+      "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
+      "(correct triangles only) or base (what is missing between them, too)");
+  add("labels",
+      po::bool_switch(),
+      "write which stage made each triangle as the face property 'stage': 0 start, "
+      "1 base; PLY only");
+  add("normals",
+      po::bool_switch(),
+      "write a normal of the surface for each point, unless the cloud has normals");
+  add("report", text(), "write figures about the run to this JSON file");
+  add("measure-speedup",
+      po::bool_switch(),
+      "also run the base stage alone, and print whether the stages before it pay");
+}
+
+void
+addSettings(po::options_description_easy_init add)
+{
+  const pcl::GreedyStart<pcl::PointXYZ> start;
+  const pcl::UmbrellaFilter filter;
+  const auto degrees = [](double angle) {
+    return std::round(angle * 18000 / M_PI) / 100;
+  };
+  add("threads",
+      count(0),
+      "number of threads, 0 = all; the result is the same for any");
+  add("search",
+      text()->default_value("fast"),
+      "neighbour search: fast, or kdtree (PCL's own)");
+  add("neighbors",
+      count(start.getNumberOfNeighbors()),
+      "neighbours looked at for each point, 3 to 64");
+  add("min-angle",
+      realValue(degrees(start.getMinimumAngle())),
+      "smallest angle between two edges at a point, in degrees, 0 to 60");
+  add("certified-angle",
+      realValue(degrees(start.getCertifiedMinimumAngle())),
+      "the same for edges that no other point speaks against, in degrees, 0 to 60");
+  add("max-length",
+      realValue(start.getLengthFactor()),
+      "longest edge as a multiple of the spacing around it, 1 or more");
+  add("plain",
+      po::bool_switch(),
+      "shortest edges first and --min-angle alone, without asking for each edge "
+      "whether other points speak against it; faults and holes are more");
+  add("min-region",
+      count(static_cast<long long>(filter.getMinimumInternalPoints())),
+      "regions with fewer inner points than this are removed by the filter; 0 keeps "
+      "all");
+}
+
+Status
+checkChoices(const ReconstructSettings& settings)
+{
+  if (settings.until != "start" && settings.until != "filter" &&
+      settings.until != "base")
+    return Status::error("--until must be start, filter or base, not '" +
+                         settings.until + "'");
+  if (settings.search != "fast" && settings.search != "kdtree")
+    return Status::error("--search must be fast or kdtree, not '" + settings.search +
+                         "'");
+  if (settings.measure_speedup && settings.until != "base")
+    return Status::error("--measure-speedup compares with the stage base; it does not "
+                         "go with --until " +
+                         settings.until);
+  if (settings.normals && settings.until == "start")
+    return Status::error("--normals needs triangles that are wound alike; it does not "
+                         "go with --until start");
+  if (settings.labels && !holdsFaceProperties(settings.output))
+    return Status::error("--labels needs an output that ends in .ply, not '" +
+                         settings.output + "'");
+  return {};
+}
+
+} // namespace
+
+CommandLine
+makeReconstructCommandLine()
+{
+  CommandLine line(usage());
+  addOutputs(line.addOptions());
+  addSettings(line.addOptions());
+  line.addPositional("INPUT_CLOUD");
+  line.addPositional("OUTPUT_MESH");
+  return line;
+}
+
+Status
+takeReconstructSettings(const Arguments& arguments, ReconstructSettings& settings)
+{
+  settings.input = takeText(arguments, "INPUT_CLOUD");
+  settings.output = takeText(arguments, "OUTPUT_MESH");
+  settings.report = takeText(arguments, "report");
+  settings.until = takeText(arguments, "until");
+  settings.search = takeText(arguments, "search");
+  settings.plain = arguments["plain"].as<bool>();
+  settings.labels = arguments["labels"].as<bool>();
+  settings.normals = arguments["normals"].as<bool>();
+  settings.measure_speedup = arguments["measure-speedup"].as<bool>();
+  settings.quiet = arguments.count("quiet") != 0;
+  Status status = checkChoices(settings);
+  if (status.ok())
+    status = takeCount(arguments, "threads", 0, 1024, settings.threads);
+  if (status.ok())
+    status = takeCount(arguments, "neighbors", 3, 64, settings.neighbors);
+  if (status.ok())
+    status = takeCount(
+        arguments, "min-region", 0, 1000000000, settings.minimum_internal_points);
+  if (status.ok())
+    status = takeReal(arguments, "min-angle", 0, 60, settings.minimum_angle);
+  if (status.ok())
+    status =
+        takeReal(arguments, "certified-angle", 0, 60, settings.certified_minimum_angle);
+  if (status.ok())
+    status = takeReal(arguments, "max-length", 1, 1e6, settings.length_factor);
+  return status;
+}
+
+} // namespace app
