@@ -11,6 +11,6 @@ mode=(--dry-run --Werror)
 if [[ ${1:-} == --fix ]]; then
   mode=(-i)
 fi
-find surface_ccaa surface_repair apps test -type f \
+find surface_ccaa surface_repair apps test doc/examples -type f \
   \( -name '*.h' -o -name '*.hpp' -o -name '*.cpp' \) -print0 |
   xargs -0 --no-run-if-empty clang-format "${mode[@]}"

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: table of what start and filter cost, beside the field.
 //
 // Usage: bench_surface_ccaa [--repeats R] [--no-rivals] CLOUD...
-//   CLOUD is FILE.ply, FILE.pcd, bumpy:N or sample:FILE.ply:N:NOISE (see
-//   input_clouds.h).
+//   CLOUD is FILE.ply, FILE.pcd, bumpy:N, sample:FILE.ply:N:NOISE or another of the
+//   words of input_clouds.h.
 // Prints microseconds per point, search included and file access excluded, the median
 // of R interleaved runs. Nothing passes or fails.
 #include <pcl/console/print.h>
@@ -13,21 +13,20 @@
 #include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include "input_clouds.h"
+#include "measuring.h"
 #include "rivals.h"
-#include <malloc.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using bench::Cloud;
+using bench::median;
+using bench::secondsOf;
 using Search = pcl::search::Search<pcl::PointXYZ>;
 
 struct Settings {
@@ -48,43 +47,6 @@ struct StageTimes {
     return start + filter;
   }
 };
-
-double
-secondsOf(const std::function<void()>& work)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
-
-double
-median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0 : values[values.size() / 2];
-}
-
-/** A line of /proc/self/status in bytes, 0 where there is none. */
-std::size_t
-processBytes(const std::string& key)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (word == key + ":") {
-      std::size_t kilobytes = 0;
-      status >> kilobytes;
-      return 1024 * kilobytes;
-    }
-  return 0;
-}
-
-void
-resetPeak()
-{
-  malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5";
-}
 
 struct Result {
   pcl::PolygonMesh::Ptr mesh;
@@ -112,26 +74,16 @@ startAndFilter(const Cloud::Ptr& cloud, const Search::Ptr& search, unsigned int 
   return result;
 }
 
-/** Bytes of the result itself: a polygon is a vector and the block that it points to.
- */
-std::size_t
-bytesOf(const pcl::PolygonMesh& mesh)
-{
-  return mesh.cloud.data.capacity() +
-         mesh.polygons.capacity() * (sizeof(pcl::Vertices) + 32);
-}
-
 /** Peak memory of a run above what was there before it and above its result. */
 double
 peakBytesPerPoint(const Cloud::Ptr& cloud)
 {
-  resetPeak();
-  const std::size_t before = processBytes("VmRSS");
-  const Result result = startAndFilter(
-      cloud, std::make_shared<pcl::search::BlockSearch<pcl::PointXYZ>>(), 0);
-  const std::size_t peak = processBytes("VmHWM");
-  const double extra = double(peak) - double(before) - double(bytesOf(*result.mesh));
-  return extra / double(cloud->size());
+  Result result;
+  const double bytes = bench::peakBytesOf([&] {
+    result = startAndFilter(
+        cloud, std::make_shared<pcl::search::BlockSearch<pcl::PointXYZ>>(), 0);
+  });
+  return (bytes - double(bench::bytesOf(*result.mesh))) / double(cloud->size());
 }
 
 /** One way to run start and filter, timed over all repeats. */
@@ -152,52 +104,17 @@ struct Variant {
 };
 
 struct Rival {
-  std::string name;
-  std::function<std::size_t()> triangles;
+  bench::Method method;
   std::vector<double> seconds;
   std::size_t found = 0;
 };
-
-/** GP3's radius is a trade of speed for coverage: the fastest of the usual ones that
- * finds nine tenths of the triangles of the best. */
-double
-fastestSensibleRadius(const Cloud::Ptr& cloud, double spacing)
-{
-  struct Try {
-    double radius;
-    double seconds;
-    std::size_t triangles;
-  };
-  std::vector<Try> tries;
-  std::size_t most = 0;
-  for (const double radius : {1.25, 1.75, 2.5, 4.0}) {
-    Try t{radius, 0, 0};
-    t.seconds = secondsOf([&] {
-      t.triangles = bench::greedyProjection(cloud, spacing, radius).polygons.size();
-    });
-    most = std::max(most, t.triangles);
-    tries.push_back(t);
-  }
-  const Try* best = nullptr;
-  for (const Try& t : tries)
-    if (t.triangles * 10 >= most * 9 && (best == nullptr || t.seconds < best->seconds))
-      best = &t;
-  return best->radius;
-}
 
 std::vector<Rival>
 rivalsFor(const Cloud::Ptr& cloud)
 {
   std::vector<Rival> rivals;
-  const double spacing = bench::spacingOf(cloud);
-  const double radius = fastestSensibleRadius(cloud, spacing);
-  rivals.push_back(
-      {"PCL GP3 + normals",
-       [=] { return bench::greedyProjection(cloud, spacing, radius).polygons.size(); },
-       {}});
-  if (bench::hasAdvancingFront())
-    rivals.push_back(
-        {"CGAL advancing front", [=] { return bench::advancingFront(*cloud); }, {}});
+  for (bench::Method& method : bench::rivalsFor(cloud))
+    rivals.push_back({std::move(method), {}});
   return rivals;
 }
 
@@ -229,7 +146,7 @@ printRatios(const std::vector<Variant>& variants,
   for (const Rival& rival : rivals)
     std::printf("  %-26s %35.3f   %zu triangles: %.2fx ours with block search, %.2fx "
                 "with KdTree\n",
-                rival.name.c_str(),
+                rival.method.name.c_str(),
                 micro * median(rival.seconds),
                 rival.found,
                 median(rival.seconds) / total(0),
@@ -257,8 +174,11 @@ benchmark(const std::string& word, const Settings& settings)
       variant.runs.push_back(result.times);
       report = result.report;
     }
-    for (Rival& rival : rivals)
-      rival.seconds.push_back(secondsOf([&] { rival.found = rival.triangles(); }));
+    for (Rival& rival : rivals) {
+      const bench::Reconstruction result = rival.method.run();
+      rival.seconds.push_back(result.seconds);
+      rival.found = result.triangles.size();
+    }
   }
   const double points = double(cloud->size());
   std::printf("%s: N %zu, k %.4f, internal share %.4f, %zu triangles in %zu regions, "

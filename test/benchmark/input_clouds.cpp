@@ -7,6 +7,8 @@
 #include <pcl/io/ply_io.h>
 #include <pcl/conversions.h>
 
+#include "cloud_damage.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -107,6 +109,42 @@ sampleMesh(const std::string& file, std::size_t size, double noise)
   return cloud;
 }
 
+/** A number of a word, which must lie between two others. */
+double
+numberIn(const std::string& text, double lowest, double highest)
+{
+  const double number = std::stod(text);
+  if (!(number >= lowest && number <= highest))
+    throw std::invalid_argument("out of range: " + text);
+  return number;
+}
+
+/** The words that take a file and do something to its points; null for others. */
+Cloud::Ptr
+makeDamagedCloud(const std::vector<std::string>& part)
+{
+  const bool one_number = part.size() == 3;
+  Cloud::Ptr cloud;
+  if (one_number && part[0] == "noisy") {
+    cloud = readCloud(part[1]);
+    addNoise(*cloud, numberIn(part[2], 0, 100));
+  }
+  else if (part.size() == 4 && part[0] == "thinned") {
+    cloud =
+        std::make_shared<Cloud>(thinOut(*readCloud(part[1]), numberIn(part[2], 0, 1)));
+    addNoise(*cloud, numberIn(part[3], 0, 100));
+  }
+  else if (one_number && part[0] == "outliers") {
+    cloud = readCloud(part[1]);
+    addOutliers(*cloud, numberIn(part[2], 0, 100));
+  }
+  else if (one_number && part[0] == "graded") {
+    cloud = std::make_shared<Cloud>(
+        gradeDensity(*readCloud(part[1]), numberIn(part[2], 1, 1e9)));
+  }
+  return cloud;
+}
+
 } // namespace
 
 Cloud::Ptr
@@ -117,13 +155,27 @@ makeCloud(const std::string& word)
     return bumpySphere(std::stoul(part[1]));
   if (part.size() == 4 && part[0] == "sample")
     return sampleMesh(part[1], std::stoul(part[2]), std::stod(part[3]));
-  return readCloud(word);
+  const Cloud::Ptr damaged = makeDamagedCloud(part);
+  return damaged ? damaged : readCloud(word);
+}
+
+std::string
+referenceFile(const std::string& word)
+{
+  const std::vector<std::string> part = parts(word);
+  for (const std::string& file : part)
+    if (endsWith(file, ".ply"))
+      return file;
+  return "";
 }
 
 std::string
 shortName(const std::string& word)
 {
-  return word.substr(word.find_last_of('/') + 1);
+  std::string name;
+  for (const std::string& part : parts(word))
+    name += (name.empty() ? "" : ":") + part.substr(part.find_last_of('/') + 1);
+  return name;
 }
 
 } // namespace bench

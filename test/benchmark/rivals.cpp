@@ -6,45 +6,83 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
 
-#ifdef PSR_HAVE_CGAL
-#include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#endif
+#include "measuring.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 namespace bench {
+namespace {
 
-pcl::PolygonMesh
-greedyProjection(const Cloud::Ptr& cloud, double spacing, double radius)
+using OrientedCloud = pcl::PointCloud<pcl::PointNormal>;
+
+OrientedCloud::Ptr
+withNormals(const Cloud::Ptr& cloud)
 {
-  const auto tree = std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>();
-  pcl::PointCloud<pcl::PointNormal>::Ptr oriented(
-      new pcl::PointCloud<pcl::PointNormal>);
+  OrientedCloud::Ptr oriented(new OrientedCloud);
   pcl::NormalEstimation<pcl::PointXYZ, pcl::PointNormal> estimation;
   estimation.setInputCloud(cloud);
-  estimation.setSearchMethod(tree);
+  estimation.setSearchMethod(std::make_shared<pcl::search::KdTree<pcl::PointXYZ>>());
   estimation.setKSearch(12);
   estimation.compute(*oriented);
   for (std::size_t i = 0; i < cloud->size(); ++i)
     (*oriented)[i].getVector3fMap() = (*cloud)[i].getVector3fMap();
+  return oriented;
+}
+
+void
+project(const OrientedCloud::Ptr& oriented, double radius, pcl::PolygonMesh& mesh)
+{
   pcl::GreedyProjectionTriangulation<pcl::PointNormal> triangulation;
   triangulation.setInputCloud(oriented);
   triangulation.setSearchMethod(
       std::make_shared<pcl::search::KdTree<pcl::PointNormal>>());
-  triangulation.setSearchRadius(radius * spacing);
+  triangulation.setSearchRadius(radius);
   triangulation.setMu(2.5);
   triangulation.setMaximumNearestNeighbors(30);
   triangulation.setMaximumSurfaceAngle(M_PI / 4);
   triangulation.setMinimumAngle(M_PI / 18);
   triangulation.setMaximumAngle(2 * M_PI / 3);
   triangulation.setNormalConsistency(false);
-  pcl::PolygonMesh mesh;
+  triangulation.setConsistentVertexOrdering(true);
   triangulation.reconstruct(mesh);
-  return mesh;
+}
+
+/** GP3's radius is a trade of speed for coverage. */
+double
+fastestSensibleRadius(const Cloud::Ptr& cloud, double spacing)
+{
+  struct Try {
+    double radius;
+    double seconds;
+    std::size_t triangles;
+  };
+  std::vector<Try> tries;
+  std::size_t most = 0;
+  for (const double radius : {1.25, 1.75, 2.5, 4.0}) {
+    const Reconstruction result = greedyProjection(cloud, spacing, radius);
+    tries.push_back({radius, result.seconds, result.triangles.size()});
+    most = std::max(most, result.triangles.size());
+  }
+  const Try* best = nullptr;
+  for (const Try& t : tries)
+    if (t.triangles * 10 >= most * 9 && (best == nullptr || t.seconds < best->seconds))
+      best = &t;
+  return best->radius;
+}
+
+} // namespace
+
+Reconstruction
+greedyProjection(const Cloud::Ptr& cloud, double spacing, double radius)
+{
+  Reconstruction result;
+  pcl::PolygonMesh mesh;
+  result.seconds =
+      secondsOf([&] { project(withNormals(cloud), radius * spacing, mesh); });
+  result.triangles = toTriangles(mesh.polygons);
+  return result;
 }
 
 double
@@ -63,42 +101,20 @@ spacingOf(const Cloud::Ptr& cloud)
   return count > 0 ? sum / double(count) : 0;
 }
 
-#ifdef PSR_HAVE_CGAL
-
-bool
-hasAdvancingFront()
+std::vector<Method>
+rivalsFor(const Cloud::Ptr& cloud)
 {
-  return true;
+  const double spacing = spacingOf(cloud);
+  const double radius = fastestSensibleRadius(cloud, spacing);
+  std::vector<Method> rivals;
+  rivals.push_back(
+      {"PCL GP3 + normals", [=] { return greedyProjection(cloud, spacing, radius); }});
+  if (hasAdvancingFront())
+    rivals.push_back({"CGAL advancing front", [=] { return advancingFront(*cloud); }});
+  if (hasBallPivoting())
+    rivals.push_back(
+        {"Open3D ball pivoting", [=] { return ballPivoting(*cloud, spacing); }});
+  return rivals;
 }
-
-std::size_t
-advancingFront(const Cloud& cloud)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_3> points;
-  points.reserve(cloud.size());
-  for (const pcl::PointXYZ& p : cloud)
-    points.emplace_back(p.x, p.y, p.z);
-  std::vector<std::array<std::size_t, 3>> triangles;
-  CGAL::advancing_front_surface_reconstruction(
-      points.begin(), points.end(), std::back_inserter(triangles));
-  return triangles.size();
-}
-
-#else
-
-bool
-hasAdvancingFront()
-{
-  return false;
-}
-
-std::size_t
-advancingFront(const Cloud&)
-{
-  return 0;
-}
-
-#endif
 
 } // namespace bench

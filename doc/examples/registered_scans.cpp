@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: example, a mesh from scans that overlap and disagree.
+//
+// Usage: registered_scans SCANS.ply|SCANS.pcd MESH.ply
+//
+// The points of several registered scans lie in layers: where scans overlap, the cloud
+// is dense, and the layers are as far apart as the points. An interpolating
+// reconstruction would weave triangles between them. Four of PCL's filters make one
+// layer of them first; all their sizes follow from the spacing of the cloud.
+#include <pcl/common/point_tests.h>
+#include <pcl/console/print.h>
+#include <pcl/filters/statistical_outlier_removal.h>
+#include <pcl/filters/voxel_grid.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/io/ply_io.h>
+#include <pcl/surface/mls.h>
+#include <pcl/surface_ccaa/consecutive_reconstruction.h>
+#include <pcl/surface_ccaa/search/block_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+using BlockSearch = pcl::search::BlockSearch<pcl::PointXYZ>;
+
+/** Edge of the grid's cells in mean spacings: about two points of the raw cloud share
+ * one. */
+constexpr double LEAF_SPACINGS = 1.5;
+/** Radius of the surface patches that smooth the points, in cells of the grid: some
+ * fifty points, enough for the noise and few enough for the folds. */
+constexpr double PATCH_LEAVES = 4.0;
+constexpr int PATCH_ORDER = 2;
+/** A point is an outlier when its neighbors are this many standard deviations farther
+ * than usual. Less would take thinly scanned places away as well. */
+constexpr double OUTLIER_DEVIATIONS = 4.0;
+constexpr int OUTLIER_NEIGHBORS = 20;
+
+/** \brief The finite points of a file; empty if it cannot be read. */
+Cloud::Ptr
+readScans(const std::string& file)
+{
+  const bool is_pcd = file.size() > 4 && file.substr(file.size() - 4) == ".pcd";
+  Cloud all;
+  if ((is_pcd ? pcl::io::loadPCDFile(file, all) : pcl::io::loadPLYFile(file, all)) < 0)
+    all.clear();
+  Cloud::Ptr finite(new Cloud);
+  std::copy_if(all.begin(),
+               all.end(),
+               std::back_inserter(*finite),
+               [](const pcl::PointXYZ& point) { return pcl::isFinite(point); });
+  return finite;
+}
+
+/** \brief Root mean square distance to the six nearest neighbors, averaged; in units of
+ * the cloud, which must have seven points at least. */
+double
+meanSpacing(const Cloud::Ptr& cloud)
+{
+  constexpr int NEIGHBORS = 6;
+  BlockSearch search;
+  search.setInputCloud(cloud);
+  pcl::Indices near;
+  std::vector<float> sqr_distances;
+  double sum = 0;
+  for (const pcl::PointXYZ& point : *cloud) {
+    search.nearestKSearch(point, NEIGHBORS + 1, near, sqr_distances);
+    double sqr_sum = 0; // the point itself is one of those found, at distance 0
+    for (const float sqr_distance : sqr_distances)
+      sqr_sum += sqr_distance;
+    sum += std::sqrt(sqr_sum / NEIGHBORS);
+  }
+  return sum / double(cloud->size());
+}
+
+/** \brief One point, the mean, for each cell of a grid that holds any. */
+Cloud::Ptr
+evenOut(const Cloud::Ptr& cloud, double leaf)
+{
+  pcl::VoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(cloud);
+  grid.setLeafSize(float(leaf), float(leaf), float(leaf));
+  Cloud::Ptr result(new Cloud);
+  grid.filter(*result);
+  return result;
+}
+
+Cloud::Ptr
+removeOutliers(const Cloud::Ptr& cloud)
+{
+  pcl::StatisticalOutlierRemoval<pcl::PointXYZ> removal;
+  removal.setInputCloud(cloud);
+  removal.setMeanK(OUTLIER_NEIGHBORS);
+  removal.setStddevMulThresh(OUTLIER_DEVIATIONS);
+  Cloud::Ptr result(new Cloud);
+  removal.filter(*result);
+  return result;
+}
+
+/** \brief Each point moved onto a smooth patch fitted to those around it. */
+Cloud::Ptr
+smooth(const Cloud::Ptr& cloud, double radius)
+{
+  pcl::MovingLeastSquares<pcl::PointXYZ, pcl::PointXYZ> patches;
+  patches.setInputCloud(cloud);
+  patches.setSearchMethod(pcl::make_shared<BlockSearch>());
+  patches.setSearchRadius(radius);
+  patches.setPolynomialOrder(PATCH_ORDER);
+  patches.setNumberOfThreads(std::max(1u, std::thread::hardware_concurrency()));
+  Cloud::Ptr result(new Cloud);
+  patches.process(*result);
+  return result;
+}
+
+/** \brief One even layer of points from many uneven ones. */
+Cloud::Ptr
+prepare(const Cloud::Ptr& scans)
+{
+  const double leaf = LEAF_SPACINGS * meanSpacing(scans);
+  // The grid goes first: beside places that many scans have seen, those that only one
+  // has seen would pass for outliers.
+  const Cloud::Ptr even = evenOut(scans, leaf);
+  const Cloud::Ptr clean = removeOutliers(even);
+  const Cloud::Ptr layer = smooth(clean, PATCH_LEAVES * leaf);
+  // Smoothing brings points of different layers together; the mean of such neighbors
+  // now lies on the surface, too.
+  const Cloud::Ptr result = evenOut(layer, leaf);
+  std::printf("%zu points, %zu after the grid, %zu without outliers, %zu smooth and "
+              "even\n",
+              scans->size(),
+              even->size(),
+              clean->size(),
+              result->size());
+  return result;
+}
+
+pcl::PolygonMesh
+reconstruct(const Cloud::Ptr& cloud)
+{
+  pcl::ConsecutiveReconstruction<pcl::PointXYZ> chain;
+  chain.setInputCloud(cloud);
+  pcl::PolygonMesh mesh;
+  chain.reconstruct(mesh);
+  return mesh;
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: registered_scans SCANS.ply|SCANS.pcd MESH.ply\n");
+    return 1;
+  }
+  pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
+  const Cloud::Ptr scans = readScans(argv[1]);
+  if (scans->size() < 7) {
+    std::fprintf(stderr, "registered_scans: no points in %s\n", argv[1]);
+    return 1;
+  }
+  const pcl::PolygonMesh mesh = reconstruct(prepare(scans));
+  if (pcl::io::savePLYFileBinary(argv[2], mesh) < 0) {
+    std::fprintf(stderr, "registered_scans: cannot write %s\n", argv[2]);
+    return 1;
+  }
+  std::printf("%zu triangles written to %s\n", mesh.polygons.size(), argv[2]);
+}
