@@ -10,7 +10,7 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-constexpr std::size_t LONGEST_LOOP = 64;
+constexpr std::size_t LONGEST_LOOP = 40;
 /** Largest distance from samples inside a gap that is closed, in spacings. */
 constexpr double LARGEST_ROOM = 1.5;
 /** The same for loops of few edges: if so few triangles stand around a gap, they are as

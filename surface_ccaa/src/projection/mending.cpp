@@ -2,19 +2,25 @@
 // Part of PclSurfaceRepair: a second try where triangles stood in the way of others.
 #include <pcl/surface_ccaa/projection/mending.h>
 #include <pcl/surface_ccaa/projection/new_islands.h>
+#include <pcl/surface_ccaa/projection/spacing.h>
 #include <pcl/surface_ccaa/projection/surface_growth.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pcl {
 namespace ccaa {
 namespace {
 
-constexpr int TRIES = 3;
+constexpr int RINGS = 4;
+/** Improvements after which a group is left as it is. */
+constexpr int IMPROVEMENTS = 1;
 /** Open points beyond which a group is left as it is: growth would take too long for
  * the little that it can win. */
-constexpr std::size_t LARGEST_GROUP = 2000;
+constexpr std::size_t LARGEST_GROUP = 200;
+/** Open points up to which both orders of growth are tried. */
+constexpr std::size_t LARGEST_TWICE = 60;
 
 void
 makeUnique(std::vector<pcl::index_t>& numbers)
@@ -57,112 +63,161 @@ countFlaws(const Triangles& triangles, std::size_t open_points)
 } // namespace
 
 bool
-Mending::run(const std::vector<pcl::index_t>& obstructed, RunControl* control)
+Mending::run(const std::vector<pcl::index_t>& obstructed, LoopContext loop)
 {
+  loop.stage = "mending";
+  loop.block_size = 1;
   number_in_open_.assign(surface_.vertexCount(), -1);
   for (std::size_t i = 0; i < open_.open_points; ++i)
     number_in_open_[static_cast<std::size_t>(vertices_[i])] =
         static_cast<pcl::index_t>(i);
-  std::vector<pcl::index_t> points;
-  for (const pcl::index_t point : obstructed)
-    points.push_back(vertices_[static_cast<std::size_t>(point)]);
-  std::vector<std::vector<pcl::index_t>> all = groups(points);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (control != nullptr &&
-        !control->report("mending",
-                         static_cast<double>(i) / static_cast<double>(all.size())))
+  std::vector<Group> waiting = groups(obstructed);
+  while (!waiting.empty()) {
+    std::vector<Attempt> attempts(waiting.size());
+    const bool finished = forEachBlock(
+        waiting.size(), loop, [&](std::size_t i, std::size_t, std::size_t) {
+          attempts[i] = mend(waiting[i].points, loop.control);
+        });
+    if (!finished)
       return false;
-    for (int tries = 0; tries < TRIES && !mend(all[i], control); ++tries) {
-    }
+    waiting = applyAll(waiting, attempts);
   }
-  return control == nullptr || !control->cancelled();
+  return true;
+}
+
+/** \return groups that have to try again, because their place has changed */
+std::vector<Mending::Group>
+Mending::applyAll(const std::vector<Group>& waiting,
+                  const std::vector<Attempt>& attempts)
+{
+  std::vector<Group> again;
+  std::vector<pcl::index_t> changed;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    const Attempt& attempt = attempts[i];
+    if (!attempt.is_better)
+      continue;
+    std::sort(changed.begin(), changed.end());
+    const bool overlaps =
+        std::any_of(attempt.open.begin(), attempt.open.end(), [&](pcl::index_t point) {
+          return std::binary_search(changed.begin(), changed.end(), point);
+        });
+    if (overlaps) {
+      again.push_back(waiting[i]);
+      continue;
+    }
+    for (const pcl::index_t t : attempt.removed)
+      surface_.remove(t);
+    for (const Triangle& triangle : attempt.made)
+      surface_.add(triangle);
+    changed.insert(changed.end(), attempt.open.begin(), attempt.open.end());
+    if (attempt.flaws > 0 && waiting[i].improvements < IMPROVEMENTS)
+      again.push_back({waiting[i].points, waiting[i].improvements + 1});
+  }
+  return again;
 }
 
 /** Points connected by triangles among them. */
-std::vector<std::vector<pcl::index_t>>
+std::vector<Mending::Group>
 Mending::groups(const std::vector<pcl::index_t>& points) const
 {
   std::vector<pcl::index_t> waiting = points;
   makeUnique(waiting);
   std::vector<std::uint8_t> taken(waiting.size(), 0);
-  std::vector<std::vector<pcl::index_t>> all;
+  std::vector<Group> all;
   for (std::size_t seed = 0; seed < waiting.size(); ++seed) {
     if (taken[seed] != 0)
       continue;
     taken[seed] = 1;
-    std::vector<pcl::index_t> group{waiting[seed]};
-    for (std::size_t i = 0; i < group.size(); ++i)
-      surface_.forTrianglesAt(group[i], [&](pcl::index_t t) {
+    Group group{{waiting[seed]}};
+    for (std::size_t i = 0; i < group.points.size(); ++i)
+      surface_.forTrianglesAt(group.points[i], [&](pcl::index_t t) {
         for (const pcl::index_t corner : surface_[t]) {
           const auto place = std::lower_bound(waiting.begin(), waiting.end(), corner);
           if (place == waiting.end() || *place != corner)
             continue;
           std::uint8_t& mark = taken[static_cast<std::size_t>(place - waiting.begin())];
           if (mark == 0)
-            group.push_back(corner);
+            group.points.push_back(corner);
           mark = 1;
         }
       });
-    makeUnique(group);
+    makeUnique(group.points);
     all.push_back(std::move(group));
   }
   return all;
 }
 
-/** One try. \return whether there is nothing left to try; else \a points has grown by
- * a ring */
-bool
-Mending::mend(std::vector<pcl::index_t>& points, RunControl* control)
+/** The best of all tries around some points. */
+Mending::Attempt
+Mending::mend(std::vector<pcl::index_t> points, const RunControl* control) const
 {
-  const std::vector<pcl::index_t> removed = removableAt(points);
-  std::vector<pcl::index_t> open = points;
-  for (const pcl::index_t t : removed)
-    open.insert(open.end(), surface_[t].begin(), surface_[t].end());
-  addUnusedNear(points, open);
-  makeUnique(open);
-  if (open.size() > LARGEST_GROUP)
-    return true;
-  std::vector<pcl::index_t> vertices;
-  const std::size_t flaws =
-      countFlaws(surface_.openAt(open, {}, vertices).rim, open.size());
-  OpenSurface gap = surface_.openAt(open, removed, vertices);
-  findNeighborsDirectly(gap, parameters_.neighbors);
-  for (const pcl::index_t t : removed)
-    surface_.remove(t); // nearby triangles are asked for life
-  Attempt best{flaws, {}};
-  for (const double smooth_fold : {parameters_.smooth_fold, M_PI}) {
-    CompletionParameters parameters = parameters_;
-    parameters.smooth_fold = smooth_fold;
-    Attempt attempt = growAnew(gap, parameters, control);
-    if (attempt.flaws < best.flaws)
+  Attempt best;
+  for (int ring = 0; ring < RINGS; ++ring) {
+    Attempt attempt = growAnew(points, control);
+    points = attempt.open;
+    if (attempt.is_better && (!best.is_better || attempt.flaws < best.flaws))
       best = std::move(attempt);
-    if (best.flaws == 0)
+    if ((best.is_better && best.flaws == 0) || points.size() > LARGEST_GROUP ||
+        (control != nullptr && control->cancelled()))
       break;
   }
-  for (const pcl::index_t t : removed)
-    surface_.restore(t);
-  if (control != nullptr && control->cancelled())
-    return true;
-  if (best.flaws < flaws)
-    replace(removed, best.made, vertices);
-  points = open;
-  return best.flaws == 0;
+  return best;
+}
+
+/** One try: all removable triangles at the points are taken away. */
+Mending::Attempt
+Mending::growAnew(const std::vector<pcl::index_t>& points,
+                  const RunControl* control) const
+{
+  Attempt best;
+  best.removed = removableAt(points);
+  best.open = points;
+  for (const pcl::index_t t : best.removed)
+    best.open.insert(best.open.end(), surface_[t].begin(), surface_[t].end());
+  addUnusedNear(points, best.open);
+  makeUnique(best.open);
+  if (best.open.size() > LARGEST_GROUP)
+    return best;
+  std::vector<pcl::index_t> vertices;
+  best.flaws =
+      countFlaws(surface_.openAt(best.open, {}, vertices).rim, best.open.size());
+  OpenSurface gap = surface_.openAt(best.open, best.removed, vertices);
+  findNeighborsDirectly(gap, parameters_.neighbors);
+  completeSpacings(gap);
+  for (const double smooth_fold : {parameters_.smooth_fold, M_PI}) {
+    Attempt attempt = growInto(gap, vertices, smooth_fold, control);
+    if (attempt.is_better && attempt.flaws < best.flaws) {
+      best.flaws = attempt.flaws;
+      best.made = std::move(attempt.made);
+      best.is_better = true;
+    }
+    if (best.flaws == 0 || best.open.size() > LARGEST_TWICE)
+      break;
+  }
+  return best;
 }
 
 Mending::Attempt
-Mending::growAnew(const OpenSurface& gap,
-                  const CompletionParameters& parameters,
-                  RunControl* control) const
+Mending::growInto(const OpenSurface& gap,
+                  const std::vector<pcl::index_t>& vertices,
+                  double smooth_fold,
+                  const RunControl* control) const
 {
+  CompletionParameters parameters = parameters_;
+  parameters.smooth_fold = smooth_fold;
   SurfaceGrowth growth(gap, parameters, &nearby_);
-  if (!growth.run(control))
-    return {};
   Attempt attempt;
+  if (!growth.run(control))
+    return attempt;
+  attempt.is_better = true;
   attempt.made = lastingTriangles(
       growth.surface().triangles(), gap.rim.size(), gap.positions, rule_);
   Triangles all = gap.rim;
   all.insert(all.end(), attempt.made.begin(), attempt.made.end());
   attempt.flaws = countFlaws(all, gap.open_points);
+  for (Triangle& triangle : attempt.made)
+    for (pcl::index_t& corner : triangle)
+      corner = vertices[static_cast<std::size_t>(corner)];
   return attempt;
 }
 
@@ -194,22 +249,6 @@ Mending::addUnusedNear(const std::vector<pcl::index_t>& points,
       if (!used)
         open.push_back(near);
     }
-  }
-}
-
-void
-Mending::replace(const std::vector<pcl::index_t>& removed,
-                 const Triangles& added,
-                 const std::vector<pcl::index_t>& vertices)
-{
-  for (const pcl::index_t t : removed) {
-    surface_.remove(t);
-    replaced_given_ += surface_.isGiven(t);
-  }
-  for (Triangle triangle : added) {
-    for (pcl::index_t& corner : triangle)
-      corner = vertices[static_cast<std::size_t>(corner)];
-    surface_.add(triangle);
   }
 }
 

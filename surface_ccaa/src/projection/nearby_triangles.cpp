@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the triangles around open points, for crossing tests.
 #include <pcl/surface_ccaa/projection/nearby_triangles.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -89,13 +90,16 @@ NearbyTriangles::cornersOf(pcl::index_t triangle) const
 }
 
 bool
-NearbyTriangles::meets(const Corners& corners, const Box& box) const
+NearbyTriangles::meets(const Corners& corners,
+                       const Box& box,
+                       const std::vector<pcl::index_t>& ignored) const
 {
   bool found = false;
   if (tree_)
     tree_->forEachMeeting(box, [&](pcl::index_t place) {
       const pcl::index_t t = chosen_[static_cast<std::size_t>(place)];
       found = found || (alive_[static_cast<std::size_t>(t)] != 0 &&
+                        !std::binary_search(ignored.begin(), ignored.end(), t) &&
                         trianglesMeet(corners, cornersOf(t)));
     });
   return found;

@@ -8,6 +8,36 @@
 namespace pcl {
 namespace ccaa {
 
+VertexNumbers::VertexNumbers(const Triangles& rim, std::vector<index_t>& vertices)
+{
+  note(vertices, 0);
+  std::vector<index_t> others;
+  for (const Triangle& triangle : rim)
+    for (const index_t corner : triangle)
+      if ((*this)[corner] < 0)
+        others.push_back(corner);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  note(others, vertices.size());
+  vertices.insert(vertices.end(), others.begin(), others.end());
+}
+
+index_t
+VertexNumbers::operator[](index_t vertex) const
+{
+  const auto place = std::lower_bound(
+      numbers_.begin(), numbers_.end(), std::pair<index_t, index_t>(vertex, 0));
+  return place != numbers_.end() && place->first == vertex ? place->second : -1;
+}
+
+void
+VertexNumbers::note(const std::vector<index_t>& vertices, std::size_t first)
+{
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    numbers_.emplace_back(vertices[i], static_cast<index_t>(first + i));
+  std::sort(numbers_.begin(), numbers_.end());
+}
+
 void
 findNeighborsDirectly(OpenSurface& open, unsigned int k)
 {

@@ -3,10 +3,10 @@
 #include <pcl/surface_ccaa/projection/partial_surface.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace ccaa {
-
 PartialSurface::PartialSurface(const Triangles& given,
                                const TriangleAdjacency& adjacency,
                                const PointView& points,
@@ -45,13 +45,13 @@ PartialSurface::trianglesAt(const std::vector<pcl::index_t>& vertices) const
 }
 
 void
-PartialSurface::setAlive(pcl::index_t triangle, std::uint8_t alive)
+PartialSurface::remove(pcl::index_t triangle)
 {
   const auto t = static_cast<std::size_t>(triangle);
   if (isGiven(triangle))
-    alive_given_[t] = alive;
+    alive_given_[t] = 0;
   else
-    alive_added_[t - alive_given_.size()] = alive;
+    alive_added_[t - alive_given_.size()] = 0;
 }
 
 void
@@ -75,29 +75,18 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
 {
   OpenSurface surface;
   surface.open_points = open.size();
+  surface.removed = removed;
+  for (const pcl::index_t t : trianglesAt(open))
+    if (!std::binary_search(removed.begin(), removed.end(), t))
+      surface.rim.push_back((*this)[t]);
   vertices = open;
-  numbers_.resize(vertexCount(), -1);
-  for (std::size_t i = 0; i < open.size(); ++i)
-    numbers_[static_cast<std::size_t>(open[i])] = static_cast<pcl::index_t>(i);
-  for (const pcl::index_t t : trianglesAt(open)) {
-    if (std::binary_search(removed.begin(), removed.end(), t))
-      continue;
-    Triangle corners = (*this)[t];
-    for (pcl::index_t& corner : corners) {
-      pcl::index_t& number = numbers_[static_cast<std::size_t>(corner)];
-      if (number < 0) {
-        number = static_cast<pcl::index_t>(vertices.size());
-        vertices.push_back(corner);
-      }
-      corner = number;
-    }
-    surface.rim.push_back(corners);
-  }
+  const VertexNumbers numbers(surface.rim, vertices);
+  for (Triangle& triangle : surface.rim)
+    for (pcl::index_t& corner : triangle)
+      corner = numbers[corner];
   surface.positions.reserve(vertices.size());
-  for (const pcl::index_t vertex : vertices) {
-    numbers_[static_cast<std::size_t>(vertex)] = -1;
+  for (const pcl::index_t vertex : vertices)
     surface.positions.push_back(points_[vertex]);
-  }
   for (const pcl::index_t vertex : open)
     surface.spacings.push_back(spacingAt(vertex));
   for (std::size_t i = 0; i < open.size() && !normals_.empty(); ++i) {

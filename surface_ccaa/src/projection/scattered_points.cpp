@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which open points lie in space and not on a surface.
 #include <pcl/surface_ccaa/projection/scattered_points.h>
+#include <pcl/surface_ccaa/projection/spacing.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -11,33 +12,19 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-/** Neighbors whose distance tells how densely the points lie. */
-constexpr unsigned int SPACING_NEIGHBORS = 6;
 constexpr double LARGEST_SPACING = 2.5;
 /** How much farther apart points are scattered however flat they lie. */
-constexpr double FAR_RATIO = 3.0;
+constexpr double FAR_RATIO = 1.6;
 constexpr double LARGEST_THICKNESS = 0.15;
 
-/** Distances to the sixth open neighbor, or the last one where there are fewer; known
- * spacings where there are any. */
+/** Known spacings where there are any, else from the neighbors. */
 std::vector<double>
 spacingsOf(const OpenSurface& open)
 {
-  std::vector<double> spacings(open.open_points, 0.0);
-  for (std::size_t i = 0; i < open.open_points; ++i) {
-    if (open.spacings[i] > 0.0) {
-      spacings[i] = open.spacings[i];
-      continue;
-    }
-    const auto point = static_cast<pcl::index_t>(i);
-    const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
-    double sum = 0.0;
-    for (unsigned int j = 0; j < count; ++j)
-      sum += (open.positions[i] -
-              open.positions[static_cast<std::size_t>(open.neighbors.row(point)[j])])
-                 .squaredNorm();
-    spacings[i] = count > 0 ? std::sqrt(sum / count) : 0.0;
-  }
+  std::vector<double> spacings = open.spacings;
+  for (std::size_t i = 0; i < open.open_points; ++i)
+    if (spacings[i] <= 0.0)
+      spacings[i] = spacingFromNeighbors(open, static_cast<pcl::index_t>(i));
   return spacings;
 }
 

@@ -7,8 +7,10 @@
 #include <pcl/surface_ccaa/projection/island_alignment.h>
 #include <pcl/surface_ccaa/projection/mending.h>
 #include <pcl/surface_ccaa/projection/new_islands.h>
+#include <pcl/surface_ccaa/projection/open_regions.h>
 #include <pcl/surface_ccaa/projection/partial_surface.h>
 #include <pcl/surface_ccaa/projection/scattered_points.h>
+#include <pcl/surface_ccaa/projection/spacing.h>
 #include <pcl/surface_ccaa/projection/surface_completion.h>
 #include <pcl/surface_ccaa/projection/surface_growth.h>
 
@@ -108,6 +110,11 @@ private:
   }
   bool
   grow(PartialSurface& surface, std::vector<pcl::index_t>& open);
+  bool
+  growRegions(const OpenSurface& gap,
+              const NearbyTriangles& nearby,
+              Triangles& triangles,
+              std::vector<pcl::index_t>& obstructed);
   std::vector<pcl::index_t>
   touchedVertices(const PartialSurface& surface,
                   const std::vector<pcl::index_t>& open) const;
@@ -283,29 +290,68 @@ bool
 Completion::grow(PartialSurface& surface, std::vector<pcl::index_t>& open)
 {
   std::vector<pcl::index_t> vertices;
-  const OpenSurface gap = openSurface(surface, open, vertices);
+  OpenSurface gap = openSurface(surface, open, vertices);
   if (control_.cancelled())
     return false;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (gap.spacings[i] <= 0.0)
+      surface.noteSpacing(open[i],
+                          spacingFromNeighbors(gap, static_cast<pcl::index_t>(i)));
+  completeSpacings(gap);
   const NearbyTriangles nearby(
       mesh_.given, surface.aliveGiven(), mesh_.points, open, cellSize(open));
-  SurfaceGrowth growth(gap, parameters_, &nearby);
-  if (!growth.run(&control_))
+  Triangles all = gap.rim;
+  std::vector<pcl::index_t> obstructed;
+  if (!growRegions(gap, nearby, all, obstructed))
     return false;
-  for (Triangle made : lastingTriangles(growth.surface().triangles(),
-                                        gap.rim.size(),
-                                        gap.positions,
-                                        lastingRule())) {
+  for (Triangle made :
+       lastingTriangles(all, gap.rim.size(), gap.positions, lastingRule())) {
     for (pcl::index_t& corner : made)
       corner = vertices[static_cast<std::size_t>(corner)];
     surface.add(made);
   }
-  for (std::size_t i = 0; i < open.size(); ++i)
-    if (gap.spacings[i] <= 0.0)
-      surface.noteSpacing(open[i], growth.spacing(static_cast<pcl::index_t>(i)));
+  for (pcl::index_t& point : obstructed)
+    point = vertices[static_cast<std::size_t>(point)];
   Mending mending(surface, gap, vertices, nearby, parameters_, lastingRule());
-  if (!mending.run(growth.obstructedPoints(), &control_))
+  if (!mending.run(obstructed, context_))
     return false;
   settleFans(surface, touchedVertices(surface, open), parameters_.keep_given);
+  return true;
+}
+
+/** Regions of a gap grow at the same time and know nothing of each other.
+ * \param[in,out] triangles the rim; what has grown is put behind it
+ * \param[out] obstructed points of the gap */
+bool
+Completion::growRegions(const OpenSurface& gap,
+                        const NearbyTriangles& nearby,
+                        Triangles& triangles,
+                        std::vector<pcl::index_t>& obstructed)
+{
+  const auto regions = openRegions(gap, 2.0 * parameters_.support);
+  const auto rims = rimOfRegions(gap, regions);
+  std::vector<Triangles> made(regions.size());
+  std::vector<std::vector<pcl::index_t>> stuck(regions.size());
+  const LoopContext loop{context_.threads, &control_, "growth", 1};
+  const bool finished =
+      forEachBlock(regions.size(), loop, [&](std::size_t i, std::size_t, std::size_t) {
+        std::vector<pcl::index_t> vertices;
+        const OpenSurface region = regionOf(gap, regions[i], rims[i], vertices);
+        SurfaceGrowth growth(region, parameters_, &nearby);
+        growth.run(&control_);
+        const Triangles& grown = growth.surface().triangles();
+        for (std::size_t t = region.rim.size(); t < grown.size(); ++t)
+          made[i].push_back({vertices[static_cast<std::size_t>(grown[t][0])],
+                             vertices[static_cast<std::size_t>(grown[t][1])],
+                             vertices[static_cast<std::size_t>(grown[t][2])]});
+        for (const pcl::index_t point : growth.obstructedPoints())
+          stuck[i].push_back(vertices[static_cast<std::size_t>(point)]);
+      });
+  if (!finished || control_.cancelled())
+    return false;
+  const Triangles new_triangles = joinBlocks(made);
+  triangles.insert(triangles.end(), new_triangles.begin(), new_triangles.end());
+  obstructed = joinBlocks(stuck);
   return true;
 }
 

@@ -44,7 +44,7 @@ SurfaceGrowth::SurfaceGrowth(const OpenSurface& open,
 {}
 
 bool
-SurfaceGrowth::run(RunControl* control)
+SurfaceGrowth::run(const RunControl* control)
 {
   if (!growFront(control) || !growFromSeeds(control, LARGEST_SEED_THICKNESS))
     return false;
@@ -56,13 +56,11 @@ SurfaceGrowth::run(RunControl* control)
 }
 
 bool
-SurfaceGrowth::growFromSeeds(RunControl* control, double thickness)
+SurfaceGrowth::growFromSeeds(const RunControl* control, double thickness)
 {
   for (std::size_t i = 0; i < open_.open_points; ++i) {
     const auto vertex = static_cast<pcl::index_t>(i);
-    if (control != nullptr && i % POLL_INTERVAL == 0 &&
-        !control->report(
-            "growth", static_cast<double>(i) / static_cast<double>(open_.open_points)))
+    if (i % POLL_INTERVAL == 0 && control != nullptr && control->cancelled())
       return false;
     if (!surface_.hasTriangles(vertex) &&
         neighborhoodThickness(open_, vertex) <= thickness && plantSeed(vertex) &&
@@ -73,12 +71,11 @@ SurfaceGrowth::growFromSeeds(RunControl* control, double thickness)
 }
 
 bool
-SurfaceGrowth::growFront(RunControl* control)
+SurfaceGrowth::growFront(const RunControl* control)
 {
   proposeNew();
   for (std::size_t steps = 1; !proposals_.empty(); ++steps) {
-    if (control != nullptr && steps % POLL_INTERVAL == 0 &&
-        !control->report("growth", 0.0))
+    if (steps % POLL_INTERVAL == 0 && control != nullptr && control->cancelled())
       return false;
     const Proposal best = proposals_.top();
     proposals_.pop();
@@ -130,25 +127,54 @@ SurfaceGrowth::propose(FrontIndex i)
   const FrontEdge& edge = surface_.front()[i];
   if (!trial_.isOpenPoint(edge.from) || !trial_.isOpenPoint(edge.to))
     return; // where the boundary leads out of the open surface
-  collectWitnesses(i);
-  graded_.clear();
-  for (const pcl::index_t apex : witnesses_) {
-    Grade g;
-    if (apex != edge.apex && surface_.isOpen(apex) && grade(edge, apex, g))
-      graded_.emplace_back(g, apex);
-  }
-  std::sort(graded_.begin(), graded_.end(), [](const auto& one, const auto& other) {
-    if (one.first < other.first || other.first < one.first)
-      return one.first < other.first;
-    return one.second < other.second;
-  });
-  for (const auto& [g, apex] : graded_)
-    if (!std::binary_search(banned_.begin(), banned_.end(), std::pair(i, apex)) &&
-        isAdmissible(edge, apex)) {
-      proposals_.push({g, i, apex});
-      has_proposal = 1;
-      return;
+  listCandidates(i);
+  Candidate best;
+  bool found = false;
+  for (Candidate& candidate : candidates_) {
+    if (found && best.grade < candidate.grade)
+      break; // estimates ascend and never exceed the grade itself
+    if (examine(i, candidate) && (!found || candidate < best)) {
+      best = candidate;
+      found = true;
     }
+  }
+  if (found)
+    proposals_.push({best.grade, i, best.apex});
+  has_proposal = found;
+}
+
+/** All candidates of a front edge by their estimates, best first. */
+void
+SurfaceGrowth::listCandidates(FrontIndex i)
+{
+  const FrontEdge& edge = surface_.front()[i];
+  collectWitnesses(i);
+  candidates_.clear();
+  for (const pcl::index_t apex : witnesses_) {
+    Candidate candidate;
+    candidate.apex = apex;
+    if (apex != edge.apex && surface_.isOpen(apex) && estimate(edge, candidate))
+      candidates_.push_back(candidate);
+  }
+  std::sort(candidates_.begin(), candidates_.end());
+}
+
+/** Turn an estimate into a grade. \return whether the triangle may be made */
+bool
+SurfaceGrowth::examine(FrontIndex i, Candidate& candidate) const
+{
+  const FrontEdge& edge = surface_.front()[i];
+  EmptyBall ball(surface_.position(edge.to),
+                 surface_.position(edge.from),
+                 surface_.position(candidate.apex));
+  if (!isEmpty(ball, {edge.to, edge.from, candidate.apex}) ||
+      std::binary_search(
+          banned_.begin(), banned_.end(), std::pair(i, candidate.apex)) ||
+      !isAdmissible(edge, candidate.apex))
+    return false;
+  if (candidate.grade.tier == 0 || candidate.grade.tier == 3)
+    candidate.grade.cost = ball.radius();
+  return true;
 }
 
 /** The open points around a front edge, its ends left out. */
@@ -180,26 +206,25 @@ SurfaceGrowth::witness(pcl::index_t vertex)
   seen = call_;
 }
 
+/** Whether a triangle is worth a closer look, and how good it can be at best. */
 bool
-SurfaceGrowth::grade(const FrontEdge& edge, pcl::index_t apex, Grade& grade)
+SurfaceGrowth::estimate(const FrontEdge& edge, Candidate& candidate) const
 {
   const Position &a = surface_.position(edge.to), &b = surface_.position(edge.from),
-                 &c = surface_.position(apex);
+                 &c = surface_.position(candidate.apex);
   const Position normal = (b - a).cross(c - a);
   const double doubled_area = normal.norm();
   if (!(doubled_area > LEAST_HEIGHT * (b - a).squaredNorm()))
     return false;
   const Position behind = unitNormal(b, a, surface_.position(edge.apex));
   const double cosine = behind.dot(normal) / doubled_area;
-  if (cosine < cos_largest_ || !trial_.isSupported(edge, apex))
+  if (cosine < cos_largest_ || !trial_.isSupported(edge, candidate.apex))
     return false;
-  EmptyBall ball(a, b, c);
-  if (!isEmpty(ball, {edge.to, edge.from, apex}))
-    return false;
-  const bool touches = surface_.hasTriangles(apex) && !isStitched(edge, apex);
+  const bool touches =
+      surface_.hasTriangles(candidate.apex) && !isStitched(edge, candidate.apex);
   const bool folded = cosine < cos_smooth_;
-  grade.tier = touches ? 2 : folded ? 1 : 0;
-  grade.cost = folded ? -cosine : ball.radius();
+  candidate.grade.tier = touches ? (folded ? 2 : 3) : (folded ? 1 : 0);
+  candidate.grade.cost = folded ? -cosine : EmptyBall(a, b, c).circumradius();
   return true;
 }
 

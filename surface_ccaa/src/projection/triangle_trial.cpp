@@ -10,15 +10,11 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-/** Neighbors whose distance tells the spacing of a free point. */
-constexpr unsigned int SPACING_NEIGHBORS = 6;
 /** An equilateral triangle's side in circumradii. */
 constexpr double SIDE_OF_UNIT_RADIUS = 1.7320508075688772;
-/** Share of the longest edge in closed parts close by that counts as spacing. */
-constexpr double CLOSED_EDGE_SHARE = 0.5;
 /** Ratio of spacings between neighboring samples beyond which they do not belong
  * together: outliers would tie themselves to the surface. */
-constexpr double LARGEST_SPACING_RATIO = 2.0;
+constexpr double LARGEST_SPACING_RATIO = 3.0;
 
 Box
 boxOf(const Corners& corners)
@@ -33,63 +29,8 @@ TriangleTrial::TriangleTrial(const OpenSurface& open,
                              const GrowingSurface& surface,
                              double support,
                              const NearbyTriangles* nearby)
-: open_(open)
-, surface_(surface)
-, support_(support)
-, nearby_(nearby)
-, spacings_(open.spacings)
-{
-  spacings_.resize(open.open_points, 0.0);
-  spacingsFromNeighbors();
-  const std::vector<double> closed = longestClosedEdges();
-  for (std::size_t i = 0; i < spacings_.size(); ++i)
-    spacings_[i] = std::max(spacings_[i], CLOSED_EDGE_SHARE * closed[i]);
-}
-
-/** Of every open point, the longest edge between closed points that lies across a
- * triangle from it or from an open point next to it. */
-std::vector<double>
-TriangleTrial::longestClosedEdges() const
-{
-  const auto is_open = [&](pcl::index_t v) {
-    return static_cast<std::size_t>(v) < open_.open_points;
-  };
-  std::vector<double> across(open_.open_points, 0.0);
-  for (const Triangle& t : open_.rim)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const pcl::index_t a = t[(i + 1) % 3], b = t[(i + 2) % 3];
-      if (!is_open(t[i]) || is_open(a) || is_open(b))
-        continue;
-      double& longest = across[static_cast<std::size_t>(t[i])];
-      longest = std::max(longest, (surface_.position(a) - surface_.position(b)).norm());
-    }
-  std::vector<double> around = across;
-  for (const Triangle& t : open_.rim)
-    for (const pcl::index_t a : t)
-      for (const pcl::index_t b : t)
-        if (is_open(a) && is_open(b))
-          around[static_cast<std::size_t>(a)] = std::max(
-              around[static_cast<std::size_t>(a)], across[static_cast<std::size_t>(b)]);
-  return around;
-}
-
-void
-TriangleTrial::spacingsFromNeighbors()
-{
-  for (std::size_t i = 0; i < open_.open_points; ++i) {
-    if (spacings_[i] > 0.0)
-      continue;
-    const auto vertex = static_cast<pcl::index_t>(i);
-    const unsigned int count =
-        std::min(SPACING_NEIGHBORS, open_.neighbors.count(vertex));
-    double sum = 0.0;
-    for (unsigned int j = 0; j < count; ++j) {
-      const pcl::index_t near = open_.neighbors.row(vertex)[j];
-      sum += (surface_.position(vertex) - surface_.position(near)).squaredNorm();
-    }
-    spacings_[i] = count > 0 ? std::sqrt(sum / count) : 0.0;
-  }
-}
+: open_(open), surface_(surface), support_(support), nearby_(nearby)
+{}
 
 /** Length of an edge that the surface does not have yet, else 0. */
 double
@@ -122,17 +63,24 @@ TriangleTrial::reach(pcl::index_t a,
 bool
 TriangleTrial::isSupported(const FrontEdge& edge, pcl::index_t apex) const
 {
-  const double limit =
-      support_ * std::min(std::max(spacing(edge.from), spacing(edge.to)),
-                          LARGEST_SPACING_RATIO * spacing(apex));
-  return reach(edge.from, edge.to, apex, limit) <= limit;
+  return isSupported({edge.to, edge.from, apex},
+                     std::max(spacing(edge.from), spacing(edge.to)));
 }
 
 bool
 TriangleTrial::isSupported(const Triangle& t) const
 {
+  return isSupported(t, std::max({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
+}
+
+/** \param[in] spacing that the corners would like; the most densely sampled of them has
+ * the last word */
+bool
+TriangleTrial::isSupported(const Triangle& t, double spacing_there) const
+{
+  const double least = std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])});
   const double limit =
-      support_ * std::max({spacing(t[0]), spacing(t[1]), spacing(t[2])});
+      support_ * std::min(spacing_there, LARGEST_SPACING_RATIO * least);
   return reach(t[0], t[1], t[2], limit) <= limit;
 }
 
@@ -184,7 +132,7 @@ TriangleTrial::crossesSurface(const Triangle& triangle)
         return true;
     }
   }
-  return nearby_ != nullptr && nearby_->meets(corners, box);
+  return nearby_ != nullptr && nearby_->meets(corners, box, open_.removed);
 }
 
 } // namespace ccaa

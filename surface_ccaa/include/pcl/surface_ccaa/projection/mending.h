@@ -2,15 +2,14 @@
 // Part of PclSurfaceRepair: a second try where triangles stood in the way of others.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/projection/nearby_triangles.h>
 #include <pcl/surface_ccaa/projection/new_islands.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
 #include <pcl/surface_ccaa/projection/partial_surface.h>
-#include <pcl/surface_ccaa/run_control.h>
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace pcl {
@@ -21,8 +20,14 @@ namespace ccaa {
  * edges, unused points, points where fans touch. So a try can do no harm.
  *
  * Points that belong together (corners of one triangle) are tried together. A try that
- * fails is repeated with one more ring of triangles, up to three times; each time
- * smooth continuations go first, and if that does not help the smallest triangles. */
+ * leaves flaws is repeated with one more ring of triangles, up to three more times;
+ * each time smooth continuations go first, and if that does not help the smallest
+ * triangles.
+ *
+ * All groups try at once, on the same state; then those whose places do not overlap
+ * replace what was there, in a fixed order, and the others try again, as do those that
+ * have made things better but not good. So the result is the same for any number of
+ * threads. */
 class Mending {
 public:
   /** \param[in,out] surface the whole
@@ -46,43 +51,45 @@ public:
   {}
 
   /** \brief Try everywhere.
-   * \param[in] obstructed points, numbered as in the open surface
+   * \param[in] obstructed points of the whole
+   * \param[in] loop how to run; stage "mending"
    * \return false when cancelled */
   bool
-  run(const std::vector<pcl::index_t>& obstructed, RunControl* control);
-
-  /** \brief Given triangles that were replaced. */
-  std::size_t
-  replacedGiven() const
-  {
-    return replaced_given_;
-  }
+  run(const std::vector<pcl::index_t>& obstructed, LoopContext loop);
 
 private:
-  /** What growing anew made. */
+  /** What growing anew made of a place. */
   struct Attempt {
-    std::size_t flaws = std::numeric_limits<std::size_t>::max();
-    Triangles made;
+    std::size_t flaws = 0;
+    std::vector<pcl::index_t> open;    /**< points it speaks of, ascending */
+    std::vector<pcl::index_t> removed; /**< triangles it takes away, ascending */
+    Triangles made;                    /**< triangles it puts in */
+    bool is_better = false;            /**< than what is there */
+  };
+  /** Points that are tried together. */
+  struct Group {
+    std::vector<pcl::index_t> points; /**< ascending */
+    int improvements = 0;             /**< that have been made around them */
   };
 
-  std::vector<std::vector<pcl::index_t>>
+  std::vector<Group>
   groups(const std::vector<pcl::index_t>& points) const;
-  bool
-  mend(std::vector<pcl::index_t>& points, RunControl* control);
   Attempt
-  growAnew(const OpenSurface& gap,
-           const CompletionParameters& parameters,
-           RunControl* control) const;
+  mend(std::vector<pcl::index_t> points, const RunControl* control) const;
+  Attempt
+  growAnew(const std::vector<pcl::index_t>& points, const RunControl* control) const;
+  Attempt
+  growInto(const OpenSurface& gap,
+           const std::vector<pcl::index_t>& vertices,
+           double smooth_fold,
+           const RunControl* control) const;
+  std::vector<Group>
+  applyAll(const std::vector<Group>& waiting, const std::vector<Attempt>& attempts);
   std::vector<pcl::index_t>
   removableAt(const std::vector<pcl::index_t>& points) const;
   void
   addUnusedNear(const std::vector<pcl::index_t>& points,
                 std::vector<pcl::index_t>& open) const;
-  void
-  replace(const std::vector<pcl::index_t>& removed,
-          const Triangles& added,
-          const std::vector<pcl::index_t>& vertices);
-
   PartialSurface& surface_;
   const OpenSurface& open_;
   const std::vector<pcl::index_t>& vertices_;
@@ -90,7 +97,6 @@ private:
   const CompletionParameters& parameters_;
   LastingRule rule_;
   std::vector<pcl::index_t> number_in_open_; /**< of a vertex of the whole, or -1 */
-  std::size_t replaced_given_ = 0;
 };
 
 } // namespace ccaa

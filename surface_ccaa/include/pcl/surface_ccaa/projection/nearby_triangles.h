@@ -36,9 +36,13 @@ public:
                   double cell);
 
   /** \brief Whether a triangle meets one of them elsewhere than in common corners and
-   * edges. \param[in] box around the triangle */
+   * edges.
+   * \param[in] box around the triangle
+   * \param[in] ignored triangles that are not to be met, ascending */
   bool
-  meets(const Corners& corners, const Box& box) const;
+  meets(const Corners& corners,
+        const Box& box,
+        const std::vector<pcl::index_t>& ignored) const;
 
   std::size_t
   size() const

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <pcl/surface_ccaa/greedy/ranked_points.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 
 #include <cstddef>
-#include <functional>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -25,10 +24,31 @@ struct OpenSurface {
   Triangles rim;               /**< each edge has two triangles at most, which agree */
   std::vector<index_t> neighbor_table; /**< of the open points among themselves */
   NeighborRows neighbors;              /**< the same as rows, nearest first */
-  /** \brief Distance between samples around each open point (see
-   * TriangleTrial::spacing()), 0 where it is to be told from the neighbors. */
+  /** \brief Distance between samples around each open point; 0 where it is not known
+   * yet (see completeSpacings()). */
   std::vector<double> spacings;
+  /** \brief Given triangles that count as taken away, by their numbers in the whole,
+   * ascending. */
+  std::vector<index_t> removed;
   Positions normals; /**< outward, of the open points, zero where unknown; or empty */
+};
+
+/** \brief Numbers of the vertices of an open surface: the open ones, then the other
+ * corners of its rim in ascending order. */
+class VertexNumbers {
+public:
+  /** \param[in,out] vertices the open ones; the others are put behind them */
+  VertexNumbers(const Triangles& rim, std::vector<index_t>& vertices);
+
+  /** \brief Number of a vertex, -1 if it has none. */
+  index_t
+  operator[](index_t vertex) const;
+
+private:
+  void
+  note(const std::vector<index_t>& vertices, std::size_t first);
+
+  std::vector<std::pair<index_t, index_t>> numbers_; /**< vertex, number; ascending */
 };
 
 /** \brief Fill the neighbor table by comparing all with all: for small open surfaces.

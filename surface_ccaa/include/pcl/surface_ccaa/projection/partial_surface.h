@@ -15,7 +15,8 @@ namespace pcl {
 namespace ccaa {
 
 /** \brief A mesh in which triangles come and go: the given ones first, then the new
- * ones in the order in which they came. Triangles keep their numbers. */
+ * ones in the order in which they came. Triangles keep their numbers. Const methods may
+ * be called from several threads. */
 class PartialSurface {
 public:
   /** \brief All must outlive the object; the given triangles may be re-wound meanwhile.
@@ -85,17 +86,7 @@ public:
   trianglesAt(const std::vector<pcl::index_t>& vertices) const;
 
   void
-  remove(pcl::index_t triangle)
-  {
-    setAlive(triangle, 0);
-  }
-
-  /** \brief Take back a removal. */
-  void
-  restore(pcl::index_t triangle)
-  {
-    setAlive(triangle, 1);
-  }
+  remove(pcl::index_t triangle);
 
   void
   add(const Triangle& triangle);
@@ -118,9 +109,6 @@ public:
 private:
   double
   spacingAt(pcl::index_t vertex) const;
-  void
-  setAlive(pcl::index_t triangle, std::uint8_t alive);
-
   static constexpr pcl::index_t NO_CORNER = -1;
 
   pcl::index_t
@@ -134,10 +122,9 @@ private:
   PointView points_, normals_;
   AliveFlags alive_given_, alive_added_;
   Triangles added_;
-  std::vector<pcl::index_t> first_added_;     /**< of a vertex: its latest new corner */
-  std::vector<pcl::index_t> next_added_;      /**< of a new corner: the one before */
-  std::vector<float> noted_spacings_;         /**< of a vertex; empty before any note */
-  mutable std::vector<pcl::index_t> numbers_; /**< scratch: vertex -> open surface */
+  std::vector<pcl::index_t> first_added_; /**< of a vertex: its latest new corner */
+  std::vector<pcl::index_t> next_added_;  /**< of a new corner: the one before */
+  std::vector<float> noted_spacings_;     /**< of a vertex; empty before any note */
 };
 
 } // namespace ccaa

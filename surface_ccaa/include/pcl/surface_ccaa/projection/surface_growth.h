@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/projection/completion_parameters.h>
+#include <pcl/surface_ccaa/projection/empty_ball.h>
 #include <pcl/surface_ccaa/projection/growing_surface.h>
 #include <pcl/surface_ccaa/projection/nearby_triangles.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
@@ -33,28 +34,22 @@ namespace ccaa {
 class SurfaceGrowth {
 public:
   /** \brief All must outlive the object.
+   * \param[in] open with neighbors and complete spacings
    * \param[in] nearby what else must not be crossed, or null */
   SurfaceGrowth(const OpenSurface& open,
                 const CompletionParameters& parameters,
                 const NearbyTriangles* nearby = nullptr);
 
   /** \brief Grow until nothing more can be added.
-   * \param[in,out] control stage "growth"; may be null
+   * \param[in] control polled, may be null
    * \return false when cancelled */
   bool
-  run(RunControl* control);
+  run(const RunControl* control);
 
   const GrowingSurface&
   surface() const
   {
     return surface_;
-  }
-
-  /** \brief Distance between samples around an open point. */
-  double
-  spacing(pcl::index_t vertex) const
-  {
-    return trial_.spacing(vertex);
   }
 
   /** \brief Open points, ascending, on loops that the samples support but other
@@ -68,7 +63,7 @@ public:
 private:
   /** How good a triangle on a front edge would be; smaller is better. */
   struct Grade {
-    int tier = 0; /**< 0 smooth, 1 folded, 2 makes fronts touch */
+    int tier = 0; /**< 0 smooth, 1 folded; 2, 3 the same, and makes fronts touch */
     double cost = 0.0;
 
     bool
@@ -93,10 +88,25 @@ private:
     }
   };
 
+  /** A triangle that an edge may propose. Smooth ones are estimated by their
+   * circumradius, which their smallest empty ball cannot be smaller than. */
+  struct Candidate {
+    Grade grade;
+    pcl::index_t apex = 0;
+
+    bool
+    operator<(const Candidate& other) const
+    {
+      if (grade < other.grade || other.grade < grade)
+        return grade < other.grade;
+      return apex < other.apex;
+    }
+  };
+
   bool
-  growFront(RunControl* control);
+  growFront(const RunControl* control);
   bool
-  growFromSeeds(RunControl* control, double thickness);
+  growFromSeeds(const RunControl* control, double thickness);
   void
   take(const Proposal& proposal);
   void
@@ -104,13 +114,17 @@ private:
   void
   propose(FrontIndex edge);
   void
+  listCandidates(FrontIndex edge);
+  bool
+  examine(FrontIndex edge, Candidate& candidate) const;
+  void
   collectWitnesses(FrontIndex edge);
   void
   witness(pcl::index_t vertex);
   bool
-  grade(const FrontEdge& edge, pcl::index_t apex, Grade& grade);
+  estimate(const FrontEdge& edge, Candidate& candidate) const;
   bool
-  isEmpty(class EmptyBall& ball, const Triangle& corners) const;
+  isEmpty(EmptyBall& ball, const Triangle& corners) const;
   bool
   isStitched(const FrontEdge& edge, pcl::index_t apex) const;
   bool
@@ -140,7 +154,7 @@ private:
   std::vector<pcl::index_t> witnesses_;
   std::vector<std::uint32_t> seen_; /**< of a vertex: the last call that met it */
   std::uint32_t call_ = 0;
-  std::vector<std::pair<Grade, pcl::index_t>> graded_;
+  std::vector<Candidate> candidates_;
   std::vector<pcl::index_t> obstructed_;
 };
 

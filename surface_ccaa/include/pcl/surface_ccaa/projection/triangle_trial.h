@@ -18,23 +18,19 @@ namespace ccaa {
  * Keeps marks between calls, so one object serves one thread. */
 class TriangleTrial {
 public:
-  /** \param[in] support see CompletionParameters
+  /** \param[in] open with complete spacings
+   * \param[in] support see CompletionParameters
    * \param[in] nearby what else must not be crossed, or null */
   TriangleTrial(const OpenSurface& open,
                 const GrowingSurface& surface,
                 double support,
                 const NearbyTriangles* nearby);
 
-  /** \brief Distance between samples around an open point: mean length of the shorter
-   * half of its given edges, or without any the root mean square distance to the six
-   * nearest open points (see PartialSurface::openAt()). The edges along a hole are long
-   * because of the hole; the shorter half tells what the sampling was meant to be.
-   * Where closed parts of the surface close by have edges twice as long, the sampling
-   * is uneven by itself, and half of that length counts. */
+  /** \brief Distance between samples around an open point, see completeSpacings(). */
   double
   spacing(pcl::index_t vertex) const
   {
-    return spacings_[static_cast<std::size_t>(vertex)];
+    return open_.spacings[static_cast<std::size_t>(vertex)];
   }
 
   /** \brief Whether a vertex is one of the open points; only these take triangles. */
@@ -69,10 +65,8 @@ public:
   }
 
 private:
-  void
-  spacingsFromNeighbors();
-  std::vector<double>
-  longestClosedEdges() const;
+  bool
+  isSupported(const Triangle& triangle, double spacing_there) const;
   double
   reach(pcl::index_t a, pcl::index_t b, pcl::index_t c, double enough) const;
   double
@@ -88,7 +82,6 @@ private:
   const GrowingSurface& surface_;
   double support_;
   const NearbyTriangles* nearby_;
-  std::vector<double> spacings_;
   std::vector<Box> boxes_;          /**< of the triangles of the surface */
   std::vector<std::uint32_t> seen_; /**< of a triangle: the last call that met it */
   std::uint32_t call_ = 0;

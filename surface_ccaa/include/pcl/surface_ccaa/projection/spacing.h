@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how far apart the samples lie around open points.
+#pragma once
+
+#include <pcl/surface_ccaa/projection/open_surface.h>
+
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief Root mean square distance of an open point to its six nearest open points; 0
+ * where it has no neighbor. In units of the cloud. */
+double
+spacingFromNeighbors(const OpenSurface& open, pcl::index_t point);
+
+/** \brief Complete the spacings of an open surface.
+ *
+ * Known ones (see PartialSurface::openAt()) are the mean length of the shorter half of
+ * a point's given edges: the edges along a hole are long because of the hole; the
+ * shorter half tells what the sampling was meant to be. The others come from the
+ * neighbors. Where closed parts of the surface close by have edges more than twice as
+ * long, the sampling is uneven by itself, and half of that length counts. */
+void
+completeSpacings(OpenSurface& open);
+
+} // namespace ccaa
+} // namespace pcl
