@@ -13,8 +13,12 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
+/** Rings tried and improvements made around a group when there are few groups, and when
+ * there are many, as in noise: then each is worth less and all together cost more. */
 constexpr int RINGS = 4;
-/** Improvements after which a group is left as it is. */
+constexpr int RINGS_OF_MANY = 2;
+constexpr std::size_t MANY_GROUPS = 200;
+/** Improvements after which one of few groups is left as it is. */
 constexpr int IMPROVEMENTS = 1;
 /** Open points beyond which a group is left as it is: growth would take too long for
  * the little that it can win. */
@@ -72,6 +76,7 @@ Mending::run(const std::vector<pcl::index_t>& obstructed, LoopContext loop)
     number_in_open_[static_cast<std::size_t>(vertices_[i])] =
         static_cast<pcl::index_t>(i);
   std::vector<Group> waiting = groups(obstructed);
+  has_many_groups_ = waiting.size() > MANY_GROUPS;
   while (!waiting.empty()) {
     std::vector<Attempt> attempts(waiting.size());
     const bool finished = forEachBlock(
@@ -110,7 +115,8 @@ Mending::applyAll(const std::vector<Group>& waiting,
     for (const Triangle& triangle : attempt.made)
       surface_.add(triangle);
     changed.insert(changed.end(), attempt.open.begin(), attempt.open.end());
-    if (attempt.flaws > 0 && waiting[i].improvements < IMPROVEMENTS)
+    if (attempt.flaws > 0 && !has_many_groups_ &&
+        waiting[i].improvements < IMPROVEMENTS)
       again.push_back({waiting[i].points, waiting[i].improvements + 1});
   }
   return again;
@@ -152,7 +158,7 @@ Mending::Attempt
 Mending::mend(std::vector<pcl::index_t> points, const RunControl* control) const
 {
   Attempt best;
-  for (int ring = 0; ring < RINGS; ++ring) {
+  for (int ring = 0; ring < (has_many_groups_ ? RINGS_OF_MANY : RINGS); ++ring) {
     Attempt attempt = growAnew(points, control);
     points = attempt.open;
     if (attempt.is_better && (!best.is_better || attempt.flaws < best.flaws))

@@ -96,6 +96,7 @@ private:
   const NearbyTriangles& nearby_;
   const CompletionParameters& parameters_;
   LastingRule rule_;
+  bool has_many_groups_ = false;
   std::vector<pcl::index_t> number_in_open_; /**< of a vertex of the whole, or -1 */
 };
 
