@@ -14,6 +14,9 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
+/** Cells farther out than any sensible coordinate are one cell. */
+constexpr double LAST_CELL = 1e15;
+
 /** Cells may share a number, which chooses a few triangles too many. */
 std::uint64_t
 numberOf(const Cell& cell)
@@ -27,9 +30,11 @@ numberOf(const Cell& cell)
 Cell
 cellOf(const Position& position, double size)
 {
-  return {static_cast<std::int64_t>(std::floor(position[0] / size)),
-          static_cast<std::int64_t>(std::floor(position[1] / size)),
-          static_cast<std::int64_t>(std::floor(position[2] / size))};
+  const auto along = [&](int axis) {
+    const double cell = std::floor(position[axis] / size);
+    return static_cast<std::int64_t>(std::clamp(cell, -LAST_CELL, LAST_CELL));
+  };
+  return {along(0), along(1), along(2)};
 }
 
 /** The cells of the open points and all around them. */
@@ -69,7 +74,7 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
       last = number;
       last_is_near = cells.count(number) != 0;
     }
-    if (last_is_near)
+    if (last_is_near || isLong(static_cast<pcl::index_t>(t), cell))
       chosen_.push_back(static_cast<pcl::index_t>(t));
   }
   std::vector<Box> boxes;
@@ -80,6 +85,15 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
                        c[0].cwiseMax(c[1]).cwiseMax(c[2]));
   }
   tree_ = std::make_unique<BoxTree>(boxes);
+}
+
+/** Triangles that may reach into a cell far from their first corner. There are few. */
+bool
+NearbyTriangles::isLong(pcl::index_t triangle, double cell) const
+{
+  const Corners c = cornersOf(triangle);
+  return (c[1] - c[0]).cwiseAbs().maxCoeff() > cell ||
+         (c[2] - c[0]).cwiseAbs().maxCoeff() > cell;
 }
 
 Corners

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double LARGEST_SPACING = 2.5;
 /** How much farther apart points are scattered however flat they lie. */
-constexpr double FAR_RATIO = 1.6;
+constexpr double FAR_RATIO = 2.0;
 constexpr double LARGEST_THICKNESS = 0.15;
 
 /** Known spacings where there are any, else from the neighbors. */

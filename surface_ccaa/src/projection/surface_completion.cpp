@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
 #include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_ccaa/mesh/orientation.h>
 #include <pcl/surface_ccaa/projection/doubtful_triangles.h>
 #include <pcl/surface_ccaa/projection/fan_settlement.h>
@@ -15,7 +16,6 @@
 #include <pcl/surface_ccaa/projection/surface_growth.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace pcl {
@@ -24,6 +24,8 @@ namespace {
 
 /** Neighbors whose distance sets the size of the cells of NearbyTriangles. */
 constexpr unsigned int CELL_NEIGHBORS = 6;
+/** Open points that one thread completes in the time it takes to wake others. */
+constexpr std::size_t SMALL_GAP = 100;
 /** Cell size in typical distances between open points. */
 constexpr double CELL_FACTOR = 4.0;
 
@@ -39,12 +41,13 @@ isWoundLike(const Triangle& triangle, int corner, const Triangle& other)
   return false;
 }
 
-bool
-isWoundConsistently(const Triangles& triangles,
-                    const TriangleAdjacency& adjacency,
-                    const LoopContext& context)
+/** One flag for each triangle: it disagrees with a neighbor about the winding. */
+std::vector<std::uint8_t>
+findDisagreements(const Triangles& triangles,
+                  const TriangleAdjacency& adjacency,
+                  const LoopContext& context)
 {
-  std::atomic<bool> consistent{true};
+  std::vector<std::uint8_t> disagrees(triangles.size(), 0);
   forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
     for (std::size_t t = begin; t < end; ++t)
       for (int corner = 0; corner < 3; ++corner) {
@@ -53,24 +56,20 @@ isWoundConsistently(const Triangles& triangles,
         if (other >= 0 && !isWoundLike(triangles[t],
                                        corner,
                                        triangles[static_cast<std::size_t>(other)]))
-          consistent.store(false, std::memory_order_relaxed);
+          disagrees[t] = 1;
       }
   });
-  return consistent.load();
+  return disagrees;
 }
 
 PartialMeshFault
-findFault(const Triangles& triangles,
-          const TriangleAdjacency& adjacency,
-          const LoopContext& context)
+findFault(const TriangleAdjacency& adjacency)
 {
   if (!adjacency.overfullEdges().empty())
     return PartialMeshFault::NON_MANIFOLD_EDGE;
   for (const Fan fan : adjacency.fans())
     if (fan == Fan::SEVERAL || fan == Fan::OVERFULL)
       return PartialMeshFault::NON_MANIFOLD_VERTEX;
-  if (!isWoundConsistently(triangles, adjacency, context))
-    return PartialMeshFault::BADLY_ORIENTED;
   return PartialMeshFault::NONE;
 }
 
@@ -96,6 +95,8 @@ public:
 
 private:
   std::vector<pcl::index_t>
+  disagreeingIslands() const;
+  std::vector<pcl::index_t>
   openVertices() const;
   bool
   searchNeighbors(std::vector<pcl::index_t>& open);
@@ -110,6 +111,8 @@ private:
   }
   bool
   grow(PartialSurface& surface, std::vector<pcl::index_t>& open);
+  bool
+  dropCrossings(PartialSurface& surface);
   bool
   growRegions(const OpenSurface& gap,
               const NearbyTriangles& nearby,
@@ -151,14 +154,21 @@ Completion::run()
   adjacency_.build(mesh_.given, mesh_.points.size(), context_.threads, &control_);
   if (control_.cancelled())
     return result;
-  result.fault = findFault(mesh_.given, adjacency_, context_);
-  if (result.fault != PartialMeshFault::NONE || control_.cancelled())
+  result.fault = findFault(adjacency_);
+  if (result.fault != PartialMeshFault::NONE)
     return result;
   islands_ = labelIslands(adjacency_);
+  const std::vector<pcl::index_t> disagreeing = disagreeingIslands();
+  if (parameters_.keep_given && !disagreeing.empty())
+    result.fault = PartialMeshFault::BADLY_ORIENTED;
+  if (result.fault != PartialMeshFault::NONE || control_.cancelled())
+    return result;
   doubts_ =
       doubtfulTriangles(mesh_.given, adjacency_, islands_, mesh_.points, context_);
   if (parameters_.keep_given)
     doubts_.triangles.clear();
+  doubts_.triangles.insert(
+      doubts_.triangles.end(), disagreeing.begin(), disagreeing.end());
   std::vector<pcl::index_t> open = openVertices();
   report_.open_points = open.size();
   if (!searchNeighbors(open))
@@ -173,6 +183,24 @@ Completion::run()
   dropSmallIslands(result);
   orient(result.triangles);
   return result;
+}
+
+/** Triangles of the islands in which neighbors are wound differently: one-sided ones,
+ * which no object has. */
+std::vector<pcl::index_t>
+Completion::disagreeingIslands() const
+{
+  const std::vector<std::uint8_t> disagrees =
+      findDisagreements(mesh_.given, adjacency_, context_);
+  std::vector<std::uint8_t> in_island(islands_.count, 0);
+  for (std::size_t t = 0; t < disagrees.size(); ++t)
+    if (disagrees[t] != 0)
+      in_island[islands_[t]] = 1;
+  std::vector<pcl::index_t> triangles;
+  for (std::size_t t = 0; t < disagrees.size(); ++t)
+    if (in_island[islands_[t]] != 0)
+      triangles.push_back(static_cast<pcl::index_t>(t));
+  return triangles;
 }
 
 /** Boundary points, free points, and the corners of triangles that are to go. */
@@ -313,10 +341,30 @@ Completion::grow(PartialSurface& surface, std::vector<pcl::index_t>& open)
   for (pcl::index_t& point : obstructed)
     point = vertices[static_cast<std::size_t>(point)];
   Mending mending(surface, gap, vertices, nearby, parameters_, lastingRule());
-  if (!mending.run(obstructed, context_))
+  if (!mending.run(obstructed, context_) || !dropCrossings(surface))
     return false;
   settleFans(surface, touchedVertices(surface, open), parameters_.keep_given);
   return true;
+}
+
+/** New triangles are tested against those around them when they are made; among long
+ * ones, as between outliers, that may have missed another new one. The later one goes.
+ */
+bool
+Completion::dropCrossings(PartialSurface& surface)
+{
+  std::vector<pcl::index_t> added;
+  Triangles triangles;
+  for (std::size_t t = mesh_.given.size(); t < surface.triangleCount(); ++t)
+    if (const auto triangle = static_cast<pcl::index_t>(t); surface.isAlive(triangle)) {
+      added.push_back(triangle);
+      triangles.push_back(surface[triangle]);
+    }
+  const SelfIntersections found =
+      findSelfIntersections(triangles, mesh_.points, context_.threads, control_);
+  for (const TrianglePair& pair : found.pairs)
+    surface.remove(added[static_cast<std::size_t>(pair.second)]);
+  return !found.cancelled;
 }
 
 /** Regions of a gap grow at the same time and know nothing of each other.
@@ -332,7 +380,8 @@ Completion::growRegions(const OpenSurface& gap,
   const auto rims = rimOfRegions(gap, regions);
   std::vector<Triangles> made(regions.size());
   std::vector<std::vector<pcl::index_t>> stuck(regions.size());
-  const LoopContext loop{context_.threads, &control_, "growth", 1};
+  const bool is_small = gap.open_points < SMALL_GAP; // waking threads would take longer
+  const LoopContext loop{is_small ? 1 : context_.threads, &control_, "growth", 1};
   const bool finished =
       forEachBlock(regions.size(), loop, [&](std::size_t i, std::size_t, std::size_t) {
         std::vector<pcl::index_t> vertices;

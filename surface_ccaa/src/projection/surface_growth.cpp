@@ -20,6 +20,10 @@ constexpr double LEAST_HEIGHT = 1e-3;
 /** Thickest neighborhood (see neighborhoodThickness()) in which a surface begins: noise
  * of half a spacing stays below it, points scattered in space do not. */
 constexpr double LARGEST_SEED_THICKNESS = 0.15;
+/** Smallest empty ball in circumradii beyond which a triangle covers points that lie
+ * all but in its plane. It then comes last. */
+constexpr double LARGEST_BALL = 10.0;
+constexpr int LAST_TIER = 4;
 /** Triangles between two looks at the cancel flag. */
 constexpr std::size_t POLL_INTERVAL = 512;
 
@@ -172,7 +176,9 @@ SurfaceGrowth::examine(FrontIndex i, Candidate& candidate) const
           banned_.begin(), banned_.end(), std::pair(i, candidate.apex)) ||
       !isAdmissible(edge, candidate.apex))
     return false;
-  if (candidate.grade.tier == 0 || candidate.grade.tier == 3)
+  if (ball.radius() > LARGEST_BALL * ball.circumradius())
+    candidate.grade.tier = LAST_TIER;
+  if (candidate.grade.tier == 0 || candidate.grade.tier >= 3)
     candidate.grade.cost = ball.radius();
   return true;
 }

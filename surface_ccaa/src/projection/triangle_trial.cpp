@@ -14,7 +14,7 @@ namespace {
 constexpr double SIDE_OF_UNIT_RADIUS = 1.7320508075688772;
 /** Ratio of spacings between neighboring samples beyond which they do not belong
  * together: outliers would tie themselves to the surface. */
-constexpr double LARGEST_SPACING_RATIO = 3.0;
+constexpr double LARGEST_SPACING_RATIO = 5.0;
 
 Box
 boxOf(const Corners& corners)

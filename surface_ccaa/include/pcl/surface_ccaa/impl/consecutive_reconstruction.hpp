@@ -295,8 +295,10 @@ bool
 ConsecutiveReconstruction<PointT>::applyBase(ccaa::ChainRun& run)
 {
   ccaa::ChainMesh& current = run.current;
-  const bool is_one_sided = ccaa::leftOneSided(filter_.get());
-  if (base_ && is_one_sided)
+  // Who may replace triangles can cut a one-sided region; who keeps them all cannot.
+  const bool is_one_sided =
+      base_ && base_->keptTriangles() == nullptr && ccaa::leftOneSided(filter_.get());
+  if (is_one_sided)
     PCL_WARN("[pcl::%s::performReconstruction] not completed: a region is one-sided "
              "(%zu triangles)\n",
              getClassName().c_str(),

@@ -44,22 +44,24 @@ public:
   {
     const Position from_center = witness - center_;
     const double power = from_center.squaredNorm() - squared_radius_;
-    const double height = from_center.dot(axis_);
     if (std::abs(power) <= TOLERANCE * squared_radius_)
       return; // as good as on the ball: grids are full of these
+    const double height = from_center.dot(axis_);
     const double bound = power / (2.0 * height);
-    if (height > 0.0)
+    if (height == 0.0)
+      high_ = power < 0.0 ? -std::numeric_limits<double>::infinity() : high_;
+    else if (height > 0.0)
       high_ = std::min(high_, bound);
-    else if (height < 0.0)
+    else
       low_ = std::max(low_, bound);
-    else if (power < 0.0)
-      high_ = -std::numeric_limits<double>::infinity();
   }
 
   bool
   exists() const
   {
-    return low_ <= high_ + TOLERANCE * std::sqrt(squared_radius_);
+    return std::isfinite(squared_radius_) &&
+           high_ > -std::numeric_limits<double>::infinity() &&
+           low_ <= high_ + TOLERANCE * std::sqrt(squared_radius_);
   }
 
   /** \brief Radius of the circumcircle. Infinite for three points on a line. */
@@ -78,7 +80,7 @@ public:
   }
 
 private:
-  static constexpr double TOLERANCE = 1e-6;
+  static constexpr double TOLERANCE = 1e-5;
 
   Position center_ = Position::Zero(), axis_ = Position::Zero();
   double squared_radius_ = std::numeric_limits<double>::infinity();

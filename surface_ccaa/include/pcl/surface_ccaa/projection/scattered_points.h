@@ -19,7 +19,7 @@ neighborhoodThickness(const OpenSurface& open, pcl::index_t point);
 
 /** \brief One flag for each open point: scattered in space, like the outliers of a
  * scanner. These have no triangle in the rim, a thick neighborhood, and lie more than
- * 2.5 times as sparse as usual; or more than four times, however thick.
+ * 2.5 times as sparse as usual; or more than five times, however thick.
  * \param[in] usual_spacing in units of the cloud; 0 to take it from the open points */
 std::vector<std::uint8_t>
 findScatteredPoints(const OpenSurface& open, double usual_spacing);

@@ -24,7 +24,8 @@ public:
     y_ = normal_.cross(x_);
   }
 
-  /** \brief Angle of the direction to a point, counter-clockwise, in [0, 2 pi). */
+  /** \brief Angle of the direction to a point, counter-clockwise, in [0, 2 pi]; 2 pi
+   * only by rounding, when it is the least bit less than 0. */
   double
   angle(const Position& point) const
   {
