@@ -21,9 +21,10 @@ constexpr double LEAST_HEIGHT = 1e-3;
  * of half a spacing stays below it, points scattered in space do not. */
 constexpr double LARGEST_SEED_THICKNESS = 0.15;
 /** Smallest empty ball in circumradii beyond which a triangle covers points that lie
- * all but in its plane. It then comes last. */
+ * all but in its plane. */
 constexpr double LARGEST_BALL = 10.0;
-constexpr int LAST_TIER = 4;
+/** Cosine of 70 degrees, from which on a triangle is steep to the surface. */
+constexpr double COS_STEEP = 0.3420201433256687;
 /** Triangles between two looks at the cancel flag. */
 constexpr std::size_t POLL_INTERVAL = 512;
 
@@ -177,8 +178,8 @@ SurfaceGrowth::examine(FrontIndex i, Candidate& candidate) const
       !isAdmissible(edge, candidate.apex))
     return false;
   if (ball.radius() > LARGEST_BALL * ball.circumradius())
-    candidate.grade.tier = LAST_TIER;
-  if (candidate.grade.tier == 0 || candidate.grade.tier >= 3)
+    return false;
+  if (candidate.grade.tier == 0 || candidate.grade.tier == 3)
     candidate.grade.cost = ball.radius();
   return true;
 }
@@ -266,10 +267,24 @@ SurfaceGrowth::isAdmissible(const FrontEdge& edge, pcl::index_t apex) const
   if (surface_.hasTriangles(apex) && !isStitched(edge, apex) &&
       surface_.normalSum(apex).dot(normal) <= 0.0)
     return false;
-  return agreesWithNormal(apex, normal) &&
+  return !isCurtain({edge.to, edge.from, apex}, normal) &&
+         agreesWithNormal(apex, normal) &&
          fitsFans(surface_, edge.to, edge.from, apex, normal) &&
          fitsFans(surface_, edge.from, apex, edge.to, normal) &&
          fitsFans(surface_, apex, edge.to, edge.from, normal);
+}
+
+/** Between three points of one border a triangle can hang down like a curtain: it is
+ * steep to the surface at all three. */
+bool
+SurfaceGrowth::isCurtain(const Triangle& corners, const Position& normal) const
+{
+  for (const pcl::index_t corner : corners) {
+    const Position& sum = surface_.normalSum(corner);
+    if (!surface_.hasTriangles(corner) || sum.dot(normal) > COS_STEEP * sum.norm())
+      return false;
+  }
+  return true;
 }
 
 bool

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace pcl {
 namespace ccaa {
@@ -70,6 +71,15 @@ protected:
     return filteredToIcadm(loss.apply(roundedToFloat(surface.shape()), seed));
   }
 
+  static std::size_t
+  shortestLoop(const MeshFacts& facts)
+  {
+    std::size_t shortest = std::numeric_limits<std::size_t>::max();
+    for (const BoundaryLoopFacts& loop : facts.boundary_loops)
+      shortest = std::min(shortest, loop.edges);
+    return shortest;
+  }
+
   static void
   expectWhole(const Triangles& triangles, const Positions& points)
   {
@@ -80,7 +90,8 @@ protected:
     }
     const MeshFacts facts = expectSound(triangles, points);
     EXPECT_EQ(facts.components, surface.components);
-    EXPECT_EQ(facts.boundary_loops.size(), surface.loops);
+    EXPECT_EQ(facts.boundary_loops.size(), surface.loops)
+        << "shortest " << shortestLoop(facts) << " edges";
     EXPECT_EQ(facts.free_vertices, 0u);
   }
 };

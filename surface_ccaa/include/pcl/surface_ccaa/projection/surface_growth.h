@@ -130,6 +130,8 @@ private:
   bool
   isAdmissible(const FrontEdge& edge, pcl::index_t apex) const;
   bool
+  isCurtain(const Triangle& corners, const Position& normal) const;
+  bool
   agreesWithNormal(pcl::index_t vertex, const Position& normal) const;
   bool
   plantSeed(pcl::index_t vertex);
