@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: gaps that have nothing to do with each other.
 #include <pcl/surface_ccaa/projection/open_regions.h>
 
+#include "../mesh/disjoint_sets.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -9,44 +11,8 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-/** Union-find in which the lowest point of a set is its head. */
-class PointSets {
-public:
-  explicit PointSets(std::size_t count) : head_(count)
-  {
-    std::iota(head_.begin(), head_.end(), 0);
-  }
-
-  pcl::index_t
-  find(pcl::index_t point)
-  {
-    while (head(point) != point) {
-      head(point) = head(head(point));
-      point = head(point);
-    }
-    return point;
-  }
-
-  void
-  join(pcl::index_t one, pcl::index_t other)
-  {
-    one = find(one);
-    other = find(other);
-    head(std::max(one, other)) = std::min(one, other);
-  }
-
-private:
-  pcl::index_t&
-  head(pcl::index_t point)
-  {
-    return head_[static_cast<std::size_t>(point)];
-  }
-
-  std::vector<pcl::index_t> head_;
-};
-
 void
-joinNeighbors(const OpenSurface& open, double reach, PointSets& sets)
+joinNeighbors(const OpenSurface& open, double reach, DisjointSets& sets)
 {
   for (std::size_t i = 0; i < open.open_points; ++i) {
     const auto point = static_cast<pcl::index_t>(i);
@@ -55,7 +21,7 @@ joinNeighbors(const OpenSurface& open, double reach, PointSets& sets)
       const auto n = static_cast<std::size_t>(near);
       const double limit = reach * std::max(open.spacings[i], open.spacings[n]);
       if ((open.positions[i] - open.positions[n]).norm() <= limit)
-        sets.join(point, near);
+        sets.join(i, n);
     }
   }
 }
@@ -65,25 +31,25 @@ joinNeighbors(const OpenSurface& open, double reach, PointSets& sets)
 std::vector<std::vector<pcl::index_t>>
 openRegions(const OpenSurface& open, double reach)
 {
-  PointSets sets(open.open_points);
+  DisjointSets sets(open.open_points);
   const auto is_open = [&](pcl::index_t vertex) {
     return static_cast<std::size_t>(vertex) < open.open_points;
   };
   for (const Triangle& t : open.rim)
     for (std::size_t i = 0; i < 3; ++i)
       if (is_open(t[i]) && is_open(t[(i + 1) % 3]))
-        sets.join(t[i], t[(i + 1) % 3]);
+        sets.join(static_cast<std::size_t>(t[i]),
+                  static_cast<std::size_t>(t[(i + 1) % 3]));
   joinNeighbors(open, reach, sets);
   std::vector<std::vector<pcl::index_t>> regions;
   std::vector<std::size_t> region_of_head(open.open_points);
   for (std::size_t i = 0; i < open.open_points; ++i) {
-    const auto point = static_cast<pcl::index_t>(i);
-    const pcl::index_t head = sets.find(point);
-    if (head == point) {
+    const std::size_t head = sets.find(i);
+    if (head == i) {
       region_of_head[i] = regions.size();
       regions.emplace_back();
     }
-    regions[region_of_head[static_cast<std::size_t>(head)]].push_back(point);
+    regions[region_of_head[head]].push_back(static_cast<pcl::index_t>(i));
   }
   return regions;
 }
