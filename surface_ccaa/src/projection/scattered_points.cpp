@@ -28,16 +28,6 @@ spacingsOf(const OpenSurface& open)
   return spacings;
 }
 
-double
-medianOf(std::vector<double> values)
-{
-  if (values.empty())
-    return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 } // namespace
 
 double

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace ccaa {
@@ -47,6 +48,16 @@ longestClosedEdges(const OpenSurface& open)
 } // namespace
 
 double
+medianOf(std::vector<double> values)
+{
+  if (values.empty())
+    return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double
 spacingFromNeighbors(const OpenSurface& open, pcl::index_t point)
 {
   const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
@@ -70,6 +81,33 @@ completeSpacings(OpenSurface& open)
       spacing = spacingFromNeighbors(open, static_cast<pcl::index_t>(i));
     spacing = std::max(spacing, CLOSED_EDGE_SHARE * closed[i]);
   }
+}
+
+double
+usualSpacing(const Triangles& given, const PointView& points)
+{
+  constexpr std::size_t STRIDE = 16;
+  std::vector<double> lengths;
+  for (std::size_t t = 0; t < given.size(); t += STRIDE)
+    lengths.push_back((points[given[t][0]] - points[given[t][1]]).norm());
+  return medianOf(std::move(lengths));
+}
+
+double
+cellSize(const OpenSurface& open)
+{
+  constexpr double FACTOR = 4.0;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < open.open_points; ++i) {
+    const auto point = static_cast<pcl::index_t>(i);
+    const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
+    if (count > 0)
+      distances.push_back(
+          (open.positions[i] - open.positions[static_cast<std::size_t>(
+                                   open.neighbors.row(point)[count - 1])])
+              .norm());
+  }
+  return FACTOR * medianOf(std::move(distances));
 }
 
 } // namespace ccaa

@@ -9,6 +9,7 @@
 #include <pcl/surface_ccaa/projection/mending.h>
 #include <pcl/surface_ccaa/projection/new_islands.h>
 #include <pcl/surface_ccaa/projection/open_regions.h>
+#include <pcl/surface_ccaa/projection/partial_mesh_check.h>
 #include <pcl/surface_ccaa/projection/partial_surface.h>
 #include <pcl/surface_ccaa/projection/scattered_points.h>
 #include <pcl/surface_ccaa/projection/spacing.h>
@@ -22,56 +23,8 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-/** Neighbors whose distance sets the size of the cells of NearbyTriangles. */
-constexpr unsigned int CELL_NEIGHBORS = 6;
 /** Open points that one thread completes in the time it takes to wake others. */
 constexpr std::size_t SMALL_GAP = 100;
-/** Cell size in typical distances between open points. */
-constexpr double CELL_FACTOR = 4.0;
-
-/** Whether the next triangle over an edge runs through it the other way. */
-bool
-isWoundLike(const Triangle& triangle, int corner, const Triangle& other)
-{
-  const pcl::index_t from = triangle[static_cast<std::size_t>(corner)];
-  const pcl::index_t to = triangle[static_cast<std::size_t>((corner + 1) % 3)];
-  for (std::size_t i = 0; i < 3; ++i)
-    if (other[i] == to && other[(i + 1) % 3] == from)
-      return true;
-  return false;
-}
-
-/** One flag for each triangle: it disagrees with a neighbor about the winding. */
-std::vector<std::uint8_t>
-findDisagreements(const Triangles& triangles,
-                  const TriangleAdjacency& adjacency,
-                  const LoopContext& context)
-{
-  std::vector<std::uint8_t> disagrees(triangles.size(), 0);
-  forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
-    for (std::size_t t = begin; t < end; ++t)
-      for (int corner = 0; corner < 3; ++corner) {
-        const pcl::index_t other =
-            adjacency.across(static_cast<pcl::index_t>(t), corner);
-        if (other >= 0 && !isWoundLike(triangles[t],
-                                       corner,
-                                       triangles[static_cast<std::size_t>(other)]))
-          disagrees[t] = 1;
-      }
-  });
-  return disagrees;
-}
-
-PartialMeshFault
-findFault(const TriangleAdjacency& adjacency)
-{
-  if (!adjacency.overfullEdges().empty())
-    return PartialMeshFault::NON_MANIFOLD_EDGE;
-  for (const Fan fan : adjacency.fans())
-    if (fan == Fan::SEVERAL || fan == Fan::OVERFULL)
-      return PartialMeshFault::NON_MANIFOLD_VERTEX;
-  return PartialMeshFault::NONE;
-}
 
 /** One run, step by step. */
 class Completion {
@@ -95,15 +48,11 @@ public:
 
 private:
   std::vector<pcl::index_t>
-  disagreeingIslands() const;
-  std::vector<pcl::index_t>
   openVertices() const;
   bool
   searchNeighbors(std::vector<pcl::index_t>& open);
   void
   align(const std::vector<pcl::index_t>& open);
-  double
-  cellSize(const std::vector<pcl::index_t>& open) const;
   LastingRule
   lastingRule() const
   {
@@ -121,8 +70,6 @@ private:
   std::vector<pcl::index_t>
   touchedVertices(const PartialSurface& surface,
                   const std::vector<pcl::index_t>& open) const;
-  double
-  usualSpacing() const;
   OpenSurface
   openSurface(const PartialSurface& surface,
               std::vector<pcl::index_t>& open,
@@ -158,7 +105,8 @@ Completion::run()
   if (result.fault != PartialMeshFault::NONE)
     return result;
   islands_ = labelIslands(adjacency_);
-  const std::vector<pcl::index_t> disagreeing = disagreeingIslands();
+  const std::vector<pcl::index_t> disagreeing =
+      disagreeingIslands(mesh_.given, adjacency_, islands_, context_);
   if (parameters_.keep_given && !disagreeing.empty())
     result.fault = PartialMeshFault::BADLY_ORIENTED;
   if (result.fault != PartialMeshFault::NONE || control_.cancelled())
@@ -183,24 +131,6 @@ Completion::run()
   dropSmallIslands(result);
   orient(result.triangles);
   return result;
-}
-
-/** Triangles of the islands in which neighbors are wound differently: one-sided ones,
- * which no object has. */
-std::vector<pcl::index_t>
-Completion::disagreeingIslands() const
-{
-  const std::vector<std::uint8_t> disagrees =
-      findDisagreements(mesh_.given, adjacency_, context_);
-  std::vector<std::uint8_t> in_island(islands_.count, 0);
-  for (std::size_t t = 0; t < disagrees.size(); ++t)
-    if (disagrees[t] != 0)
-      in_island[islands_[t]] = 1;
-  std::vector<pcl::index_t> triangles;
-  for (std::size_t t = 0; t < disagrees.size(); ++t)
-    if (in_island[islands_[t]] != 0)
-      triangles.push_back(static_cast<pcl::index_t>(t));
-  return triangles;
 }
 
 /** Boundary points, free points, and the corners of triangles that are to go. */
@@ -246,47 +176,6 @@ Completion::align(const std::vector<pcl::index_t>& open)
       mesh_.given, adjacency_, islands_, mesh_.points, mesh_.normals, contacts);
 }
 
-/** Several times the typical distance between open points: the median of the distances
- * to the sixth of their neighbors. */
-double
-Completion::cellSize(const std::vector<pcl::index_t>& open) const
-{
-  std::vector<double> distances;
-  const std::size_t k = parameters_.neighbors;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    std::size_t j = std::min<std::size_t>(CELL_NEIGHBORS, k);
-    while (j > 0 && table_[i * k + j - 1] < 0)
-      --j;
-    if (j > 0)
-      distances.push_back(
-          (mesh_.points[open[i]] -
-           mesh_.points[open[static_cast<std::size_t>(table_[i * k + j - 1])]])
-              .norm());
-  }
-  if (distances.empty())
-    return 0.0;
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return CELL_FACTOR * *middle;
-}
-
-/** Median length of the given edges, of every so many; 0 without any. */
-double
-Completion::usualSpacing() const
-{
-  constexpr std::size_t STRIDE = 16;
-  std::vector<double> lengths;
-  for (std::size_t t = 0; t < mesh_.given.size(); t += STRIDE)
-    lengths.push_back(
-        (mesh_.points[mesh_.given[t][0]] - mesh_.points[mesh_.given[t][1]]).norm());
-  if (lengths.empty())
-    return 0.0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
-
 /** The open surface without the points that are scattered in space. Those that happen
  * to have flat neighborhoods show when the others are gone. */
 OpenSurface
@@ -295,7 +184,7 @@ Completion::openSurface(const PartialSurface& surface,
                         std::vector<pcl::index_t>& vertices)
 {
   constexpr int LARGEST_ROUNDS = 4;
-  const double usual_spacing = usualSpacing();
+  const double usual_spacing = usualSpacing(mesh_.given, mesh_.points);
   for (int round = 0;; ++round) {
     OpenSurface gap = surface.openAt(open, {}, vertices);
     gap.neighbors = {table_.data(), parameters_.neighbors};
@@ -327,7 +216,7 @@ Completion::grow(PartialSurface& surface, std::vector<pcl::index_t>& open)
                           spacingFromNeighbors(gap, static_cast<pcl::index_t>(i)));
   completeSpacings(gap);
   const NearbyTriangles nearby(
-      mesh_.given, surface.aliveGiven(), mesh_.points, open, cellSize(open));
+      mesh_.given, surface.aliveGiven(), mesh_.points, open, cellSize(gap));
   Triangles all = gap.rim;
   std::vector<pcl::index_t> obstructed;
   if (!growRegions(gap, nearby, all, obstructed))

@@ -2,12 +2,17 @@
 // Part of PclSurfaceRepair: how far apart the samples lie around open points.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
 
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
+
+/** \brief The middle one of some values, 0 without any. */
+double
+medianOf(std::vector<double> values);
 
 /** \brief Root mean square distance of an open point to its six nearest open points; 0
  * where it has no neighbor. In units of the cloud. */
@@ -23,6 +28,15 @@ spacingFromNeighbors(const OpenSurface& open, pcl::index_t point);
  * long, the sampling is uneven by itself, and half of that length counts. */
 void
 completeSpacings(OpenSurface& open);
+
+/** \brief Median length of the given edges, of every so many; 0 without any. */
+double
+usualSpacing(const Triangles& given, const PointView& points);
+
+/** \brief Size of the cells of NearbyTriangles: several times the typical distance of
+ * an open point from the sixth of its neighbors, which new edges seldom exceed. */
+double
+cellSize(const OpenSurface& open);
 
 } // namespace ccaa
 } // namespace pcl

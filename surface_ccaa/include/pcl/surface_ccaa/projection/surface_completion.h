@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/projection/completion_parameters.h>
+#include <pcl/surface_ccaa/projection/partial_mesh_check.h>
 #include <pcl/surface_ccaa/run_control.h>
 
 #include <cstddef>
@@ -29,14 +30,6 @@ struct PartialMesh {
   PointView viewpoints; /**< of the sensor, one per vertex, or empty */
   std::optional<Position> viewpoint; /**< one for all */
   Triangles given;                   /**< three different vertices each */
-};
-
-/** \brief What is wrong with a partial mesh. */
-enum class PartialMeshFault {
-  NONE,
-  NON_MANIFOLD_EDGE,   /**< more than two triangles on an edge, or one of them twice */
-  NON_MANIFOLD_VERTEX, /**< more than one fan at a vertex */
-  BADLY_ORIENTED       /**< two triangles run through an edge in the same direction */
 };
 
 /** \brief A completed mesh. */
