@@ -63,7 +63,7 @@ public:
 private:
   /** How good a triangle on a front edge would be; smaller is better. */
   struct Grade {
-    int tier = 0; /**< 0 smooth, 1 folded; 2, 3 the same, and makes fronts touch */
+    int tier = 0; /**< 0 smooth, 1 folded; makes fronts touch: 2 folded, 3 smooth */
     double cost = 0.0;
 
     bool
