@@ -308,7 +308,7 @@ SurfaceGrowth::plantSeed(pcl::index_t vertex)
     for (unsigned int j = i + 1; j < count; ++j) {
       const Triangle corners{vertex, row[i], row[j]};
       if (surface_.hasTriangles(row[i]) || surface_.hasTriangles(row[j]) ||
-          !trial_.isSupported(corners))
+          !trial_.isSupportedByAll(corners))
         continue;
       EmptyBall ball(surface_.position(vertex),
                      surface_.position(row[i]),

@@ -73,6 +73,12 @@ TriangleTrial::isSupported(const Triangle& t) const
   return isSupported(t, std::max({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
 }
 
+bool
+TriangleTrial::isSupportedByAll(const Triangle& t) const
+{
+  return isSupported(t, std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
+}
+
 /** \param[in] spacing that the corners would like; the most densely sampled of them has
  * the last word */
 bool

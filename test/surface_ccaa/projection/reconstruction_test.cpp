@@ -142,13 +142,14 @@ TEST_F(Reconstruction, LeavesOutliersFree)
 {
   const Positions surface = fibonacciSphere(2000);
   const double spacing = std::sqrt(4.0 * M_PI / 2000.0);
+  const double reach = 5.0; // in spacings; a new edge is at most four long
   Positions points = surface;
   RandomSource random(5);
   while (points.size() < 2100) {
     const Position outlier(random.uniform(-1.5, 1.5),
                            random.uniform(-1.5, 1.5),
                            random.uniform(-1.5, 1.5));
-    if (std::abs(outlier.norm() - 1.0) > 3.0 * spacing)
+    if (std::abs(outlier.norm() - 1.0) > reach * spacing)
       points.push_back(outlier);
   }
   const Triangles triangles = reconstruct(points);

@@ -50,6 +50,11 @@ public:
   bool
   isSupported(const Triangle& triangle) const;
 
+  /** \brief The same with the densest sampling of the three corners: what an outlier
+   * and two points of a surface form does not pass. */
+  bool
+  isSupportedByAll(const Triangle& triangle) const;
+
   /** \brief Whether a triangle meets the surface elsewhere than in common corners and
    * edges, or has no area. Exact. Tested are the triangles up to the neighbors of its
    * corners and what is nearby. */
