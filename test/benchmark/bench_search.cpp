@@ -8,6 +8,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/search/kdtree.h>
+#include <pcl/surface_ccaa/search/cloud_points.h>
 #include <pcl/surface_ccaa/search/point_blocks.h>
 
 #if __has_include(<nanoflann.hpp>)
@@ -88,9 +89,8 @@ shuffled(const Cloud& cloud)
 Cloud::Ptr
 alongCurve(const Cloud& cloud)
 {
-  const pcl::ccaa::PointArray points = {
-      cloud[0].data, sizeof(pcl::PointXYZ) / sizeof(float), cloud.size()};
-  return Cloud::Ptr(new Cloud(cloud, pcl::ccaa::curveOrder(points, 1)));
+  return Cloud::Ptr(
+      new Cloud(cloud, pcl::ccaa::curveOrder(pcl::ccaa::pointArrayOf(cloud), 1)));
 }
 
 #ifdef PSR_HAVE_NANOFLANN

@@ -50,14 +50,6 @@ startName(std::size_t number)
   return number == 0 ? "start" : "start " + std::to_string(number + 1);
 }
 
-Indices::const_iterator
-findIndexOutside(const Indices& indices, std::size_t point_count)
-{
-  return std::find_if(indices.begin(), indices.end(), [point_count](index_t index) {
-    return index < 0 || static_cast<std::size_t>(index) >= point_count;
-  });
-}
-
 ChainPoints
 selectUsablePoints(const PointArray& points,
                    const IndicesPtr& indices,

@@ -170,9 +170,6 @@ private:
   bool
   hasValidInput() const;
 
-  ccaa::PointArray
-  pointArray() const;
-
   bool
   findNeighborhoods(int threads, ccaa::RunControl& control, Neighborhoods& found);
 

@@ -159,9 +159,6 @@ private:
   faultOfInput() const;
 
   ccaa::PointArray
-  pointArray() const;
-
-  ccaa::PointArray
   normalArray() const;
 
   bool

@@ -92,11 +92,6 @@ struct ChainRun {
   ChainMesh current; /**< after the last stage that was kept */
 };
 
-/** \brief The first index that is none of a cloud with so many points; the end when all
- * are. */
-Indices::const_iterator
-findIndexOutside(const Indices& indices, std::size_t point_count);
-
 /** \brief The finite ones among the selected points.
  * \param[in] indices the selection, all below the number of points; taken over without
  * a copy when all of them are finite */

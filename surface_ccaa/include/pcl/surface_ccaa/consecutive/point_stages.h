@@ -20,16 +20,6 @@ struct ChainInput {
   typename MeshConstruction<PointT>::KdTreePtr tree; /**< null: each keeps its own */
 };
 
-template <typename PointT>
-PointArray
-pointArrayOf(const PointCloud<PointT>& cloud)
-{
-  static_assert(sizeof(PointT) % sizeof(float) == 0, "points are rows of floats");
-  if (cloud.empty())
-    return {};
-  return {&cloud.front().x, sizeof(PointT) / sizeof(float), cloud.size()};
-}
-
 /** \brief Whether a class of PCL has to get its points as a cloud of their own: it may
  * mix up indices and positions among them (gp3 does), and need not expect points that
  * are not finite. Of organised clouds it does. */

@@ -5,6 +5,7 @@
 #include <pcl/console/print.h>
 #include <pcl/search/impl/search.hpp>
 #include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/search/cloud_points.h>
 #include <pcl/surface_ccaa/threads.h>
 
 #include <algorithm>
@@ -44,29 +45,17 @@ sqrRadius(double radius)
 } // namespace detail
 
 template <typename PointT>
-bool
-BlockSearch<PointT>::hasValidIndices() const
-{
-  return std::all_of(indices_->begin(), indices_->end(), [this](index_t index) {
-    return index >= 0 && static_cast<std::size_t>(index) < input_->size();
-  });
-}
-
-template <typename PointT>
 void
 BlockSearch<PointT>::setInputCloud(const PointCloudConstPtr& cloud,
                                    const IndicesConstPtr& indices)
 {
-  static_assert(sizeof(PointT) % sizeof(float) == 0, "points are rows of floats");
   input_ = cloud;
   indices_ = indices;
-  ccaa::PointArray points;
-  if (input_ && !input_->empty())
-    points = {&input_->points[0].x, sizeof(PointT) / sizeof(float), input_->size()};
+  const auto points = input_ ? ccaa::pointArrayOf(*input_) : ccaa::PointArray();
   const int threads = ccaa::resolveThreads(threads_);
   if (!indices_)
     blocks_.build(points, threads);
-  else if (input_ && hasValidIndices())
+  else if (input_ && ccaa::findIndexOutside(*indices_, points.size) == indices_->end())
     blocks_.build(points, *indices_, threads);
   else {
     PCL_ERROR("[pcl::%s::setInputCloud] index out of range of the cloud (%zu points)\n",

@@ -10,6 +10,7 @@
 #include <pcl/surface_ccaa/impl/greedy_start.hpp>
 #include <pcl/surface_ccaa/impl/projection_completion.hpp>
 #include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/search/cloud_points.h>
 #include <pcl/conversions.h>
 
 #include <algorithm>

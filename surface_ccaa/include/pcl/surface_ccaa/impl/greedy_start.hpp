@@ -10,8 +10,8 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/search/cloud_points.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -64,9 +64,7 @@ GreedyStart<PointT>::hasValidInput() const
     PCL_ERROR("[pcl::%s::performReconstruction] %s is out of range\n", name, wrong);
     return false;
   }
-  const auto outside = std::find_if(indices_->begin(), indices_->end(), [&](index_t i) {
-    return i < 0 || static_cast<std::size_t>(i) >= input_->size();
-  });
+  const auto outside = ccaa::findIndexOutside(*indices_, input_->size());
   if (outside != indices_->end()) {
     PCL_ERROR("[pcl::%s::performReconstruction] index %d is outside the cloud of %zu "
               "points\n",
@@ -76,16 +74,6 @@ GreedyStart<PointT>::hasValidInput() const
     return false;
   }
   return true;
-}
-
-template <typename PointT>
-ccaa::PointArray
-GreedyStart<PointT>::pointArray() const
-{
-  static_assert(sizeof(PointT) % sizeof(float) == 0, "points are rows of floats");
-  if (input_->empty())
-    return {};
-  return {&input_->front().x, sizeof(PointT) / sizeof(float), input_->size()};
 }
 
 template <typename PointT>
@@ -124,14 +112,13 @@ GreedyStart<PointT>::searchBlocks(int threads,
   tree->setInputCloud(input_, indices_);
   const std::vector<index_t>& order = tree->getPointBlocks().order();
   report_.skipped_points = indices_->size() - order.size();
-  const auto unique =
-      std::make_shared<Indices>(ccaa::removeDuplicates(pointArray(), order));
+  const ccaa::PointArray points = ccaa::pointArrayOf(*input_);
+  const auto unique = std::make_shared<Indices>(ccaa::removeDuplicates(points, order));
   report_.duplicate_points = order.size() - unique->size();
   if (report_.duplicate_points > 0)
     tree->setInputCloud(input_, unique);
   tree->setNumberOfThreads(threads_of_tree);
-  found.points =
-      ccaa::rankPoints(pointArray(), tree->getPointBlocks().order(), threads);
+  found.points = ccaa::rankPoints(points, tree->getPointBlocks().order(), threads);
   auto table = tree->getPointBlocks().allNearest(
       parameters_.neighbors, ccaa::PointBlocks::Distances::OMIT, threads, &control);
   if (!table)
@@ -148,12 +135,12 @@ GreedyStart<PointT>::searchTree(int threads,
                                 ccaa::RunControl& control,
                                 Neighborhoods& found)
 {
-  const std::vector<index_t> order = ccaa::curveOrder(pointArray(), *indices_, threads);
+  const ccaa::PointArray points = ccaa::pointArrayOf(*input_);
+  const std::vector<index_t> order = ccaa::curveOrder(points, *indices_, threads);
   report_.skipped_points = indices_->size() - order.size();
-  const auto unique =
-      std::make_shared<Indices>(ccaa::removeDuplicates(pointArray(), order));
+  const auto unique = std::make_shared<Indices>(ccaa::removeDuplicates(points, order));
   report_.duplicate_points = order.size() - unique->size();
-  found.points = ccaa::rankPoints(pointArray(), *unique, threads);
+  found.points = ccaa::rankPoints(points, *unique, threads);
   if (unique->size() < 3) // some trees do not take an empty selection
     return true;
   tree_->setInputCloud(input_, unique);

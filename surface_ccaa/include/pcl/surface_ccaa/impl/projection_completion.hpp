@@ -9,8 +9,8 @@
 #include <pcl/surface_ccaa/projection/polygon_completion.h>
 #include <pcl/surface_ccaa/projection_completion.h>
 #include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/search/cloud_points.h>
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -36,7 +36,7 @@ ProjectionCompletion<PointT>::performReconstruction(
   if (output.error.empty()) {
     ccaa::RunControl control(progress_);
     ccaa::CompletionInput input;
-    input.points = pointArray();
+    input.points = ccaa::pointArrayOf(*input_);
     input.normals = normalArray();
     input.selection = indices_.get();
     input.given = partial_mesh_ ? &partial_mesh_->polygons : nullptr;
@@ -61,9 +61,7 @@ ProjectionCompletion<PointT>::faultOfInput() const
 {
   if (const char* wrong = ccaa::outOfRange(parameters_))
     return std::string(wrong) + " is out of range";
-  const auto outside = std::find_if(indices_->begin(), indices_->end(), [&](index_t i) {
-    return i < 0 || static_cast<std::size_t>(i) >= input_->size();
-  });
+  const auto outside = ccaa::findIndexOutside(*indices_, input_->size());
   if (outside != indices_->end())
     return "index " + std::to_string(*outside) + " is outside the cloud of " +
            std::to_string(input_->size()) + " points";
@@ -75,16 +73,6 @@ ProjectionCompletion<PointT>::faultOfInput() const
              std::to_string(input_->size());
   }
   return {};
-}
-
-template <typename PointT>
-ccaa::PointArray
-ProjectionCompletion<PointT>::pointArray() const
-{
-  static_assert(sizeof(PointT) % sizeof(float) == 0, "points are rows of floats");
-  if (input_->empty())
-    return {};
-  return {&input_->front().x, sizeof(PointT) / sizeof(float), input_->size()};
 }
 
 template <typename PointT>

@@ -94,9 +94,6 @@ public:
   }
 
 private:
-  bool
-  hasValidIndices() const;
-
   ccaa::PointBlocks blocks_;
   unsigned int threads_ = 0;
 };

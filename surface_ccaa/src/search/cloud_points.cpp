@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the points of a PCL cloud, and indices that are none of
+// them.
+#include <pcl/surface_ccaa/search/cloud_points.h>
+
+#include <algorithm>
+
+namespace pcl {
+namespace ccaa {
+
+Indices::const_iterator
+findIndexOutside(const Indices& indices, std::size_t point_count)
+{
+  return std::find_if(indices.begin(), indices.end(), [point_count](index_t index) {
+    return index < 0 || static_cast<std::size_t>(index) >= point_count;
+  });
+}
+
+} // namespace ccaa
+} // namespace pcl
