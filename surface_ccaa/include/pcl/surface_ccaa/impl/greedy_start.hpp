@@ -7,6 +7,7 @@
 #include <pcl/surface_ccaa/greedy/usable_points.h>
 #include <pcl/surface_ccaa/greedy_start.h>
 #include <pcl/surface_ccaa/impl/block_search.hpp>
+#include <pcl/surface_ccaa/impl/tree_rows.hpp>
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/search/block_search.h>
@@ -141,28 +142,12 @@ GreedyStart<PointT>::searchTree(int threads,
   const auto unique = std::make_shared<Indices>(ccaa::removeDuplicates(points, order));
   report_.duplicate_points = order.size() - unique->size();
   found.points = ccaa::rankPoints(points, *unique, threads);
-  if (unique->size() < 3) // some trees do not take an empty selection
-    return true;
-  tree_->setInputCloud(input_, unique);
-  const ccaa::RankTable ranks(*unique, input_->size());
   const unsigned int k = parameters_.neighbors;
-  found.searched.assign(unique->size() * k, ccaa::NeighborRows::NONE);
+  const ccaa::LoopContext loop{threads, &control, "neighbors"};
+  const bool done =
+      ccaa::searchRows<PointT>(*tree_, input_, unique, k, loop, found.searched);
   found.rows = {found.searched.data(), k};
-  const ccaa::LoopContext loop{threads, &control, "neighbors", 4096};
-  return ccaa::forEachBlock(
-      unique->size(), loop, [&](std::size_t, std::size_t first, std::size_t last) {
-        Indices near;
-        std::vector<float> sqr_distances;
-        for (std::size_t rank = first; rank < last; ++rank) {
-          const PointT& point = (*input_)[static_cast<std::size_t>((*unique)[rank])];
-          tree_->nearestKSearch(point, static_cast<int>(k) + 1, near, sqr_distances);
-          ranks.fillRow(static_cast<index_t>(rank),
-                        near,
-                        sqr_distances,
-                        k,
-                        &found.searched[rank * k]);
-        }
-      });
+  return done;
 }
 
 } // namespace pcl

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pcl/search/kdtree.h>
-#include <pcl/surface_ccaa/greedy/usable_points.h>
 #include <pcl/surface_ccaa/impl/block_search.hpp>
+#include <pcl/surface_ccaa/impl/tree_rows.hpp>
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/projection/polygon_completion.h>
 #include <pcl/surface_ccaa/projection_completion.h>
@@ -95,24 +95,10 @@ ProjectionCompletion<PointT>::searchTree(const Indices& points,
                                          ccaa::RunControl& control,
                                          std::vector<index_t>& table)
 {
-  table.assign(points.size() * k, ccaa::NeighborRows::NONE);
-  if (points.size() < 3) // some trees do not take an empty selection
-    return true;
-  tree_->setInputCloud(input_, std::make_shared<const Indices>(points));
-  const ccaa::RankTable places(points, input_->size());
   const ccaa::LoopContext loop{
-      ccaa::resolveThreads(threads_), &control, "partial mesh", 4096};
-  return ccaa::forEachBlock(
-      points.size(), loop, [&](std::size_t, std::size_t first, std::size_t last) {
-        Indices near;
-        std::vector<float> sqr_distances;
-        for (std::size_t place = first; place < last; ++place) {
-          const PointT& point = (*input_)[static_cast<std::size_t>(points[place])];
-          tree_->nearestKSearch(point, static_cast<int>(k) + 1, near, sqr_distances);
-          places.fillRow(
-              static_cast<index_t>(place), near, sqr_distances, k, &table[place * k]);
-        }
-      });
+      ccaa::resolveThreads(threads_), &control, "partial mesh"};
+  return ccaa::searchRows<PointT>(
+      *tree_, input_, std::make_shared<const Indices>(points), k, loop, table);
 }
 
 } // namespace pcl
