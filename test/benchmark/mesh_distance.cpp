@@ -11,8 +11,10 @@
 namespace bench {
 namespace {
 
+using pcl::ccaa::areaNormal;
 using pcl::ccaa::Box;
 using pcl::ccaa::Corners;
+using pcl::ccaa::cornersOf;
 using pcl::ccaa::PointView;
 using pcl::ccaa::Position;
 using pcl::ccaa::Triangle;
@@ -28,12 +30,6 @@ distanceToSegment(const Position& point, const Position& a, const Position& b)
   return (a + t * along - point).norm();
 }
 
-Corners
-cornersOf(const Triangle& triangle, const PointView& positions)
-{
-  return {positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]};
-}
-
 Box
 boxOf(const Corners& corners)
 {
@@ -41,12 +37,6 @@ boxOf(const Corners& corners)
   box.extend(corners[1]);
   box.extend(corners[2]);
   return box;
-}
-
-double
-areaOf(const Corners& corners)
-{
-  return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
 }
 
 /** Distances at the three corners and the centroid. */
@@ -93,7 +83,7 @@ double
 distanceToTriangle(const Position& point, const Corners& triangle)
 {
   double distance = std::numeric_limits<double>::infinity();
-  const Position normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const Position normal = areaNormal(triangle);
   bool above = normal.squaredNorm() > 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Position& a = triangle[i];
@@ -162,7 +152,7 @@ measureDeviation(const Triangles& triangles,
   double area = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const FourDistances& four = all[i];
-    const double weight = areaOf(cornersOf(triangles[i], positions));
+    const double weight = 0.5 * areaNormal(cornersOf(triangles[i], positions)).norm();
     const double largest = *std::max_element(four.begin(), four.end());
     area += weight;
     deviation.mean += weight * (four[0] + four[1] + four[2] + four[3]) / 4;

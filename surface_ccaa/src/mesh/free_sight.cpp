@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the enclosing-sphere rule for the outer side (thesis 4.48).
+#include <pcl/surface_ccaa/mesh/corners.h>
+
 #include <Eigen/Geometry>
 
 #include "outward_votes.h"
@@ -198,13 +200,10 @@ collectFreeSight(const WoundMesh& mesh, const LoopContext& context)
     if (cell.triangle < 0)
       continue;
     const auto index = static_cast<std::size_t>(cell.triangle);
-    const Triangle& triangle = mesh.triangles[index];
-    const Position a = mesh.positions[triangle[0]];
-    const Position b = mesh.positions[triangle[1]];
-    const Position c = mesh.positions[triangle[2]];
-    const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
-    const Eigen::Vector3d ray = ((a + b + c) / 3.0 - map.centre()).normalized();
-    const double cosine = normal.dot(ray);
+    const Corners c = cornersOf(mesh.triangles[index], mesh.positions);
+    const Eigen::Vector3d ray =
+        ((c[0] + c[1] + c[2]) / 3.0 - map.centre()).normalized();
+    const double cosine = unitNormal(c).dot(ray);
     if (std::abs(cosine) > LEAST_COSINE)
       votes[mesh.winding.componentOf(index)].add(mesh.winding.sign(index) * cosine);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: everything that can be counted and measured about a mesh.
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_ccaa/mesh/mesh_facts.h>
 
@@ -56,10 +57,8 @@ measureShape(const Triangles& triangles, const PointView& positions, MeshFacts& 
   double six_volumes = 0.0;
   facts.smallest_angle = 180.0;
   for (const Triangle& triangle : triangles) {
-    const Corners corners = {
-        positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]};
-    const Eigen::Vector3d area =
-        (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const Corners corners = cornersOf(triangle, positions);
+    const Eigen::Vector3d area = areaNormal(corners);
     if (!area.allFinite()) {
       ++facts.non_finite_triangles;
       continue;

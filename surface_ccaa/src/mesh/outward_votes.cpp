@@ -3,7 +3,7 @@
 // side of a component.
 #include "outward_votes.h"
 
-#include <Eigen/Geometry>
+#include <pcl/surface_ccaa/mesh/corners.h>
 
 #include <cmath>
 
@@ -24,11 +24,8 @@ struct Facet {
 Facet
 facetOf(const WoundMesh& mesh, std::size_t index)
 {
-  const Triangle& triangle = mesh.triangles[index];
-  const Position a = mesh.positions[triangle[0]];
-  const Position b = mesh.positions[triangle[1]];
-  const Position c = mesh.positions[triangle[2]];
-  return {(a + b + c) / 3.0, mesh.winding.sign(index) * (b - a).cross(c - a)};
+  const Corners c = cornersOf(mesh.triangles[index], mesh.positions);
+  return {(c[0] + c[1] + c[2]) / 3.0, mesh.winding.sign(index) * areaNormal(c)};
 }
 
 /** \brief Sum of the directions of the given normals; zero when there is none. */

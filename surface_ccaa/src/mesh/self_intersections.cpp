@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: all pairs of triangles of a mesh that meet.
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/box_tree.h>
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/intersection.h>
 
 #include "triangle_checks.h"
@@ -11,12 +12,6 @@
 namespace pcl {
 namespace ccaa {
 namespace {
-
-Corners
-cornersOf(const Triangle& triangle, const PointView& positions)
-{
-  return {positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]};
-}
 
 bool
 isTestable(const Triangle& triangle, const PointView& positions)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/islands.h>
 #include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
@@ -87,12 +88,8 @@ public:
   {
     std::vector<Eigen::Vector3f> normals(triangles.size());
     forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
-      for (std::size_t t = begin; t < end; ++t) {
-        const Triangle& c = triangles[t];
-        const Position corner = points[c[0]];
-        const Position normal = (points[c[1]] - corner).cross(points[c[2]] - corner);
-        normals[t] = normal.normalized().cast<float>();
-      }
+      for (std::size_t t = begin; t < end; ++t)
+        normals[t] = unitNormal(cornersOf(triangles[t], points)).cast<float>();
     });
     forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
       for (std::size_t t = begin; t < end; ++t)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a surface to which triangles are added one by one.
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/projection/growing_surface.h>
 
 #include <Eigen/Geometry>
@@ -97,9 +98,7 @@ GrowingSurface::record(const Triangle& triangle)
 {
   const auto t = static_cast<std::int32_t>(triangles_.size());
   triangles_.push_back(triangle);
-  const Position unit = (position(triangle[1]) - position(triangle[0]))
-                            .cross(position(triangle[2]) - position(triangle[0]))
-                            .normalized();
+  const Position unit = unitNormal(cornersOf(triangle, positions_));
   for (std::int32_t i = 0; i < 3; ++i) {
     const auto c = static_cast<std::size_t>(i);
     const auto vertex = static_cast<std::size_t>(triangle[c]);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: winding the given islands alike before they are joined.
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/projection/island_alignment.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +18,6 @@ namespace {
 constexpr double LARGEST_RISE = 0.5;
 
 Position
-areaNormal(const Triangle& t, const PointView& points)
-{
-  return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
-}
-
-Position
 normalAt(pcl::index_t vertex,
          const Triangles& triangles,
          const TriangleAdjacency& adjacency,
@@ -32,7 +25,7 @@ normalAt(pcl::index_t vertex,
 {
   Position sum = Position::Zero();
   for (const auto* t = adjacency.begin(vertex); t != adjacency.end(vertex); ++t)
-    sum += areaNormal(triangles[static_cast<std::size_t>(*t)], points);
+    sum += areaNormal(cornersOf(triangles[static_cast<std::size_t>(*t)], points));
   return sum.normalized();
 }
 
@@ -45,7 +38,7 @@ againstNormals(const Triangles& triangles,
 {
   std::vector<double> agreement(islands.count, 0.0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Position normal = areaNormal(triangles[t], points);
+    const Position normal = areaNormal(cornersOf(triangles[t], points));
     for (const pcl::index_t corner : triangles[t]) {
       const double vote = normals[corner].dot(normal);
       if (std::isfinite(vote))

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: closes small gaps that the growth could not.
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/projection/loop_closure.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -17,12 +16,6 @@ constexpr double LARGEST_ROOM = 1.5;
  * wide as it is, and the sampling was no denser there. */
 constexpr double LARGEST_ROOM_OF_SMALL_LOOP = 3.0;
 constexpr std::size_t SMALL_LOOP = 5;
-
-Position
-unitNormal(const Corners& corners)
-{
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-}
 
 } // namespace
 
@@ -169,8 +162,7 @@ LoopClosure::weigh(std::size_t i, std::size_t m, std::size_t j)
   const Triangle triangle{corners_[i], corners_[m], corners_[j]};
   if (obstructions_count_ && trial_.crossesSurface(triangle))
     return {};
-  const Corners corners = trial_.cornersOf(triangle);
-  const Position area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const Position area = areaNormal(trial_.cornersOf(triangle));
   const Position normal = area.normalized();
   Weight weight{std::max(left.fold, right.fold),
                 left.area + right.area + 0.5 * area.norm()};

@@ -80,7 +80,7 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
   std::vector<Box> boxes;
   boxes.reserve(chosen_.size());
   for (const pcl::index_t t : chosen_) {
-    const Corners c = cornersOf(t);
+    const Corners c = cornersOf(triangles[static_cast<std::size_t>(t)], points);
     boxes.emplace_back(c[0].cwiseMin(c[1]).cwiseMin(c[2]),
                        c[0].cwiseMax(c[1]).cwiseMax(c[2]));
   }
@@ -91,16 +91,9 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
 bool
 NearbyTriangles::isLong(pcl::index_t triangle, double cell) const
 {
-  const Corners c = cornersOf(triangle);
+  const Corners c = cornersOf(triangles_[static_cast<std::size_t>(triangle)], points_);
   return (c[1] - c[0]).cwiseAbs().maxCoeff() > cell ||
          (c[2] - c[0]).cwiseAbs().maxCoeff() > cell;
-}
-
-Corners
-NearbyTriangles::cornersOf(pcl::index_t triangle) const
-{
-  const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
-  return {points_[t[0]], points_[t[1]], points_[t[2]]};
 }
 
 bool
@@ -111,10 +104,11 @@ NearbyTriangles::meets(const Corners& corners,
   bool found = false;
   if (tree_)
     tree_->forEachMeeting(box, [&](pcl::index_t place) {
-      const pcl::index_t t = chosen_[static_cast<std::size_t>(place)];
-      found = found || (alive_[static_cast<std::size_t>(t)] != 0 &&
-                        !std::binary_search(ignored.begin(), ignored.end(), t) &&
-                        trianglesMeet(corners, cornersOf(t)));
+      const pcl::index_t chosen = chosen_[static_cast<std::size_t>(place)];
+      const auto t = static_cast<std::size_t>(chosen);
+      found = found || (alive_[t] != 0 &&
+                        !std::binary_search(ignored.begin(), ignored.end(), chosen) &&
+                        trianglesMeet(corners, cornersOf(triangles_[t], points_)));
     });
   return found;
 }

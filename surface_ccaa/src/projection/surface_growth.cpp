@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: triangle by triangle, the best supported one first.
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/projection/empty_ball.h>
 #include <pcl/surface_ccaa/projection/local_fan.h>
 #include <pcl/surface_ccaa/projection/loop_closure.h>
@@ -27,12 +28,6 @@ constexpr double LARGEST_BALL = 10.0;
 constexpr double COS_STEEP = 0.3420201433256687;
 /** Triangles between two looks at the cancel flag. */
 constexpr std::size_t POLL_INTERVAL = 512;
-
-Position
-unitNormal(const Position& a, const Position& b, const Position& c)
-{
-  return (b - a).cross(c - a).normalized();
-}
 
 } // namespace
 
@@ -219,11 +214,11 @@ SurfaceGrowth::estimate(const FrontEdge& edge, Candidate& candidate) const
 {
   const Position &a = surface_.position(edge.to), &b = surface_.position(edge.from),
                  &c = surface_.position(candidate.apex);
-  const Position normal = (b - a).cross(c - a);
+  const Position normal = areaNormal({a, b, c});
   const double doubled_area = normal.norm();
   if (!(doubled_area > LEAST_HEIGHT * (b - a).squaredNorm()))
     return false;
-  const Position behind = unitNormal(b, a, surface_.position(edge.apex));
+  const Position behind = unitNormal({b, a, surface_.position(edge.apex)});
   const double cosine = behind.dot(normal) / doubled_area;
   if (cosine < cos_largest_ || !trial_.isSupported(edge, candidate.apex))
     return false;
@@ -261,9 +256,7 @@ SurfaceGrowth::isAdmissible(const FrontEdge& edge, pcl::index_t apex) const
   if (!surface_.isOpen(apex) || !surface_.takesEdge(edge.from, apex) ||
       !surface_.takesEdge(apex, edge.to))
     return false;
-  const Position normal = unitNormal(surface_.position(edge.to),
-                                     surface_.position(edge.from),
-                                     surface_.position(apex));
+  const Position normal = unitNormal(trial_.cornersOf({edge.to, edge.from, apex}));
   if (surface_.hasTriangles(apex) && !isStitched(edge, apex) &&
       surface_.normalSum(apex).dot(normal) <= 0.0)
     return false;
@@ -330,9 +323,7 @@ void
 SurfaceGrowth::addSeed(Triangle seed)
 {
   if (!open_.normals.empty()) {
-    const Position normal = unitNormal(surface_.position(seed[0]),
-                                       surface_.position(seed[1]),
-                                       surface_.position(seed[2]));
+    const Position normal = unitNormal(trial_.cornersOf(seed));
     double agreement = 0.0;
     for (const pcl::index_t corner : seed)
       agreement += open_.normals[static_cast<std::size_t>(corner)].dot(normal);

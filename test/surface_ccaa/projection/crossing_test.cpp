@@ -16,19 +16,11 @@ namespace ccaa {
 namespace test {
 namespace {
 
-Corners
-cornersOf(const Positions& positions, const Triangle& t)
-{
-  return {positions[std::size_t(t[0])],
-          positions[std::size_t(t[1])],
-          positions[std::size_t(t[2])]};
-}
-
 bool
 meetsAny(const Positions& positions, const Triangles& triangles, const Triangle& t)
 {
   return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& other) {
-    return trianglesMeet(cornersOf(positions, t), cornersOf(positions, other));
+    return trianglesMeet(cornersOf(t, positions), cornersOf(other, positions));
   });
 }
 
@@ -148,7 +140,7 @@ TEST(NearbyTriangles, AreMetWhereAnyLiveTriangleIsMet)
           expected ||
           (alive[t] != 0 &&
            trianglesMeet(corners,
-                         cornersOf(positions, sphere.partial.shape.triangles[t])));
+                         cornersOf(sphere.partial.shape.triangles[t], positions)));
     ASSERT_EQ(nearby.meets(corners, boxOf(corners), {}), expected) << round;
     meetings += expected;
   }

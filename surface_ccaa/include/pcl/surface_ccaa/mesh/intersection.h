@@ -2,20 +2,17 @@
 // Part of PclSurfaceRepair: exact answers to what meets what in a mesh.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/run_control.h>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
-
-/** \brief The three corners of a triangle in space. */
-using Corners = std::array<Position, 3>;
 
 /** \brief Whether three points lie on one line (or in one place). Exact. */
 bool

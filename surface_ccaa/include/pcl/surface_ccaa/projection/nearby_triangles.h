@@ -53,8 +53,6 @@ public:
 private:
   bool
   isLong(pcl::index_t triangle, double cell) const;
-  Corners
-  cornersOf(pcl::index_t triangle) const;
 
   const Triangles& triangles_;
   const AliveFlags& alive_;
