@@ -13,6 +13,7 @@ namespace {
 
 using pcl::ccaa::areaNormal;
 using pcl::ccaa::Box;
+using pcl::ccaa::boxOf;
 using pcl::ccaa::Corners;
 using pcl::ccaa::cornersOf;
 using pcl::ccaa::PointView;
@@ -28,15 +29,6 @@ distanceToSegment(const Position& point, const Position& a, const Position& b)
   const double t =
       sqr_length > 0 ? std::clamp((point - a).dot(along) / sqr_length, 0.0, 1.0) : 0.0;
   return (a + t * along - point).norm();
-}
-
-Box
-boxOf(const Corners& corners)
-{
-  Box box(corners[0]);
-  box.extend(corners[1]);
-  box.extend(corners[2]);
-  return box;
 }
 
 /** Distances at the three corners and the centroid. */

@@ -79,11 +79,8 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
   }
   std::vector<Box> boxes;
   boxes.reserve(chosen_.size());
-  for (const pcl::index_t t : chosen_) {
-    const Corners c = cornersOf(triangles[static_cast<std::size_t>(t)], points);
-    boxes.emplace_back(c[0].cwiseMin(c[1]).cwiseMin(c[2]),
-                       c[0].cwiseMax(c[1]).cwiseMax(c[2]));
-  }
+  for (const pcl::index_t t : chosen_)
+    boxes.push_back(boxOf(cornersOf(triangles[static_cast<std::size_t>(t)], points)));
   tree_ = std::make_unique<BoxTree>(boxes);
 }
 

@@ -16,13 +16,6 @@ constexpr double SIDE_OF_UNIT_RADIUS = 1.7320508075688772;
  * together: outliers would tie themselves to the surface. */
 constexpr double LARGEST_SPACING_RATIO = 5.0;
 
-Box
-boxOf(const Corners& corners)
-{
-  return {corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
-          corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])};
-}
-
 } // namespace
 
 TriangleTrial::TriangleTrial(const OpenSurface& open,

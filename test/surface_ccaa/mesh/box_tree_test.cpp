@@ -43,6 +43,13 @@ foundOneByOne(const std::vector<Box>& boxes, const Box& query)
   return result;
 }
 
+TEST(BoxOf, ReachesFromTheLowestToTheHighestCoordinates)
+{
+  const Box box = boxOf({Position(0, 5, 2), Position(3, 4, 1), Position(1, 6, 0)});
+  EXPECT_EQ(box.min(), Position(0, 4, 0));
+  EXPECT_EQ(box.max(), Position(3, 6, 2));
+}
+
 TEST(BoxTree, FindsWhatLookingAtEveryBoxFinds)
 {
   for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 65u, 1000u}) {

@@ -111,12 +111,6 @@ smallTriangleAt(const Position& place, RandomSource& random)
   return corners;
 }
 
-Box
-boxOf(const Corners& c)
-{
-  return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
-}
-
 TEST(NearbyTriangles, AreMetWhereAnyLiveTriangleIsMet)
 {
   HoledSphere sphere;

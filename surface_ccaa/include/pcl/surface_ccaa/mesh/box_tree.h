@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: which of many boxes meet a given box.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include <pcl/surface_ccaa/mesh/corners.h>
 
 #include <Eigen/Geometry>
 
@@ -15,6 +15,14 @@ namespace pcl {
 namespace ccaa {
 
 using Box = Eigen::AlignedBox3d;
+
+/** \brief The smallest box around a triangle. */
+inline Box
+boxOf(const Corners& corners)
+{
+  return {corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
+          corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])};
+}
 
 /** \brief A static tree over boxes: sorted along a space-filling curve, eight
  * neighbours to a node, nodes in flat arrays level by level.
