@@ -2,8 +2,10 @@
 // Part of PclSurfaceRepair: closes small gaps that the growth could not.
 #include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/projection/loop_closure.h>
+#include <pcl/surface_ccaa/projection/spacing.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace ccaa {
@@ -66,9 +68,6 @@ LoopClosure::room(const Triangles& patch) const
   std::vector<double> spacings;
   for (const pcl::index_t corner : corners_)
     spacings.push_back(trial_.spacing(corner));
-  const auto middle =
-      spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
   double room = 0.0;
   for (const Triangle& triangle : patch) {
     const Corners c = trial_.cornersOf(triangle);
@@ -76,7 +75,7 @@ LoopClosure::room(const Triangles& patch) const
     for (std::size_t i = 0; i < 3; ++i)
       room = std::max(room, distanceToLoop(0.5 * (c[i] + c[(i + 1) % 3])));
   }
-  return room / *middle;
+  return room / medianOf(std::move(spacings));
 }
 
 double
