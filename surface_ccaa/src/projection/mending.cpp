@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a second try where triangles stood in the way of others.
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/projection/mending.h>
 #include <pcl/surface_ccaa/projection/new_islands.h>
 #include <pcl/surface_ccaa/projection/spacing.h>
@@ -25,13 +26,6 @@ constexpr int IMPROVEMENTS = 1;
 constexpr std::size_t LARGEST_GROUP = 200;
 /** Open points up to which both orders of growth are tried. */
 constexpr std::size_t LARGEST_TWICE = 60;
-
-void
-makeUnique(std::vector<pcl::index_t>& numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 /** How much is wrong around the first vertices of a mesh: boundary edges, three for an
  * unused point, ten for one where fans touch. */
@@ -127,7 +121,7 @@ std::vector<Mending::Group>
 Mending::groups(const std::vector<pcl::index_t>& points) const
 {
   std::vector<pcl::index_t> waiting = points;
-  makeUnique(waiting);
+  sortUnique(waiting);
   std::vector<std::uint8_t> taken(waiting.size(), 0);
   std::vector<Group> all;
   for (std::size_t seed = 0; seed < waiting.size(); ++seed) {
@@ -147,7 +141,7 @@ Mending::groups(const std::vector<pcl::index_t>& points) const
           mark = 1;
         }
       });
-    makeUnique(group.points);
+    sortUnique(group.points);
     all.push_back(std::move(group));
   }
   return all;
@@ -181,7 +175,7 @@ Mending::growAnew(const std::vector<pcl::index_t>& points,
   for (const pcl::index_t t : best.removed)
     best.open.insert(best.open.end(), surface_[t].begin(), surface_[t].end());
   addUnusedNear(points, best.open);
-  makeUnique(best.open);
+  sortUnique(best.open);
   if (best.open.size() > LARGEST_GROUP)
     return best;
   std::vector<pcl::index_t> vertices;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the part of a cloud and its partial mesh still to be done.
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
 
 #include <algorithm>
@@ -16,8 +17,7 @@ VertexNumbers::VertexNumbers(const Triangles& rim, std::vector<index_t>& vertice
     for (const index_t corner : triangle)
       if ((*this)[corner] < 0)
         others.push_back(corner);
-  std::sort(others.begin(), others.end());
-  others.erase(std::unique(others.begin(), others.end()), others.end());
+  sortUnique(others);
   note(others, vertices.size());
   vertices.insert(vertices.end(), others.begin(), others.end());
 }

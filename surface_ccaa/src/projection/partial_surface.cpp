@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: given and new triangles while a surface is completed.
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/projection/partial_surface.h>
 
 #include <algorithm>
@@ -39,8 +40,7 @@ PartialSurface::trianglesAt(const std::vector<pcl::index_t>& vertices) const
   std::vector<pcl::index_t> found;
   for (const pcl::index_t vertex : vertices)
     forTrianglesAt(vertex, [&](pcl::index_t t) { found.push_back(t); });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_ccaa/mesh/orientation.h>
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/projection/doubtful_triangles.h>
 #include <pcl/surface_ccaa/projection/fan_settlement.h>
 #include <pcl/surface_ccaa/projection/island_alignment.h>
@@ -16,8 +17,7 @@
 #include <pcl/surface_ccaa/projection/surface_completion.h>
 #include <pcl/surface_ccaa/projection/surface_growth.h>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace ccaa {
@@ -304,8 +304,7 @@ Completion::touchedVertices(const PartialSurface& surface,
     if (surface.isGiven(triangle) != surface.isAlive(triangle))
       touched.insert(touched.end(), surface[triangle].begin(), surface[triangle].end());
   }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sortUnique(touched);
   return touched;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: triangle by triangle, the best supported one first.
 #include <pcl/surface_ccaa/mesh/corners.h>
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/projection/empty_ball.h>
 #include <pcl/surface_ccaa/projection/local_fan.h>
 #include <pcl/surface_ccaa/projection/loop_closure.h>
@@ -363,9 +364,7 @@ SurfaceGrowth::noteBowties()
     if (fans > 1)
       obstructed_.push_back(vertex);
   }
-  std::sort(obstructed_.begin(), obstructed_.end());
-  obstructed_.erase(std::unique(obstructed_.begin(), obstructed_.end()),
-                    obstructed_.end());
+  sortUnique(obstructed_);
 }
 
 } // namespace ccaa

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: table T3.4-1 applied until every point has one chain.
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/umbrella/chain_case.h>
 #include <pcl/surface_ccaa/umbrella/chain_elimination.h>
 
-#include <algorithm>
 #include <numeric>
 
 namespace pcl {
@@ -79,8 +79,7 @@ deleteTriangles(const Triangles& triangles,
     corners.insert(
         corners.end(), triangles[triangle].begin(), triangles[triangle].end());
   }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  sortUnique(corners);
   return corners;
 }
 
