@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that tells all there is to know about a mesh.
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/threads.h>
 
 #include "common/cli.h"
@@ -49,19 +50,6 @@ makeCommandLine()
       "number of threads, 0 = all");
   line.addPositional("MESH");
   return line;
-}
-
-/** Fans; what is wrong with a polygon shows as an invalid triangle. */
-pcl::ccaa::Triangles
-toTriangles(const std::vector<pcl::Vertices>& polygons)
-{
-  pcl::ccaa::Triangles triangles;
-  triangles.reserve(polygons.size());
-  for (const pcl::Vertices& polygon : polygons)
-    for (std::size_t i = 2; i < polygon.vertices.size(); ++i)
-      triangles.push_back(
-          {polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i]});
-  return triangles;
 }
 
 struct Settings {
@@ -118,7 +106,7 @@ measure(const app::Arguments& arguments)
   app::ProgressBar bar(settings.quiet);
   pcl::ccaa::RunControl control(bar.callback());
   const pcl::ccaa::MeshFacts facts =
-      pcl::ccaa::measureMesh(toTriangles(model.mesh.polygons),
+      pcl::ccaa::measureMesh(pcl::ccaa::fanTriangles(model.mesh.polygons),
                              app::readPositions(model.mesh.cloud),
                              settings.options,
                              control);

@@ -4,6 +4,7 @@
 
 #include <pcl/io/ply_io.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/threads.h>
 
 #include <cstddef>
@@ -51,7 +52,7 @@ readReference(const std::string& file)
   if (mesh.polygons.empty())
     return nullptr;
   auto reference = std::make_shared<ReferenceMesh>();
-  reference->triangles = toTriangles(mesh.polygons);
+  reference->triangles = pcl::ccaa::fanTriangles(mesh.polygons);
   reference->positions =
       pcl::ccaa::copyPositions(pcl::ccaa::positionView(mesh.cloud)).positions;
   reference->diagonal = diagonalOf(reference->triangles, reference->positions);

@@ -3,6 +3,7 @@
 #include "reconstruction.h"
 
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
 
 #include "measuring.h"
 
@@ -22,25 +23,13 @@ makeMesh(const Cloud::Ptr& cloud, unsigned int threads)
 
 } // namespace
 
-pcl::ccaa::Triangles
-toTriangles(const std::vector<pcl::Vertices>& polygons)
-{
-  pcl::ccaa::Triangles triangles;
-  triangles.reserve(polygons.size());
-  for (const pcl::Vertices& polygon : polygons)
-    for (std::size_t i = 2; i < polygon.vertices.size(); ++i)
-      triangles.push_back(
-          {polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i]});
-  return triangles;
-}
-
 Reconstruction
 reconstruct(const Cloud::Ptr& cloud, unsigned int threads)
 {
   Reconstruction result;
   pcl::PolygonMesh::Ptr mesh;
   result.seconds = secondsOf([&] { mesh = makeMesh(cloud, threads); });
-  result.triangles = toTriangles(mesh->polygons);
+  result.triangles = pcl::ccaa::fanTriangles(mesh->polygons);
   return result;
 }
 

@@ -25,10 +25,6 @@ struct Method {
   std::function<Reconstruction()> run;
 };
 
-/** \brief Polygons as triangles, those with more corners as fans. */
-pcl::ccaa::Triangles
-toTriangles(const std::vector<pcl::Vertices>& polygons);
-
 /** \brief Ours: consecutive reconstruction, all defaults.
  * \param[in] threads 0 = all */
 Reconstruction

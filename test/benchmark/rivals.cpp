@@ -5,6 +5,7 @@
 #include <pcl/features/impl/normal_3d.hpp>
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
 
 #include "measuring.h"
 
@@ -81,7 +82,7 @@ greedyProjection(const Cloud::Ptr& cloud, double spacing, double radius)
   pcl::PolygonMesh mesh;
   result.seconds =
       secondsOf([&] { project(withNormals(cloud), radius * spacing, mesh); });
-  result.triangles = toTriangles(mesh.polygons);
+  result.triangles = pcl::ccaa::fanTriangles(mesh.polygons);
   return result;
 }
 

@@ -125,6 +125,18 @@ readPolygons(const std::vector<pcl::Vertices>& polygons,
   return mesh;
 }
 
+Triangles
+fanTriangles(const std::vector<pcl::Vertices>& polygons)
+{
+  Triangles triangles;
+  triangles.reserve(polygons.size());
+  for (const pcl::Vertices& polygon : polygons)
+    for (std::size_t i = 2; i < polygon.vertices.size(); ++i)
+      triangles.push_back(
+          {polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i]});
+  return triangles;
+}
+
 void
 writePolygons(const Triangles& triangles,
               const std::vector<pcl::index_t>& point_of_vertex,

@@ -50,6 +50,12 @@ TEST(PolygonAccess, SplitsLargePolygonsIntoFans)
   EXPECT_EQ(asPoints(mesh), (Triangles{{4, 3, 2}, {4, 2, 1}, {4, 1, 0}, {6, 7, 8}}));
 }
 
+TEST(PolygonAccess, MakesFansWithoutALookAtTheirCorners)
+{
+  EXPECT_EQ(fanTriangles({polygon({4, 3, 9, 1}), polygon({0, 1}), polygon({6, -1, 6})}),
+            (Triangles{{4, 3, 9}, {4, 9, 1}, {6, -1, 6}}));
+}
+
 TEST(PolygonAccess, LeavesOutInvalidPolygons)
 {
   Positions points(6, Position::Zero());

@@ -37,6 +37,12 @@ readPolygons(const std::vector<pcl::Vertices>& polygons,
              const PointView& points,
              const LoopContext& context);
 
+/** \brief Polygons as fans around their first corner, with nothing looked at: what is
+ * wrong with a polygon shows as an invalid triangle, or as none with fewer than three
+ * corners. */
+Triangles
+fanTriangles(const std::vector<pcl::Vertices>& polygons);
+
 /** \brief Write triangles as polygons of point indices, in their order. Buffers of
  * polygons that are there already are used again. */
 void
