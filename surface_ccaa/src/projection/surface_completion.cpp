@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
 #include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_ccaa/mesh/orientation.h>
 #include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/projection/doubtful_triangles.h>
@@ -360,8 +359,6 @@ Completion::orient(Triangles& triangles)
     report_.free_points += fan == Fan::NONE;
   OrientationHints hints;
   hints.normals = mesh_.normals;
-  hints.viewpoints = mesh_.viewpoints;
-  hints.viewpoint = mesh_.viewpoint;
   hints.threads = context_.threads;
   orientTriangles(triangles, adjacency_, mesh_.points, hints, control_);
 }

@@ -4,8 +4,6 @@
 #include <pcl/surface_ccaa/umbrella/chain_case.h>
 #include <pcl/surface_ccaa/umbrella/chain_elimination.h>
 
-#include <numeric>
-
 namespace pcl {
 namespace ccaa {
 namespace {

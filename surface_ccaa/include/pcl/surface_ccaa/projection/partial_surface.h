@@ -52,12 +52,6 @@ public:
   const Triangle&
   operator[](pcl::index_t triangle) const;
 
-  const PointView&
-  points() const
-  {
-    return points_;
-  }
-
   const AliveFlags&
   aliveGiven() const
   {

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace pcl {
@@ -25,11 +24,9 @@ using NeighborSearch = std::function<bool(
 
 /** \brief A cloud with a partial mesh. */
 struct PartialMesh {
-  PointView points;     /**< of all vertices that may be used: finite, one per place */
-  PointView normals;    /**< outward, one per vertex, or empty */
-  PointView viewpoints; /**< of the sensor, one per vertex, or empty */
-  std::optional<Position> viewpoint; /**< one for all */
-  Triangles given;                   /**< three different vertices each */
+  PointView points;  /**< of all vertices that may be used: finite, one per place */
+  PointView normals; /**< outward, one per vertex, or empty */
+  Triangles given;   /**< three different vertices each */
 };
 
 /** \brief A completed mesh. */
