@@ -4,7 +4,6 @@
 #include "point_columns.h"
 
 #include <algorithm>
-#include <array>
 
 namespace app {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "vertex_link.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace pcl {

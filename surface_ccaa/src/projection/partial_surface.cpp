@@ -4,7 +4,6 @@
 #include <pcl/surface_ccaa/projection/partial_surface.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace pcl {
 namespace ccaa {

@@ -4,7 +4,6 @@
 #include <pcl/surface_ccaa/projection/triangle_trial.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace ccaa {

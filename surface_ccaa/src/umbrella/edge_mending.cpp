@@ -5,7 +5,6 @@
 #include "wing_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 

@@ -10,9 +10,6 @@
 #include "support/raw_clouds.h"
 #include "support/shared_data.h"
 
-#include <cmath>
-#include <limits>
-
 namespace pcl {
 namespace ccaa {
 namespace test {

@@ -3,7 +3,6 @@
 #include "completion_helpers.h"
 #include "support/shared_data.h"
 
-#include <cmath>
 #include <functional>
 #include <limits>
 

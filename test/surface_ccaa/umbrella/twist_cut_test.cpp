@@ -8,8 +8,6 @@
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
-#include <cmath>
-
 namespace pcl {
 namespace ccaa {
 namespace test {

@@ -5,7 +5,6 @@
 #include <pcl/surface_ccaa/projection/front.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
