@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace pcl {
@@ -165,6 +166,15 @@ cylinderCloud(std::size_t count, std::uint64_t seed)
 }
 
 Positions
+lineCloud(int count)
+{
+  Positions line;
+  for (int i = 0; i < count; ++i)
+    line.push_back({0.25 * i, 0.5 * i, 0.125 * i});
+  return line;
+}
+
+Positions
 withNonFinite(Positions points, std::size_t count, std::uint64_t seed)
 {
   RandomSource random(seed);
@@ -235,6 +245,15 @@ toCloud(const Positions& points)
     cloud->is_dense = cloud->is_dense && points[i].allFinite();
   }
   return cloud;
+}
+
+bool
+sameBytes(const pcl::PointCloud<pcl::PointXYZ>& one,
+          const pcl::PointCloud<pcl::PointXYZ>& other)
+{
+  return one.size() == other.size() && std::memcmp(one.points.data(),
+                                                   other.points.data(),
+                                                   one.size() * sizeof(PointXYZ)) == 0;
 }
 
 pcl::PCLPointCloud2

@@ -52,6 +52,10 @@ terrainCloud(int columns, std::uint64_t seed = 1);
 Positions
 cylinderCloud(std::size_t count, std::uint64_t seed = 1);
 
+/** \brief Points on one line, exactly. */
+Positions
+lineCloud(int count);
+
 /** \brief `count` of the points replaced by non-finite ones: NaN or infinity in turn.
  */
 Positions
@@ -77,6 +81,13 @@ withNoise(Positions points, double deviation, std::uint64_t seed = 1);
 /** \brief As an unorganised cloud; is_dense tells whether all points are finite. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 toCloud(const Positions& points);
+
+/** \brief Whether clouds have the same points to the last bit, NaN and padding
+ * included.
+ */
+bool
+sameBytes(const pcl::PointCloud<pcl::PointXYZ>& one,
+          const pcl::PointCloud<pcl::PointXYZ>& other);
 
 /** \brief As the raw cloud a PolygonMesh carries. */
 pcl::PCLPointCloud2

@@ -44,10 +44,7 @@ TEST_F(ConsecutiveBadInput, OnlyNonFinitePointsGiveNothing)
 
 TEST_F(ConsecutiveBadInput, PointsOnALineGiveNothing)
 {
-  Positions line;
-  for (int i = 0; i < 100; ++i)
-    line.push_back({0.25 * i, 0.5 * i, 0.125 * i});
-  EXPECT_TRUE(reconstruct(line).empty());
+  EXPECT_TRUE(reconstruct(lineCloud(100)).empty());
 }
 
 TEST_F(ConsecutiveBadInput, IdenticalPointsGiveNothing)

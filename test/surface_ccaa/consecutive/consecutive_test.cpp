@@ -42,6 +42,18 @@ withNormals(const Cloud::ConstPtr& cloud)
   return result;
 }
 
+/** With gp3 set for a sphere of 2000 points, and no base. */
+void
+startWithGp3(ConsecutiveReconstruction<PointNormal>& chain)
+{
+  const auto gp3 = std::make_shared<GreedyProjectionTriangulation<PointNormal>>();
+  gp3->setSearchRadius(0.2);
+  gp3->setMu(3);
+  gp3->setMaximumNearestNeighbors(60);
+  chain.setStartAlgorithm(gp3);
+  chain.setBaseAlgorithm(nullptr);
+}
+
 TEST_F(ConsecutiveReconstructionTest, TheBaseGetsTheFilteredTrianglesAndTheWholeCloud)
 {
   const auto cloud = toCloud(bumpySphere(3000));
@@ -141,13 +153,8 @@ TEST_F(ConsecutiveReconstructionTest, WithoutAFilterTheStartsMistakesStay)
 TEST_F(ConsecutiveReconstructionTest, TakesPclsGreedyProjectionAsStart)
 {
   const auto cloud = toCloud(fibonacciSphere(2000));
-  const auto gp3 = std::make_shared<GreedyProjectionTriangulation<PointNormal>>();
-  gp3->setSearchRadius(0.2);
-  gp3->setMu(3);
-  gp3->setMaximumNearestNeighbors(60);
   ConsecutiveReconstruction<PointNormal> chain;
-  chain.setBaseAlgorithm(nullptr);
-  chain.setStartAlgorithm(gp3);
+  startWithGp3(chain);
   chain.setInputCloud(withNormals(cloud));
   Polygons polygons;
   chain.reconstruct(polygons);
@@ -164,13 +171,8 @@ TEST_F(ConsecutiveReconstructionTest, Gp3StartsOnASelectionWithBadPoints)
   const auto lower = std::make_shared<Indices>();
   for (index_t i = 1000; i < 2000; ++i)
     lower->push_back(i);
-  const auto gp3 = std::make_shared<GreedyProjectionTriangulation<PointNormal>>();
-  gp3->setSearchRadius(0.2);
-  gp3->setMu(3);
-  gp3->setMaximumNearestNeighbors(60);
   ConsecutiveReconstruction<PointNormal> chain;
-  chain.setBaseAlgorithm(nullptr);
-  chain.setStartAlgorithm(gp3);
+  startWithGp3(chain);
   chain.setInputCloud(cloud);
   chain.setIndices(lower);
   Polygons polygons;
@@ -243,10 +245,7 @@ TEST_F(ConsecutiveReconstructionTest, LeavesTheInputAlone)
   const Cloud::Ptr cloud = toCloud(withNonFinite(fibonacciSphere(500), 5));
   const Cloud before = *cloud;
   reconstruct(Cloud::ConstPtr(cloud));
-  EXPECT_EQ(0,
-            std::memcmp(before.points.data(),
-                        cloud->points.data(),
-                        before.size() * sizeof(PointXYZ)));
+  EXPECT_TRUE(sameBytes(*cloud, before));
 }
 
 TEST_F(ConsecutiveReconstructionTest, NonFinitePointsReachNoPart)

@@ -284,10 +284,7 @@ TEST_F(GreedyStartTest, LeavesTheInputAlone)
   const Cloud::Ptr cloud = toCloud(withNonFinite(fibonacciSphere(300), 5));
   const Cloud before = *cloud;
   reconstruct(Cloud::ConstPtr(cloud));
-  EXPECT_EQ(0,
-            std::memcmp(before.points.data(),
-                        cloud->points.data(),
-                        before.size() * sizeof(PointXYZ)));
+  EXPECT_TRUE(sameBytes(*cloud, before));
 }
 
 TEST_F(GreedyStartTest, ReadsAPcdFile)
@@ -320,10 +317,7 @@ TEST_F(GreedyStartBadInput, ThreePointsGiveOneTriangle)
 
 TEST_F(GreedyStartBadInput, PointsOnALineGiveNothing)
 {
-  Positions line;
-  for (int i = 0; i < 100; ++i)
-    line.push_back({0.25 * i, 0.5 * i, 0.125 * i});
-  EXPECT_TRUE(reconstruct(line).empty());
+  EXPECT_TRUE(reconstruct(lineCloud(100)).empty());
 }
 
 TEST_F(GreedyStartBadInput, AMillionIdenticalPointsGiveNothing)

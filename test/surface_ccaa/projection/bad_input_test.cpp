@@ -210,10 +210,7 @@ TEST_F(BadInput, OnlyOnePlaceIsAnError)
 
 TEST_F(BadInput, PointsOnALineGiveNothing)
 {
-  Positions line;
-  for (int i = 0; i < 200; ++i)
-    line.push_back({0.25 * i, 0.5 * i, 0.125 * i});
-  EXPECT_TRUE(reconstruct(line).empty());
+  EXPECT_TRUE(reconstruct(lineCloud(200)).empty());
 }
 
 TEST_F(BadInput, ThreePointsGiveOneTriangleWhenRegionsMayBeSmall)
