@@ -147,12 +147,13 @@ private:
            VtkValues(scanner_, is_binary_).read(type, count, to);
   }
 
+  /** Whether this word is the next one; it stays there. */
   bool
-  hasOffsets() const
+  comes(std::string_view expected) const
   {
     TextScanner ahead = scanner_;
     std::string_view word;
-    return ahead.nextWord(word) && word == "OFFSETS";
+    return ahead.nextWord(word) && word == expected;
   }
 
   bool
@@ -164,8 +165,9 @@ private:
     if (!nextCount(words, rows) || !nextCount(words, size))
       return false;
     const bool good =
-        hasOffsets() ? readOffsets(rows, size, cells)
-                     : VtkValues(scanner_, is_binary_).read(Field::INT32, size, cells);
+        comes("OFFSETS")
+            ? readOffsets(rows, size, cells)
+            : VtkValues(scanner_, is_binary_).read(Field::INT32, size, cells);
     if (!good)
       return false;
     if (keyword == "LINES" || keyword == "VERTICES")
@@ -266,21 +268,13 @@ private:
       if (!nextCount(words, array.count))
         array.count = 1;
       std::string_view line;
-      if (hasLookupTable())
+      if (comes("LOOKUP_TABLE"))
         scanner_.nextLine(line);
     }
     if (keyword == "NORMALS")
       array.name = "normal";
     return readArray(data_rows_, array) &&
            keep(array, keyword == "SCALARS" && array.type == Field::UINT8);
-  }
-
-  bool
-  hasLookupTable() const
-  {
-    TextScanner ahead = scanner_;
-    std::string_view word;
-    return ahead.nextWord(word) && word == "LOOKUP_TABLE";
   }
 
   /** Three bytes, or shares of ASCII COLOR_SCALARS, are a colour; the rest goes on as

@@ -16,12 +16,12 @@
 #define PSR_HAVE_NANOFLANN
 #endif
 
+#include "measuring.h"
+
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -170,19 +170,8 @@ void
 runBlocks(const Cloud::ConstPtr& cloud, unsigned int k, int threads)
 {
   pcl::ccaa::PointBlocks blocks;
-  blocks.build(
-      {cloud->points[0].data, sizeof(pcl::PointXYZ) / sizeof(float), cloud->size()},
-      threads);
+  blocks.build(pcl::ccaa::pointArrayOf(*cloud), threads);
   blocks.allNearest(k, pcl::ccaa::PointBlocks::Distances::OMIT, threads);
-}
-
-double
-seconds(const std::function<void()>& job)
-{
-  const auto start = std::chrono::steady_clock::now();
-  job();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-      .count();
 }
 
 void
@@ -196,7 +185,8 @@ printRow(const std::string& name,
   std::array<std::vector<double>, 3> times;
   for (int repeat = 0; repeat < settings.repeats; ++repeat)
     for (std::size_t i = 0; i < runs.size(); ++i)
-      times[i].push_back(seconds([&]() { runs[i](cloud, settings.k, threads); }));
+      times[i].push_back(
+          bench::secondsOf([&] { runs[i](cloud, settings.k, threads); }));
   std::array<double, 3> best;
   for (std::size_t i = 0; i < runs.size(); ++i)
     best[i] = *std::min_element(times[i].begin(), times[i].end()) * 1e6 /
