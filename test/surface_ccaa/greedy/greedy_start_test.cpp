@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of GreedyStart as a PCL class.
-#include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/search/octree.h>
-#include <pcl/surface_ccaa/greedy_start.h>
-#include <pcl/surface_ccaa/search/block_search.h>
-
-#include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
-#include "support/clouds.h"
-#include "support/mesh_asserts.h"
+#include "start_fixture.h"
 #include "support/shared_data.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -26,39 +19,6 @@ namespace pcl {
 namespace ccaa {
 namespace test {
 namespace {
-
-using Start = GreedyStart<PointXYZ>;
-using Cloud = PointCloud<PointXYZ>;
-using Blocks = pcl::search::BlockSearch<PointXYZ>;
-
-/** Errors are expected in many tests; their text is not under test. */
-class GreedyStartTest : public ::testing::Test {
-protected:
-  GreedyStartTest()
-  {
-    console::setVerbosityLevel(console::L_ALWAYS);
-    start_.setSearchMethod(std::make_shared<Blocks>());
-  }
-
-  Triangles
-  reconstruct(const Cloud::ConstPtr& cloud)
-  {
-    start_.setInputCloud(cloud);
-    std::vector<Vertices> polygons;
-    start_.reconstruct(polygons);
-    return toTriangles(polygons);
-  }
-
-  Triangles
-  reconstruct(const Positions& points)
-  {
-    return reconstruct(toCloud(points));
-  }
-
-  Start start_;
-};
-
-using GreedyStartBadInput = GreedyStartTest;
 
 std::size_t
 usedPoints(const Triangles& triangles)
@@ -301,65 +261,6 @@ TEST_F(GreedyStartTest, MeshesTheBunny)
   Shape bunny;
   ASSERT_TRUE(readShape(path, bunny));
   EXPECT_GT(usedPoints(reconstruct(bunny.vertices)), 35900u);
-}
-
-TEST_F(GreedyStartBadInput, UpToTwoPointsGiveNothing)
-{
-  for (const std::size_t count : {0u, 1u, 2u})
-    EXPECT_TRUE(
-        reconstruct(Positions(count, Position(1, 2, 3) * double(count))).empty());
-}
-
-TEST_F(GreedyStartBadInput, ThreePointsGiveOneTriangle)
-{
-  EXPECT_EQ(reconstruct(Positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);
-}
-
-TEST_F(GreedyStartBadInput, PointsOnALineGiveNothing)
-{
-  EXPECT_TRUE(reconstruct(lineCloud(100)).empty());
-}
-
-TEST_F(GreedyStartBadInput, AMillionIdenticalPointsGiveNothing)
-{
-  EXPECT_TRUE(reconstruct(Positions(1000000, Position(1, 1, 1))).empty());
-}
-
-TEST_F(GreedyStartBadInput, AMillionIdenticalPointsDoNotHangTheKdTree)
-{
-  start_.setSearchMethod(nullptr);
-  EXPECT_TRUE(reconstruct(Positions(1000000, Position(1, 1, 1))).empty());
-}
-
-TEST_F(GreedyStartBadInput, OnlyNonFinitePointsGiveNothing)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(reconstruct(Positions(10, Position(nan, 0, nan))).empty());
-}
-
-TEST_F(GreedyStartBadInput, AnIndexOutsideTheCloudGivesNothing)
-{
-  start_.setIndices(std::make_shared<Indices>(Indices{0, 1, 2, 500}));
-  EXPECT_TRUE(reconstruct(fibonacciSphere(500)).empty());
-}
-
-TEST_F(GreedyStartBadInput, ParametersOutOfRangeGiveNothing)
-{
-  const Positions points = fibonacciSphere(100);
-  start_.setNumberOfNeighbors(2);
-  EXPECT_TRUE(reconstruct(points).empty());
-  start_.setNumberOfNeighbors(65);
-  EXPECT_TRUE(reconstruct(points).empty());
-  start_.setNumberOfNeighbors(16);
-  start_.setMinimumAngle(-0.1);
-  EXPECT_TRUE(reconstruct(points).empty());
-  start_.setMinimumAngle(std::nan(""));
-  EXPECT_TRUE(reconstruct(points).empty());
-  start_.setMinimumAngle(0.2);
-  start_.setLengthFactor(0.5);
-  EXPECT_TRUE(reconstruct(points).empty());
-  start_.setLengthFactor(3);
-  EXPECT_FALSE(reconstruct(points).empty());
 }
 
 TEST_F(GreedyStartTest, CancellingLeavesAnEmptyResult)

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a GreedyStart for the tests of the class.
+#pragma once
+
+#include <pcl/console/print.h>
+#include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/surface_ccaa/search/block_search.h>
+
+#include <gtest/gtest.h>
+
+#include "support/clouds.h"
+#include "support/mesh_asserts.h"
+
+#include <memory>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+namespace test {
+
+using Start = GreedyStart<PointXYZ>;
+using Cloud = PointCloud<PointXYZ>;
+using Blocks = pcl::search::BlockSearch<PointXYZ>;
+
+/** Errors are expected in many tests; their text is not under test. */
+class GreedyStartTest : public ::testing::Test {
+protected:
+  GreedyStartTest()
+  {
+    console::setVerbosityLevel(console::L_ALWAYS);
+    start_.setSearchMethod(std::make_shared<Blocks>());
+  }
+
+  Triangles
+  reconstruct(const Cloud::ConstPtr& cloud)
+  {
+    start_.setInputCloud(cloud);
+    std::vector<Vertices> polygons;
+    start_.reconstruct(polygons);
+    return toTriangles(polygons);
+  }
+
+  Triangles
+  reconstruct(const Positions& points)
+  {
+    return reconstruct(toCloud(points));
+  }
+
+  Start start_;
+};
+
+} // namespace test
+} // namespace ccaa
+} // namespace pcl
