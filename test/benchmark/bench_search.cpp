@@ -3,7 +3,7 @@
 //
 // Usage: bench_search [--k K] [--repeats R] [--generate N]... [CLOUD.ply |
 // CLOUD.pcd]... Prints microseconds per point, structure included, for PCL's default
-// tree (FLANN), nanoflann and PointBlocks: the median of R interleaved runs. Nothing
+// tree (FLANN), nanoflann and PointBlocks: the best of R interleaved runs. Nothing
 // passes or fails.
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
