@@ -83,6 +83,8 @@ private:
   addFreePoints();
   Indices
   withoutUsedPlaces(const Indices& free) const;
+  PointArray
+  vertexArray() const;
   bool
   searchOpen(std::vector<index_t>& open, unsigned int k, std::vector<index_t>& table);
   bool
@@ -192,6 +194,14 @@ PolygonCompletion::withoutUsedPlaces(const Indices& free) const
   return remaining;
 }
 
+PointArray
+PolygonCompletion::vertexArray() const
+{
+  if (coordinates_.empty())
+    return {};
+  return {coordinates_.front().data(), 3, coordinates_.size()};
+}
+
 bool
 PolygonCompletion::searchOpen(std::vector<index_t>& open,
                               unsigned int k,
@@ -199,10 +209,7 @@ PolygonCompletion::searchOpen(std::vector<index_t>& open,
 {
   if (!input_.search)
     return searchBlocks(open, k, table);
-  const PointArray points{coordinates_.empty() ? nullptr : coordinates_.front().data(),
-                          3,
-                          coordinates_.size()};
-  open = curveOrder(points, open, context_.threads);
+  open = curveOrder(vertexArray(), open, context_.threads);
   Indices in_cloud;
   for (const index_t vertex : open)
     in_cloud.push_back(given_.point_of_vertex[static_cast<std::size_t>(vertex)]);
@@ -215,11 +222,7 @@ PolygonCompletion::searchBlocks(std::vector<index_t>& open,
                                 std::vector<index_t>& table)
 {
   PointBlocks blocks;
-  blocks.build({coordinates_.empty() ? nullptr : coordinates_.front().data(),
-                3,
-                coordinates_.size()},
-               open,
-               context_.threads);
+  blocks.build(vertexArray(), open, context_.threads);
   open = blocks.order();
   const auto found =
       blocks.allNearest(k, PointBlocks::Distances::OMIT, context_.threads, &control_);
