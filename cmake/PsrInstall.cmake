@@ -15,7 +15,7 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion)
 
 install(
-  TARGETS pcl_surface_ccaa
+  TARGETS pcl_surface_ccaa pcl_surface_repair
   EXPORT PclSurfaceRepairTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -25,6 +25,7 @@ install(
   NAMESPACE PclSurfaceRepair::
   DESTINATION "${psr_package_dir}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/surface_ccaa/include/pcl"
+                  "${PROJECT_SOURCE_DIR}/surface_repair/include/pcl"
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES "${PROJECT_BINARY_DIR}/PclSurfaceRepairConfig.cmake"
               "${PROJECT_BINARY_DIR}/PclSurfaceRepairConfigVersion.cmake"

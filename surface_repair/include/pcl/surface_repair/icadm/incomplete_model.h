@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the incomplete normalised CAD model (D1.3-1) as read.
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/islands.h>
+#include <pcl/surface_ccaa/mesh/triangle.h>
+#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include <pcl/memory.h>
+#include <pcl/PolygonMesh.h>
+#include <pcl/types.h>
+
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+using ccaa::Position;
+using ccaa::Positions;
+using ccaa::Triangle;
+using ccaa::Triangles;
+
+/** \brief A unit vector; NaN where there is none. */
+using Direction = Eigen::Vector3d;
+using Directions = std::vector<Direction>;
+
+/** \brief Index of an island, loop or other part that is not there. */
+constexpr std::size_t NONE = static_cast<std::size_t>(-1);
+
+/** \brief One connected component of the reconstructed region A. */
+struct Island {
+  pcl::index_t first_triangle = 0; /**< lowest triangle index */
+  std::size_t triangles = 0;
+  double area = 0.0;       /**< squared units of the cloud */
+  Eigen::AlignedBox3d box; /**< of its vertices */
+  bool closed = false;     /**< no boundary at all */
+  bool one_sided = false;  /**< cannot be wound consistently: reported and left alone */
+};
+
+/** \brief A model of class ICM1, ICM2 or ICM3: a manifold of islands, all windings of
+ * an island alike, and free points.
+ *
+ * Vertices are the points that carry a triangle, numbered by first appearance in the
+ * triangles; point_of_vertex leads back to the cloud. Positions are double precision in
+ * the frame and the units of the cloud.
+ */
+struct IncompleteModel {
+  Positions positions; /**< of the vertices */
+  std::vector<pcl::index_t> point_of_vertex;
+  Triangles triangles;
+  ccaa::TriangleAdjacency adjacency; /**< of these triangles */
+  ccaa::Islands island_of;           /**< of a triangle */
+  std::vector<Island> islands;       /**< numbered by lowest triangle */
+  Directions
+      normals; /**< external, of the vertices, by the windings (angle-weighted) */
+  Positions free_points; /**< finite points without a triangle, in cloud order, then
+                              those of the separate cloud */
+  std::vector<pcl::index_t> point_of_free_point; /**< cloud index; UNAVAILABLE for one
+                                                      of the separate cloud */
+  Positions given_normals; /**< of the vertices, as the cloud has them; else empty */
+  Positions viewpoints;    /**< sensor positions of the vertices; else empty */
+};
+
+} // namespace repair
+} // namespace pcl

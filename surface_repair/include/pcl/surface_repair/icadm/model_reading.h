@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: from any polygon mesh to an incomplete model.
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/run_settings.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
+#include <pcl/surface_repair/icadm/incomplete_model.h>
+#include <pcl/PCLPointCloud2.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief What reading found, and what had to change before it was an ICADM. */
+struct ReadingReport {
+  std::size_t input_polygons = 0;
+  std::size_t invalid_polygons = 0; /**< index out of range, repeated or not finite */
+  bool filtered = false; /**< it was no ICADM: UmbrellaFilter brought it there */
+  UmbrellaReport filter; /**< only if filtered */
+  std::size_t reversed_triangles = 0;
+  std::size_t non_finite_points = 0;
+  std::string problem; /**< why there is no model; empty: there is one */
+};
+
+struct ReadModel {
+  IncompleteModel model;
+  ReadingReport report;
+};
+
+/** \brief Read a mesh. Manifold, consistently wound input is taken as it is, triangle
+ * for triangle; anything else (bow-ties, three on an edge, mixed winding) goes through
+ * UmbrellaFilter first, without its rule on small regions.
+ * \param[in] free_points a separate cloud of free points, or null
+ * \return with report.problem set when the cloud is unreadable, there is no triangle,
+ * or the run was cancelled */
+ReadModel
+readModel(const pcl::PolygonMesh::ConstPtr& mesh,
+          const pcl::PCLPointCloud2* free_points,
+          const ccaa::LoopContext& context);
+
+} // namespace repair
+} // namespace pcl
