@@ -14,13 +14,16 @@ namespace repair {
 
 /** \brief How the tracking of a force line ended. */
 enum class LineEnd : std::uint8_t {
-  BRIDGE,         /**< at another boundary: the line can become a bridge */
-  REPELLED,       /**< the force at the origin points back over its own island */
-  NO_FIELD,       /**< no source within reach, or their forces cancel out */
-  OUT_OF_REACH,   /**< the line left the L_2 region of its targets */
-  TOO_LONG,       /**< longer than a bridge over the gap could be */
-  CROSSES_SURFACE /**< the line ran through the surface */
+  BRIDGE,          /**< at another boundary: the line can become a bridge */
+  REPELLED,        /**< the force at the origin points back over its own island */
+  NO_FIELD,        /**< no source within reach, or their forces cancel out */
+  OUT_OF_REACH,    /**< the line left the L_2 region of its targets */
+  TOO_LONG,        /**< longer than a bridge over the gap could be */
+  CROSSES_SURFACE, /**< the line ran through the surface */
+  WRONG_SIDE       /**< it came to the inner side of the other boundary */
 };
+
+constexpr std::size_t LINE_ENDS = 7;
 
 /** \brief A sentence part for messages and reports, such as "repelled at its origin".
  */

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tracing force lines through the indicator field
+// (4.41, 4.44).
+
+#include <pcl/surface_repair/field/shielding.h>
+#include <pcl/surface_repair/force_line/force_line_tracker.h>
+
+#include "line_shape.h"
+#include "line_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace repair {
+
+OriginForce
+forceAtOrigin(const LineOrigin& origin, const Tension& tension)
+{
+  const Direction conormal = origin.tangent.cross(origin.normal);
+  OriginForce force;
+  force.normal = searchNormal(tension, origin.tangent).normal;
+  if (force.normal.dot(origin.normal) < 0.0)
+    force.normal = -force.normal;
+  force.force = tension * force.normal;
+  force.outward = force.force.dot(conormal);
+  return force;
+}
+
+namespace {
+
+/** A force that the sum's rounding could have made is none: relative to one source. */
+constexpr double NO_FORCE = 1e-12;
+
+/** Steps after which a line that is still short counts as too long: it circles. */
+constexpr int MOST_STEPS = 1000;
+
+/** Reach in L_1 below which a boundary is single sources rather than a curve. */
+constexpr double LEAST_REACH = 4.0;
+
+/** Share of the way to the nearest target that one step may take, so that the inner
+ * points of a step stay on this side of the boundary. */
+constexpr double STEP_SHARE = 0.5;
+
+/** The tracing of one line. */
+class Trace {
+public:
+  Trace(const IndicatorField& field,
+        const BoundaryEdges& targets,
+        const TrackerParameters& parameters,
+        const Shield* obstacle,
+        const LineOrigin& origin)
+  : field_(field)
+  , targets_(targets)
+  , parameters_(parameters)
+  , obstacle_(obstacle)
+  , origin_(origin)
+  , query_(origin.query)
+  {}
+
+  ForceLine
+  run();
+
+private:
+  struct Step {
+    Position end;
+    LineState state;
+    double error = 0.0;
+  };
+
+  LineEnd
+  begin();
+  LineEnd
+  follow();
+  bool
+  advance();
+  Step
+  tryStep(double length) const;
+  std::optional<BoundaryEncounter>
+  nearestTarget(const Position& a, const Position& b, double within) const;
+  LineEnd
+  arrive();
+  bool
+  crossesSurface(const Position& a, const Position& b, double tolerance) const;
+  void
+  add(const Position& position, const LineState& state);
+  double
+  reachAt(const Position& position) const;
+  LineState
+  evaluate(const Position& position, const LineState& before) const;
+
+  double
+  near() const
+  {
+    return query_.falloff.near;
+  }
+  double
+  captureDistance() const
+  {
+    return parameters_.capture_distance * near();
+  }
+
+  const IndicatorField& field_;
+  const BoundaryEdges& targets_;
+  const TrackerParameters& parameters_;
+  const Shield* obstacle_;
+  const LineOrigin& origin_;
+  FieldQuery query_;
+  ForceLine line_;
+  std::vector<bool> undetermined_; /**< of the points of the line */
+  Position position_ = Position::Zero();
+  LineState state_;
+  double gap_ = 0.0;  /**< from position_ to the nearest target */
+  double step_ = 0.0; /**< length to try next */
+};
+
+LineState
+Trace::evaluate(const Position& position, const LineState& before) const
+{
+  FieldQuery query = query_;
+  query.position = position;
+  query.falloff.far = reachAt(position);
+  return stateAt(field_.tensionAt(query), before, parameters_.least_clearness);
+}
+
+/** L_2 shrinks with the gap that is left. Near a boundary its own straight piece should
+ * count: since s fades out along it, the piece's force falls like the distance to it,
+ * and what lies across the target's whole region would win. */
+double
+Trace::reachAt(const Position& position) const
+{
+  const double far = query_.falloff.far;
+  if (!(parameters_.room > 0.0))
+    return far;
+  const double within = gap_ + (position - position_).norm();
+  const auto nearest = nearestTarget(position, position, (1.0 + 1e-9) * within);
+  const double gap = nearest ? nearest->distance : within;
+  return std::min(far, std::max(parameters_.room * gap, LEAST_REACH * near()));
+}
+
+void
+Trace::add(const Position& position, const LineState& state)
+{
+  if (!line_.points.empty())
+    line_.length += (position - line_.points.back()).norm();
+  line_.points.push_back(position);
+  line_.normals.push_back(state.normal);
+  line_.tensions.push_back(state.tension);
+  undetermined_.push_back(state.undetermined);
+  position_ = position;
+  state_ = state;
+}
+
+std::optional<BoundaryEncounter>
+Trace::nearestTarget(const Position& a, const Position& b, double within) const
+{
+  return targets_.closest(a, b, within, [this](std::size_t curve, std::size_t edge) {
+    if (!query_.effective)
+      return targets_.curves()[curve].island != query_.silent_island;
+    const EffectiveCharge& hole = *query_.effective;
+    if (curve != hole.curve)
+      return false;
+    const double arc = targets_.arcAt({curve, edge, 0.5, {}});
+    const double apart = std::abs(arc - hole.arc);
+    return std::min(apart, targets_.lengthOf(curve) - apart) > hole.threshold;
+  });
+}
+
+/** One step of the method of Bogacki and Shampine; the state at the end is the first of
+ * the next step. */
+Trace::Step
+Trace::tryStep(double length) const
+{
+  const Direction& first = state_.direction;
+  const LineState second = evaluate(position_ + 0.5 * length * first, state_);
+  const LineState third =
+      evaluate(position_ + 0.75 * length * second.direction, second);
+  Step step;
+  step.end =
+      position_ +
+      length / 9.0 * (2.0 * first + 3.0 * second.direction + 4.0 * third.direction);
+  step.state = evaluate(step.end, third);
+  step.error = length / 72.0 *
+               (5.0 * first - 6.0 * second.direction - 8.0 * third.direction +
+                9.0 * step.state.direction)
+                   .norm();
+  return step;
+}
+
+/** Make one step of the greatest length whose error is allowed. \return false when the
+ * field ends. */
+bool
+Trace::advance()
+{
+  const double allowed = parameters_.tolerance * near();
+  const double shortest = 1e-3 * near();
+  for (;;) {
+    const double length = std::min(step_, std::max(STEP_SHARE * gap_, shortest));
+    const Step step = tryStep(length);
+    const bool field_ends = step.state.direction.isZero();
+    const double fit = 0.9 * std::cbrt(allowed / std::max(step.error, 1e-9 * allowed));
+    step_ = length * std::clamp(fit, 0.2, 5.0);
+    if (!field_ends && (step.error <= allowed || length <= shortest)) {
+      gap_ += length; // an upper bound, for the next search
+      add(step.end, step.state);
+      return true;
+    }
+    if (length <= shortest)
+      return false;
+    step_ = std::max(field_ends ? 0.5 * length : step_, shortest);
+  }
+}
+
+LineEnd
+Trace::begin()
+{
+  query_.position = origin_.point.position;
+  const OriginForce origin = forceAtOrigin(origin_, field_.tensionAt(query_));
+  LineState state;
+  state.tension = origin.force.norm();
+  state.normal = origin.normal;
+  if (state.tension > NO_FORCE)
+    state.direction = origin.force / state.tension;
+  add(origin_.point.position, state);
+  if (!(state.tension > NO_FORCE))
+    return LineEnd::NO_FIELD;
+  if (origin.outward <= 0.0)
+    return LineEnd::REPELLED;
+  gap_ = query_.falloff.far;
+  step_ = gap_;
+  return LineEnd::BRIDGE;
+}
+
+bool
+Trace::crossesSurface(const Position& a, const Position& b, double tolerance) const
+{
+  return obstacle_ != nullptr && obstacle_->crosses(a, b, tolerance);
+}
+
+/** Go on until a boundary captures the line or it comes to nothing. */
+LineEnd
+Trace::follow()
+{
+  const double greatest = parameters_.greatest_length * query_.falloff.far;
+  for (int count = 0; count < MOST_STEPS && line_.length <= greatest; ++count) {
+    const auto nearest = nearestTarget(position_, position_, gap_);
+    if (!nearest)
+      return LineEnd::OUT_OF_REACH;
+    gap_ = nearest->distance;
+    if (gap_ <= captureDistance())
+      return arrive();
+    const Position from = position_;
+    if (!advance())
+      return LineEnd::OUT_OF_REACH;
+    gap_ = std::min(gap_, query_.falloff.far);
+    if (crossesSurface(from, position_, count == 0 ? 0.5 * near() : 0.0))
+      return LineEnd::CROSSES_SURFACE;
+  }
+  return LineEnd::TOO_LONG;
+}
+
+/** The last piece, straight on to the boundary. Its normal there is the compatibility
+ * vector (EC4.421-2b). */
+LineEnd
+Trace::arrive()
+{
+  const Position ahead = position_ + 2.0 * captureDistance() * state_.direction;
+  const auto encounter = nearestTarget(position_, ahead, 2.0 * captureDistance());
+  line_.target = encounter->point;
+  const Position from = position_;
+  const Direction along = (line_.target.position - from).normalized();
+  const BoundaryCurve& curve = targets_.curves()[line_.target.curve].curve;
+  const Direction tangent = curve.edge(line_.target.edge).normalized();
+  LineState state = state_;
+  const Direction compatible = unitAcross((-along).cross(tangent), tangent);
+  if (!compatible.isZero())
+    state.normal = unitAcross(compatible, along);
+  const bool wrong_side = state.normal.dot(state_.normal) <= 0.0;
+  add(line_.target.position, state);
+  if (wrong_side)
+    return LineEnd::WRONG_SIDE;
+  return crossesSurface(from, position_, 0.5 * near()) ? LineEnd::CROSSES_SURFACE
+                                                       : LineEnd::BRIDGE;
+}
+
+ForceLine
+Trace::run()
+{
+  line_.origin = origin_.point;
+  line_.end = begin();
+  if (line_.end == LineEnd::BRIDGE)
+    line_.end = follow();
+  mendNormals(line_, undetermined_);
+  line_.quality = meanTension(line_);
+  return std::move(line_);
+}
+
+} // namespace
+
+ForceLineTracker::ForceLineTracker(const IndicatorField& field,
+                                   const BoundaryEdges& targets,
+                                   const TrackerParameters& parameters,
+                                   const Shield* obstacle)
+: field_(field), targets_(targets), parameters_(parameters), obstacle_(obstacle)
+{}
+
+ForceLine
+ForceLineTracker::track(const LineOrigin& origin) const
+{
+  return Trace(field_, targets_, parameters_, obstacle_, origin).run();
+}
+
+std::vector<ForceLine>
+ForceLineTracker::track(const std::vector<LineOrigin>& origins,
+                        const ccaa::LoopContext& context) const
+{
+  std::vector<ForceLine> lines(origins.size());
+  ccaa::LoopContext small_blocks = context;
+  small_blocks.block_size = 16; // a line takes some 0.1 ms
+  ccaa::forEachBlock(origins.size(),
+                     small_blocks,
+                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i)
+                         lines[i] = track(origins[i]);
+                     });
+  return lines;
+}
+
+} // namespace repair
+} // namespace pcl

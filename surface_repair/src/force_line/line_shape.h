@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what is done to a force line once it has been traced.
+
+#pragma once
+
+#include <pcl/surface_repair/force_line/force_line.h>
+
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Interpolate the normals over the points where the field left them open, by
+ * arc length between the normals before and after (4.44). */
+void
+mendNormals(ForceLine& line, const std::vector<bool>& undetermined);
+
+/** \brief Mean |f| along the line, by trapezoids (4.41). */
+double
+meanTension(const ForceLine& line);
+
+} // namespace repair
+} // namespace pcl

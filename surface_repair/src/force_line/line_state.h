@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: direction and normal of a force line at a point (4.44).
+
+#pragma once
+
+#include <pcl/surface_repair/force_line/normal_search.h>
+
+namespace pcl {
+namespace repair {
+
+/** \brief What the field says about a line at a point. */
+struct LineState {
+  Direction direction = Direction::Zero(); /**< f / |f|; zero where there is no force */
+  Direction normal = Direction::Zero();    /**< across the direction */
+  double tension = 0.0;                    /**< |f| */
+  bool undetermined = false; /**< discontinuity point: the normal was carried along */
+};
+
+/** \brief Direction and normal at a point where the tension is known, continuing those
+ * of \a before: the plane of 4.44-1b is across the direction, which is found by a few
+ * rounds of n(p), p = unit(H n). */
+LineState
+stateAt(const Tension& tension, const LineState& before, double least_clearness);
+
+/** \brief The part of a vector across a unit vector, brought to unit length; zero when
+ * there is none. */
+Direction
+unitAcross(const Eigen::Vector3d& vector, const Direction& unit);
+
+} // namespace repair
+} // namespace pcl
