@@ -12,7 +12,8 @@ namespace repair {
  * each beginning there.
  *
  * The normal of an edge is the mean of the model's vertex normals at its ends, brought
- * to unit length and made perpendicular to the edge; the triangle's where that fails.
+ * to unit length and made perpendicular to the edge; the triangle's where that fails;
+ * any that is perpendicular where the triangle has no area either.
  * One-sided islands have no positive direction: their loops are walked as they come.
  * Cost: linear, one look at each triangle. */
 BoundaryLoops

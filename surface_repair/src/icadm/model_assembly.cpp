@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what follows from the triangles of an incomplete model.
+#include <pcl/surface_ccaa/mesh/vertex_normals.h>
+#include <pcl/surface_repair/icadm/model_assembly.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+double
+areaOf(const Triangle& triangle, const Positions& positions)
+{
+  const Position& a = positions[static_cast<std::size_t>(triangle[0])];
+  const Position& b = positions[static_cast<std::size_t>(triangle[1])];
+  const Position& c = positions[static_cast<std::size_t>(triangle[2])];
+  return 0.5 * (b - a).cross(c - a).norm();
+}
+
+std::vector<Island>
+measureIslands(const IncompleteModel& model)
+{
+  std::vector<Island> islands(model.island_of.count);
+  for (Island& island : islands)
+    island.closed = true;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    Island& island = islands[model.island_of[t]];
+    const auto triangle = static_cast<pcl::index_t>(t);
+    if (island.triangles++ == 0)
+      island.first_triangle = triangle;
+    island.area += areaOf(model.triangles[t], model.positions);
+    for (int corner = 0; corner < 3; ++corner) {
+      const pcl::index_t vertex = model.triangles[t][static_cast<std::size_t>(corner)];
+      island.box.extend(model.positions[static_cast<std::size_t>(vertex)]);
+      if (model.adjacency.across(triangle, corner) < 0)
+        island.closed = false;
+      if (disagreesAcross(model.triangles, model.adjacency, triangle, corner))
+        island.one_sided = true;
+    }
+  }
+  return islands;
+}
+
+} // namespace
+
+bool
+isManifold(const ccaa::TriangleAdjacency& adjacency)
+{
+  const auto& fans = adjacency.fans();
+  return std::none_of(fans.begin(), fans.end(), [](ccaa::Fan fan) {
+    return fan == ccaa::Fan::SEVERAL || fan == ccaa::Fan::OVERFULL;
+  });
+}
+
+bool
+disagreesAcross(const Triangles& triangles,
+                const ccaa::TriangleAdjacency& adjacency,
+                pcl::index_t triangle,
+                int corner)
+{
+  const pcl::index_t other = adjacency.across(triangle, corner);
+  if (other < 0)
+    return false;
+  const auto at = static_cast<std::size_t>(corner);
+  const Triangle& own = triangles[static_cast<std::size_t>(triangle)];
+  const Triangle& neighbor = triangles[static_cast<std::size_t>(other)];
+  const pcl::index_t from = own[at];
+  const pcl::index_t to = own[(at + 1) % 3];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (neighbor[i] == from && neighbor[(i + 1) % 3] == to)
+      return true;
+  return false;
+}
+
+bool
+isConsistentlyWound(const Triangles& triangles,
+                    const ccaa::TriangleAdjacency& adjacency)
+{
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int corner = 0; corner < 3; ++corner)
+      if (disagreesAcross(triangles, adjacency, static_cast<pcl::index_t>(t), corner))
+        return false;
+  return true;
+}
+
+Directions
+externalNormals(const Triangles& triangles,
+                const Positions& positions,
+                const ccaa::LoopContext& context)
+{
+  const auto singles = ccaa::vertexNormals(triangles, positions, context);
+  Directions normals;
+  normals.reserve(singles.size());
+  for (const Eigen::Vector3f& normal : singles)
+    normals.push_back(normal.cast<double>().normalized()); // NaN stays NaN
+  return normals;
+}
+
+IncompleteModel
+assembleModel(Triangles triangles,
+              Positions positions,
+              const ccaa::LoopContext& context)
+{
+  IncompleteModel model;
+  model.triangles = std::move(triangles);
+  model.positions = std::move(positions);
+  model.point_of_vertex.resize(model.positions.size());
+  std::iota(model.point_of_vertex.begin(), model.point_of_vertex.end(), 0);
+  model.adjacency.build(
+      model.triangles, model.positions.size(), context.threads, context.control);
+  if (context.cancelled())
+    return model;
+  model.island_of = ccaa::labelIslands(model.adjacency);
+  model.islands = measureIslands(model);
+  model.normals = externalNormals(model.triangles, model.positions, context);
+  return model;
+}
+
+} // namespace repair
+} // namespace pcl

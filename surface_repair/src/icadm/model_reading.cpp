@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: from any polygon mesh to an incomplete model.
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
+#include <pcl/surface_repair/icadm/model_assembly.h>
+#include <pcl/surface_repair/icadm/model_reading.h>
+
+#include "filtered_reading.h"
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+constexpr const char* CANCELLED = "the run was cancelled";
+/** The adjacency counts edge ends, three to a triangle, in 32 bits. */
+constexpr std::size_t MAXIMUM_TRIANGLES = std::numeric_limits<std::uint32_t>::max() / 3;
+
+/** \brief Why nothing can be read; empty: something can. */
+std::string
+problemOf(const pcl::PolygonMesh::ConstPtr& mesh,
+          const pcl::PCLPointCloud2* free_points)
+{
+  if (!mesh)
+    return "there is no mesh";
+  if (ccaa::pointCount(mesh->cloud) == 0)
+    return "the cloud of the mesh has no points";
+  const auto problem = ccaa::checkCloud(mesh->cloud);
+  if (problem != ccaa::CloudProblem::NONE)
+    return ccaa::describe(problem);
+  if (free_points == nullptr || ccaa::pointCount(*free_points) == 0)
+    return {};
+  const auto free_problem = ccaa::checkCloud(*free_points);
+  if (free_problem != ccaa::CloudProblem::NONE)
+    return std::string("free points: ") + ccaa::describe(free_problem);
+  return {};
+}
+
+Positions
+gather(const ccaa::PointView& view, const std::vector<pcl::index_t>& point_of_vertex)
+{
+  Positions gathered;
+  if (view.empty())
+    return gathered;
+  gathered.reserve(point_of_vertex.size());
+  for (const pcl::index_t point_index : point_of_vertex)
+    gathered.push_back(view[point_index]);
+  return gathered;
+}
+
+/** \brief One run of readModel(). */
+class Reading {
+public:
+  Reading(const pcl::PolygonMesh& mesh, const ccaa::LoopContext& context)
+  : mesh_(mesh), points_(ccaa::positionView(mesh.cloud)), context_(context)
+  {}
+
+  ReadModel
+  run(const pcl::PCLPointCloud2* free_points)
+  {
+    readTriangles();
+    if (result_.report.problem.empty())
+      bringToManifold();
+    if (result_.report.problem.empty())
+      assemble();
+    if (context_.cancelled())
+      result_.report.problem = CANCELLED;
+    if (!result_.report.problem.empty()) {
+      result_.model = IncompleteModel();
+      return std::move(result_);
+    }
+    listUnusedPoints();
+    if (free_points != nullptr)
+      listSeparatePoints(*free_points);
+    return std::move(result_);
+  }
+
+private:
+  void
+  readTriangles()
+  {
+    result_.report.input_polygons = mesh_.polygons.size();
+    input_ = ccaa::readPolygons(mesh_.polygons, points_, context_);
+    result_.report.invalid_polygons = input_.invalid_polygons;
+    if (mesh_.polygons.empty())
+      result_.report.problem = "the mesh has no polygons";
+    else if (input_.triangles.empty())
+      result_.report.problem = "the mesh has no valid polygon";
+    else if (input_.triangles.size() > MAXIMUM_TRIANGLES)
+      result_.report.problem = "the mesh has more triangles than can be numbered";
+  }
+
+  void
+  bringToManifold()
+  {
+    ccaa::TriangleAdjacency adjacency;
+    adjacency.build(input_.triangles,
+                    input_.point_of_vertex.size(),
+                    context_.threads,
+                    context_.control);
+    if (context_.cancelled() ||
+        (isManifold(adjacency) && isConsistentlyWound(input_.triangles, adjacency)))
+      return;
+    FilteredTriangles filtered = filterTriangles(input_, mesh_.cloud, context_);
+    result_.report.filtered = true;
+    result_.report.filter = filtered.report;
+    result_.report.reversed_triangles = filtered.reversed_triangles;
+    input_ = std::move(filtered.mesh);
+    if (input_.triangles.empty())
+      result_.report.problem = "the umbrella filter left no triangle";
+  }
+
+  void
+  assemble()
+  {
+    IncompleteModel& model = result_.model;
+    model = assembleModel(
+        std::move(input_.triangles), gather(points_, input_.point_of_vertex), context_);
+    model.point_of_vertex = std::move(input_.point_of_vertex);
+    model.given_normals = gather(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
+    model.viewpoints = gather(ccaa::viewpointView(mesh_.cloud), model.point_of_vertex);
+  }
+
+  /** \brief Points of the mesh's cloud that carry no triangle. */
+  void
+  listUnusedPoints()
+  {
+    std::vector<std::uint8_t> used(points_.size(), 0);
+    for (const pcl::index_t point_index : result_.model.point_of_vertex)
+      used[static_cast<std::size_t>(point_index)] = 1;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (used[i] == 0)
+        addFreePoint(points_[i], static_cast<pcl::index_t>(i));
+  }
+
+  void
+  listSeparatePoints(const pcl::PCLPointCloud2& free_points)
+  {
+    const ccaa::PointView view = ccaa::positionView(free_points);
+    for (std::size_t i = 0; i < view.size(); ++i)
+      addFreePoint(view[i], pcl::UNAVAILABLE);
+  }
+
+  void
+  addFreePoint(const Position& position, pcl::index_t point_index)
+  {
+    if (!position.allFinite()) {
+      ++result_.report.non_finite_points;
+      return;
+    }
+    result_.model.free_points.push_back(position);
+    result_.model.point_of_free_point.push_back(point_index);
+  }
+
+  const pcl::PolygonMesh& mesh_;
+  ccaa::PointView points_;
+  const ccaa::LoopContext& context_;
+  ccaa::PolygonTriangles input_;
+  ReadModel result_;
+};
+
+} // namespace
+
+ReadModel
+readModel(const pcl::PolygonMesh::ConstPtr& mesh,
+          const pcl::PCLPointCloud2* free_points,
+          const ccaa::LoopContext& context)
+{
+  const std::string problem = problemOf(mesh, free_points);
+  if (problem.empty())
+    return Reading(*mesh, context).run(free_points);
+  ReadModel nothing;
+  nothing.report.problem = problem;
+  return nothing;
+}
+
+} // namespace repair
+} // namespace pcl
