@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the border between the indicator field and its kernels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+#define PCL_REPAIR_HAS_X86_KERNELS
+#endif
+
+namespace pcl {
+namespace repair {
+namespace field_kernel {
+
+/** Sources of a block. Sums are kept in so many lanes whatever the instruction set, so
+ * that every machine adds in the same order. */
+constexpr int LANES = 8;
+
+/** What is kept of the sources of a block: a row of LANES values each. */
+enum Row : int {
+  X, /**< position, in the frame of the blocks */
+  Y,
+  Z,
+  TANGENT_X,
+  TANGENT_Y,
+  TANGENT_Z,
+  CHARGE, /**< 0 in lanes past the end of a curve */
+  NORMAL_X,
+  NORMAL_Y,
+  NORMAL_Z,
+  ARC,
+  ROWS
+};
+
+/** Plain data only: the other side is compiled for several instruction sets. Lengths
+ * are in the frame of the blocks, but for arcs. */
+struct Task {
+  const double* blocks = nullptr;      /**< ROWS * LANES values each */
+  const std::uint32_t* list = nullptr; /**< the blocks to add up, in this order */
+  std::size_t count = 0;               /**< of the list */
+  const double* ratios = nullptr; /**< effective by true length, LANES for each of the
+                                       list; null: light mode */
+  const double* deltas = nullptr; /**< likewise, 0 where the surface is in the way */
+  double position[3] = {};
+  double far = 0.0;                /**< L_2 */
+  double inverse_width = 0.0;      /**< 1 / (L_2 - L_1) */
+  double exponent = 1.0;           /**< chi */
+  double least_squared = 0.0;      /**< squared distance up to which nothing counts */
+  double half_interpolation = 0.0; /**< k_i / 2 */
+  bool effective = false;          /**< E4.5-1; only then are the next ones used */
+  double tangent[3] = {};          /**< tau_X */
+  double arc = 0.0, threshold = -1.0; /**< of the origin; T */
+  double length = 0.0;                /**< of the curve */
+};
+
+/** \param[out] tension nine values, row by row */
+using Sum = void (*)(const Task& task, double* tension);
+
+extern const Sum BASELINE_SUM;
+extern const Sum AVX2_SUM;
+extern const Sum AVX512_SUM;
+
+/** The fastest kernel of this processor. */
+Sum
+bestSum();
+
+} // namespace field_kernel
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the field kernel for processors with AVX2.
+#include "field_kernel.h"
+
+#ifdef PCL_REPAIR_HAS_X86_KERNELS
+
+#include <immintrin.h>
+
+// Not "fma": the tension must be the same bits on every processor.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC target("avx2")
+#endif
+
+#define PCL_REPAIR_KERNEL avx2
+#define PCL_REPAIR_REGISTER_BYTES 32
+#include "field_kernel_impl.h"
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
+
+namespace pcl {
+namespace repair {
+namespace field_kernel {
+
+const Sum AVX2_SUM = avx2::sum;
+
+} // namespace field_kernel
+} // namespace repair
+} // namespace pcl
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the field kernel for processors with AVX-512.
+#include "field_kernel.h"
+
+#ifdef PCL_REPAIR_HAS_X86_KERNELS
+
+#include <immintrin.h>
+
+// Not "fma": the tension must be the same bits on every processor.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq"))),              \
+                             apply_to = function)
+#else
+#pragma GCC target("avx512f,avx512dq")
+#endif
+
+#define PCL_REPAIR_KERNEL avx512
+#define PCL_REPAIR_REGISTER_BYTES 64
+#include "field_kernel_impl.h"
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
+
+namespace pcl {
+namespace repair {
+namespace field_kernel {
+
+const Sum AVX512_SUM = avx512::sum;
+
+} // namespace field_kernel
+} // namespace repair
+} // namespace pcl
+
+#endif

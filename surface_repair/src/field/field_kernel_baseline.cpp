@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the field kernel for any processor.
+#include "field_kernel.h"
+
+#define PCL_REPAIR_KERNEL baseline
+#define PCL_REPAIR_REGISTER_BYTES 16
+#include "field_kernel_impl.h"
+
+namespace pcl {
+namespace repair {
+namespace field_kernel {
+
+const Sum BASELINE_SUM = baseline::sum;
+
+} // namespace field_kernel
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the elementary sources of the indicator field (4.43, 4.46).
+#include <pcl/surface_repair/field/field_source.h>
+
+namespace pcl {
+namespace repair {
+
+std::size_t
+SourceSet::size() const
+{
+  std::size_t count = 0;
+  for (const SourceCurve& curve : curves)
+    count += curve.sources.size();
+  return count;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the sources in flat arrays, and which are near a place.
+#include "source_blocks.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using field_kernel::LANES;
+
+/** \brief Blocks to a group: few enough that a search finds little in vain, and enough
+ * that it finds it soon. */
+constexpr std::uint32_t GROUP_BLOCKS = 4;
+
+/** \brief Coordinates in the frame are at most 1 in size, and floats: what a search may
+ * be wrong by. */
+constexpr double FLOAT_MARGIN = 1e-6;
+
+void
+setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
+{
+  using namespace field_kernel;
+  for (int k = 0; k < 3; ++k) {
+    rows.values[TANGENT_X + k][lane] = source.tangent[k];
+    rows.values[NORMAL_X + k][lane] = source.normal[k];
+  }
+  rows.values[CHARGE][lane] = source.charge;
+  rows.values[ARC][lane] = source.arc;
+}
+
+pcl::PointXYZ
+toPoint(const Position& position)
+{
+  return {static_cast<float>(position.x()),
+          static_cast<float>(position.y()),
+          static_cast<float>(position.z())};
+}
+
+} // namespace
+
+SourceBlocks::SourceBlocks(const SourceSet& sources)
+{
+  placeFrame(sources);
+  for (const SourceCurve& curve : sources.curves)
+    append(curve);
+  buildTree();
+}
+
+void
+SourceBlocks::placeFrame(const SourceSet& sources)
+{
+  Eigen::AlignedBox3d box;
+  for (const SourceCurve& curve : sources.curves)
+    for (const FieldSource& source : curve.sources)
+      box.extend(source.position);
+  if (box.isEmpty())
+    return;
+  origin_ = box.center();
+  const double extent = box.sizes().maxCoeff();
+  scale_ = extent > 0.0 ? 1.0 / extent : 1.0;
+}
+
+void
+SourceBlocks::append(const SourceCurve& curve)
+{
+  Range range;
+  range.begin = static_cast<std::uint32_t>(rows_.size());
+  for (std::size_t first = 0; first < curve.sources.size(); first += LANES) {
+    const std::size_t last = std::min(first + LANES, curve.sources.size());
+    Rows rows = {};
+    Eigen::AlignedBox3d box;
+    for (std::size_t lane = 0; lane < LANES; ++lane) {
+      // Lanes past the end repeat the last place, without charge.
+      const FieldSource& source = curve.sources[std::min(first + lane, last - 1)];
+      const Position place = toFrame(source.position);
+      for (int k = 0; k < 3; ++k)
+        rows.values[field_kernel::X + k][lane] = place[k];
+      if (first + lane < last)
+        setLane(rows, lane, source);
+      box.extend(place);
+    }
+    rows_.push_back(rows);
+    balls_.push_back({box.center(), 0.5 * box.diagonal().norm()});
+    islands_.push_back(curve.island);
+  }
+  range.end = static_cast<std::uint32_t>(rows_.size());
+  curves_.push_back(range);
+  groupBlocks(range);
+}
+
+void
+SourceBlocks::groupBlocks(Range curve)
+{
+  for (std::uint32_t first = curve.begin; first < curve.end; first += GROUP_BLOCKS) {
+    Group group;
+    group.blocks = {first, std::min(first + GROUP_BLOCKS, curve.end)};
+    Eigen::AlignedBox3d box;
+    for (std::uint32_t b = first; b < group.blocks.end; ++b) {
+      const Eigen::Vector3d half = Eigen::Vector3d::Constant(balls_[b].radius);
+      box.extend(Eigen::AlignedBox3d(balls_[b].center - half, balls_[b].center + half));
+    }
+    group.ball.center = box.center();
+    for (std::uint32_t b = first; b < group.blocks.end; ++b)
+      group.ball.radius =
+          std::max(group.ball.radius,
+                   (balls_[b].center - box.center()).norm() + balls_[b].radius);
+    largest_group_ = std::max(largest_group_, group.ball.radius);
+    groups_.push_back(group);
+  }
+}
+
+void
+SourceBlocks::buildTree()
+{
+  if (groups_.empty())
+    return;
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr centers(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const Group& group : groups_)
+    centers->push_back(toPoint(group.ball.center));
+  tree_.setInputCloud(centers);
+}
+
+void
+SourceBlocks::near(const Ball& place, std::vector<std::uint32_t>& blocks) const
+{
+  blocks.clear();
+  if (groups_.empty())
+    return;
+  pcl::Indices found;
+  std::vector<float> squared;
+  const double radius =
+      (place.radius + largest_group_) * (1.0 + FLOAT_MARGIN) + FLOAT_MARGIN;
+  const bool reaches_all = radius > place.center.norm() + 1.0;
+  if (reaches_all)
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      found.push_back(static_cast<pcl::index_t>(i));
+  else
+    tree_.radiusSearch(toPoint(place.center), radius, found, squared);
+  std::sort(found.begin(), found.end());
+  for (const pcl::index_t i : found) {
+    const Group& group = groups_[static_cast<std::size_t>(i)];
+    const double reach = place.radius + group.ball.radius;
+    if ((group.ball.center - place.center).squaredNorm() <=
+        reach * reach * (1.0 + FLOAT_MARGIN))
+      for (std::uint32_t b = group.blocks.begin; b < group.blocks.end; ++b)
+        blocks.push_back(b);
+  }
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the sources in flat arrays, and which are near a place.
+#pragma once
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/surface_repair/field/field_source.h>
+#include <pcl/point_types.h>
+
+#include "field_kernel.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief A ball. */
+struct Ball {
+  Position center = Position::Zero();
+  double radius = 0.0;
+};
+
+/** \brief Sources in blocks of eight neighbours of a curve, and a PCL KdTree over the
+ * balls around groups of blocks.
+ *
+ * All in a frame of its own, in which the sources fill a unit box around the origin:
+ * the tree is one of floats, and models may be anywhere and of any size. Const methods
+ * may be called from several threads.
+ */
+class SourceBlocks {
+public:
+  /** \brief Rows of a block as the kernel reads them. */
+  struct alignas(64) Rows {
+    double values[field_kernel::ROWS][field_kernel::LANES];
+  };
+
+  /** \brief The blocks of one curve. */
+  struct Range {
+    std::uint32_t begin = 0, end = 0;
+  };
+
+  explicit SourceBlocks(const SourceSet& sources);
+
+  Position
+  toFrame(const Position& position) const
+  {
+    return (position - origin_) * scale_;
+  }
+
+  Position
+  fromFrame(const Position& position) const
+  {
+    return position / scale_ + origin_;
+  }
+
+  /** \brief Length in the frame by length in the cloud. */
+  double
+  scale() const
+  {
+    return scale_;
+  }
+
+  const double*
+  rows() const
+  {
+    return &rows_.front().values[0][0];
+  }
+
+  std::size_t
+  size() const
+  {
+    return rows_.size();
+  }
+
+  const Rows&
+  operator[](std::size_t block) const
+  {
+    return rows_[block];
+  }
+
+  const Ball&
+  ball(std::size_t block) const
+  {
+    return balls_[block];
+  }
+
+  std::size_t
+  island(std::size_t block) const
+  {
+    return islands_[block];
+  }
+
+  Range
+  curve(std::size_t curve) const
+  {
+    return curves_[curve];
+  }
+
+  /** \brief Blocks that may have sources within a ball (in the frame), ascending. */
+  void
+  near(const Ball& place, std::vector<std::uint32_t>& blocks) const;
+
+private:
+  void
+  placeFrame(const SourceSet& sources);
+  void
+  append(const SourceCurve& curve);
+  void
+  groupBlocks(Range curve);
+  void
+  buildTree();
+
+  /** \brief Consecutive blocks of a curve. */
+  struct Group {
+    Range blocks;
+    Ball ball;
+  };
+
+  Position origin_ = Position::Zero();
+  double scale_ = 1.0;
+  std::vector<Rows> rows_;
+  std::vector<Ball> balls_;
+  std::vector<std::size_t> islands_;
+  std::vector<Range> curves_;
+  std::vector<Group> groups_;
+  double largest_group_ = 0.0;
+  pcl::KdTreeFLANN<pcl::PointXYZ> tree_{false}; /**< of the groups' centres, unsorted */
+};
+
+} // namespace repair
+} // namespace pcl
