@@ -34,9 +34,25 @@ struct IslandSide {
 };
 
 struct OrientationParameters {
-  double decided_from = 0.2;    /**< least confidence that decides */
-  double sight_clearance = 2.0; /**< k of r = k d: a way closer than this times the mean
-                                     free-point spacing to a free point is not free */
+  /** \brief Balance of the votes, 0 to 1, from which given normals or sensor positions
+   * agree with each other. Default 0.5: three of four. */
+  double agreement = 0.5;
+  /** \brief Balance from which free sight makes a standard island. Default 0.3. */
+  double clear_sight = 0.3;
+  /** \brief Share of the ways of the better side that must be free for that, 0 to 1:
+   * what is seen through a gap errs easily. Default 0.5. */
+  double least_sight = 0.5;
+  /** \brief Balance of the field integral, 0 to 1, from which it decides alone.
+   * Default 0.3. */
+  double clear_field = 0.5;
+  /** \brief Balance from which field and sight together decide, 0 to 2. Default 0.1.
+   */
+  double decided_from = 0.1;
+  /** \brief k of r = k d (4.48): a way closer than this times the mean free-point
+   * spacing to a free point is not free. Default 1. */
+  double sight_clearance = 1.0;
+  /** \brief L_2 in gaps to the next island. Default 2.5. */
+  double room = 2.5;
 };
 
 /** \brief Find the outer side of every island. Changes nothing: see turnIslands(). */

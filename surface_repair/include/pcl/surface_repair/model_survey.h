@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: all that can be told about an incomplete model.
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_repair/boundary/classification.h>
+#include <pcl/surface_repair/force_line/force_line_tracker.h>
+#include <pcl/surface_repair/icadm/icm_class.h>
+#include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/surface_repair/orientation/island_orientation.h>
+#include <pcl/surface_repair/perturbation/free_point_perturbation.h>
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/PolygonMesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Light (M1): distances as they are, nothing shields. Full (M2): free points
+ * shorten ways (4.424) and the surface shields (E4.43-6). */
+enum class FieldMode : std::uint8_t { LIGHT, FULL };
+
+/** \brief The method's parameters; 0 stands for "from the data" where it says so. */
+struct FieldParameters {
+  FieldMode mode = FieldMode::LIGHT;
+  double interpolation = 0.0;       /**< k_i, at least 0 */
+  double falloff_exponent = 2.5;    /**< chi, above 0 */
+  double near = 0.0;                /**< L_1; 0: the mean source spacing */
+  double far = 0.0;                 /**< L_2; 0: `room` times the gap at each place */
+  double room = 2.5;                /**< gaps that L_2 spans, above 1 */
+  double free_point_near = 0.0;     /**< R_1; 0: mean free-point spacing */
+  double free_point_far = 0.0;      /**< R_2; 0: half the mean gap */
+  double free_point_exponent = 1.0; /**< gamma, above 0 */
+  double trust = 0.5;               /**< k_t of the free points, in [0, 1) */
+};
+
+struct SurveyParameters {
+  FieldParameters field;
+  OrientationParameters orientation;
+  ClassificationParameters classification;
+  TrackerParameters tracker;
+  PerturbationParameters perturbation;
+  std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
+  double line_spacing = 0.25; /**< least arc length between origins, in gaps */
+};
+
+/** \brief A place on a boundary and what the field does there. */
+struct SurveyedOrigin {
+  LineOrigin origin;
+  OriginForce force;
+};
+
+/** \brief Force lines of one step of the method: between islands, or within one hole.
+ */
+struct SurveyedField {
+  std::size_t hole = NONE;             /**< the loop, for lines within a hole */
+  std::vector<SurveyedOrigin> origins; /**< at every source that something reaches */
+  std::vector<ForceLine> lines;        /**< traced from the strongest origins */
+};
+
+/** \brief What surveyModel() found. */
+struct ModelSurvey {
+  IncompleteModel model; /**< islands wound outward as far as that could be told */
+  ReadingReport reading;
+  std::vector<IslandSide> sides; /**< one an island */
+  BoundaryLoops loops;
+  std::vector<LoopClass> classes; /**< one a loop */
+  IcmCounts counts;
+  IcmClass icm_class = IcmClass::ICM1;
+  double spacing = 0.0;                /**< mean source spacing, units of the cloud */
+  SurveyedField between_islands;       /**< step ICM3 -> ICM2 */
+  std::vector<SurveyedField> in_holes; /**< step ICM2 -> ICM1: complex holes */
+  std::vector<std::pair<std::string, double>> seconds; /**< of each stage */
+  bool cancelled = false;
+};
+
+/** \brief Tension on a plane through the model, for a picture of the field. */
+struct FieldSlice {
+  Position corner = Position::Zero();
+  Eigen::Vector3d across = Eigen::Vector3d::UnitX(); /**< from one column to the next */
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();     /**< from one row to the next */
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::vector<double> tension; /**< greatest |H n| over all n, row by row */
+};
+
+/** \brief Read, orient, classify and trace: everything but bridges and triangles.
+ * \param[in] free_points a separate cloud of free points, or null
+ * \return with reading.problem set when there is no model */
+ModelSurvey
+surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
+            const pcl::PCLPointCloud2* free_points,
+            const SurveyParameters& parameters,
+            const ccaa::LoopContext& context);
+
+/** \brief The field of all islands on the plane through the middle of the model across
+ * its shortest extent, in light mode.
+ * \param[in] columns of the grid, at least 2; rows follow from the model's shape */
+FieldSlice
+sliceField(const ModelSurvey& survey,
+           const FieldParameters& parameters,
+           std::size_t columns,
+           const ccaa::LoopContext& context);
+
+} // namespace repair
+} // namespace pcl
