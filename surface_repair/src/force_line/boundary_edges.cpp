@@ -74,10 +74,22 @@ BoundaryEdges::arcAt(const BoundaryPoint& point) const
   return arcs[point.edge] + point.share * (arcs[point.edge + 1] - arcs[point.edge]);
 }
 
-double
-BoundaryEdges::lengthOf(std::size_t curve) const
+BoundaryPoint
+BoundaryEdges::pointAt(std::size_t curve, double arc) const
 {
-  return arcs_[curve].back();
+  const std::vector<double>& arcs = arcs_[curve];
+  const double within = arc - arcs.back() * std::floor(arc / arcs.back());
+  const auto after = std::upper_bound(arcs.begin(), arcs.end(), within);
+  const auto last_edge = static_cast<std::ptrdiff_t>(arcs.size()) - 2;
+  const auto edge = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - arcs.begin() - 1, 0, last_edge));
+  BoundaryPoint point;
+  point.curve = curve;
+  point.edge = edge;
+  point.share = clampedRatio(within - arcs[edge], arcs[edge + 1] - arcs[edge]);
+  const BoundaryCurve& shape = curves_[curve].curve;
+  point.position = shape.points[edge] + point.share * shape.edge(edge);
+  return point;
 }
 
 std::optional<BoundaryEncounter>

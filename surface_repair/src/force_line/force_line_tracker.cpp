@@ -160,9 +160,8 @@ Trace::nearestTarget(const Position& a, const Position& b, double within) const
     const EffectiveCharge& hole = *query_.effective;
     if (curve != hole.curve)
       return false;
-    const double arc = targets_.arcAt({curve, edge, 0.5, {}});
-    const double apart = std::abs(arc - hole.arc);
-    return std::min(apart, targets_.lengthOf(curve) - apart) > hole.threshold;
+    return targets_.arcBetween(curve, hole.arc, targets_.arcOfEdge(curve, edge)) >
+           hole.threshold;
   });
 }
 

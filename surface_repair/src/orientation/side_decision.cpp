@@ -159,7 +159,9 @@ Decision::turnGroups()
 {
   std::vector<SideVotes> votes(groups_);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const SideVotes& seen = evidence_.sight[i].votes;
+    const FreeSight& sight = evidence_.sight[i];
+    const SideVotes seen{sight.weight() * sight.votes.keep,
+                         sight.weight() * sight.votes.turn};
     votes[group_[i]].add(sides_[i].flipped ? seen.turned() : seen);
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {

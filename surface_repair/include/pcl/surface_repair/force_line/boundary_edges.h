@@ -7,6 +7,8 @@
 #include <pcl/surface_repair/boundary/boundary_loop.h>
 #include <pcl/surface_repair/force_line/force_line.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -47,9 +49,32 @@ public:
   double
   arcAt(const BoundaryPoint& point) const;
 
+  /** \brief The boundary point at an arc length from the first point of a curve, which
+   * is taken modulo the length of the curve. */
+  BoundaryPoint
+  pointAt(std::size_t curve, double arc) const;
+
+  /** \brief Arc length from the first point of a curve to the middle of an edge. */
+  double
+  arcOfEdge(std::size_t curve, std::size_t edge) const
+  {
+    return 0.5 * (arcs_[curve][edge] + arcs_[curve][edge + 1]);
+  }
+
+  /** \brief Arc length between two places of a curve, the shorter way round. */
+  double
+  arcBetween(std::size_t curve, double first, double second) const
+  {
+    const double apart = std::abs(first - second);
+    return std::min(apart, lengthOf(curve) - apart);
+  }
+
   /** \brief Arc length of a whole curve. */
   double
-  lengthOf(std::size_t curve) const;
+  lengthOf(std::size_t curve) const
+  {
+    return arcs_[curve].back();
+  }
 
   /** \brief The closest encounter of the segment from a to b with an edge that counts,
    * within a distance; the lowest curve and edge of equals. */
