@@ -2,6 +2,9 @@
 // Part of PclSurfaceRepair: telling holes from rims and the outer border (4.1).
 #include <pcl/surface_repair/boundary/classification.h>
 
+#include "facing_search.h"
+#include "loop_evidence.h"
+
 #include <cmath>
 
 namespace pcl {
@@ -28,16 +31,26 @@ classifyBoundaries(const IncompleteModel& model,
                    const BoundaryLoops& loops,
                    const ClassificationParameters& parameters)
 {
+  const std::vector<LoopEvidence> evidence = collectEvidence(model, loops);
+  const FacingSearch facing(loops);
   std::vector<LoopClass> classes(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i) {
     LoopClass& result = classes[i];
-    result.integral = boundaryIntegral(loops[i].curve);
-    result.confidence = std::abs(result.integral.relative());
-    if (model.islands[loops[i].island].one_sided ||
-        result.confidence <= parameters.decided_from)
+    result.evidence = evidence[i];
+    if (model.islands[loops[i].island].one_sided)
       continue;
-    result.boundary_class = result.integral.value > 0.0 ? BoundaryClass::HOLE // D4.1-1
-                                                        : BoundaryClass::ISLAND_RIM;
+    const double score = evidence[i].score();
+    result.confidence = std::tanh(0.5 * std::abs(score));
+    if (score < 0.0)
+      result.faced = facing.facedShare(i);
+    if (result.confidence < parameters.decided_from || score == 0.0)
+      continue;
+    if (score > 0.0)
+      result.boundary_class = BoundaryClass::HOLE;
+    else
+      result.boundary_class = result.faced >= parameters.faced_from
+                                  ? BoundaryClass::ISLAND_RIM
+                                  : BoundaryClass::OUTER_BORDER;
   }
   return classes;
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what speaks for a hole and what for a rim.
+
+#pragma once
+
+#include <pcl/surface_repair/boundary/classification.h>
+
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The evidence for each loop of a model. */
+std::vector<LoopEvidence>
+collectEvidence(const IncompleteModel& model, const BoundaryLoops& loops);
+
+/** \brief Turns to the right, in full turns, while the loop is walked: the sum of what
+ * the angles of the triangles at each point lack to pi (discrete geodesic curvature),
+ * over -2 pi. */
+double
+turningOf(const IncompleteModel& model, const BoundaryLoop& loop);
+
+/** \brief Between which the least surface that closes a curve has its area. */
+struct AreaBounds {
+  double lower = 0.0; /**< length of the vector area */
+  double upper = 0.0; /**< of the cone from the centroid, or of the disc with this
+                           circumference where that is less */
+};
+
+AreaBounds
+leastSurface(const BoundaryCurve& curve);
+
+} // namespace repair
+} // namespace pcl
