@@ -55,9 +55,9 @@ askField(const IndicatorField& field,
   return reached;
 }
 
-/** |f| made comparable between places that look differently far. The sum over a boundary
- * grows like L_2; the second L_2 lets the shorter of two alike gaps win (C4.422-1), which
- * q_1 does where L_2 is the same for all. */
+/** |f| made comparable between places that look differently far. The sum over a
+ * boundary grows like L_2; the second L_2 lets the shorter of two alike gaps win
+ * (C4.422-1), which q_1 does where L_2 is the same for all. */
 double
 strengthOf(const PossibleOrigin& origin)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which side of an island is outside (4.48).
 
+#include <pcl/surface_repair/field/reach.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
 
 #include "field_integrals.h"
@@ -28,21 +29,6 @@ decide(const std::vector<SideVotes>& votes,
     if (sides[i].rule == SideRule::UNDECIDED && std::abs(balance) >= decided_from)
       sides[i] = {rule, balance < 0.0, std::abs(balance)};
   }
-}
-
-/** Mean distance of free points on the surface of the box they fill; 0 without. */
-double
-meanSpacing(const Positions& points)
-{
-  if (points.empty())
-    return 0.0;
-  Eigen::AlignedBox3d box;
-  for (const Position& point : points)
-    box.extend(point);
-  const Eigen::Vector3d size = box.sizes();
-  const double area =
-      2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());
-  return std::sqrt(area / static_cast<double>(points.size()));
 }
 
 } // namespace
@@ -80,7 +66,8 @@ orientIslands(const IncompleteModel& model,
   decide(votesOfNormals(model), SideRule::NORMALS, parameters.agreement, sides);
   decide(votesOfViewpoints(model), SideRule::VIEWPOINT, parameters.agreement, sides);
 
-  const double clearance = parameters.sight_clearance * meanSpacing(model.free_points);
+  const double clearance =
+      parameters.sight_clearance * meanPointSpacing(model.free_points);
   SideEvidence evidence;
   evidence.sight = lookAround(model, clearance, context);
   std::vector<SideVotes> clear_sight;

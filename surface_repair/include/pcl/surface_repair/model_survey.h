@@ -5,7 +5,7 @@
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/force_line/force_line_tracker.h>
+#include <pcl/surface_repair/force_line/line_origins.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
@@ -47,20 +47,15 @@ struct SurveyParameters {
   TrackerParameters tracker;
   PerturbationParameters perturbation;
   std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
-  double line_spacing = 0.25; /**< least arc length between origins, in gaps */
-};
-
-/** \brief A place on a boundary and what the field does there. */
-struct SurveyedOrigin {
-  LineOrigin origin;
-  OriginForce force;
+  double hole_threshold = 0.25; /**< T of a hole (4.5), in lengths of its boundary */
+  double line_spacing = 0.25;   /**< least arc length between origins, in gaps */
 };
 
 /** \brief Force lines of one step of the method: between islands, or within one hole.
  */
 struct SurveyedField {
   std::size_t hole = NONE;             /**< the loop, for lines within a hole */
-  std::vector<SurveyedOrigin> origins; /**< at every source that something reaches */
+  std::vector<PossibleOrigin> origins; /**< at every source that something reaches */
   std::vector<ForceLine> lines;        /**< traced from the strongest origins */
 };
 

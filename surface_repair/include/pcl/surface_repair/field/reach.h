@@ -10,6 +10,11 @@
 namespace pcl {
 namespace repair {
 
+/** \brief R_1: the mean distance from a point to its nearest neighbour; 0 for fewer
+ * than two points (4.45). */
+double
+meanPointSpacing(const Positions& points);
+
 /** \brief Distances from places to the sources of other islands: the gaps that bridges
  * have to cross. The sources must outlive it. */
 class GapFinder {

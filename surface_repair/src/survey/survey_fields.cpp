@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the fields of a survey, and what they are made of.
+
+#include "survey_fields.h"
+
+#include <pcl/surface_repair/field/reach.h>
+#include <pcl/surface_repair/field/source_sampling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+Reach
+reachOf(const FieldParameters& parameters)
+{
+  return {
+      parameters.near, parameters.far, parameters.room, parameters.falloff_exponent};
+}
+
+BoundaryEdges
+targetsOf(const SourceSet& sources, const BoundaryLoops& loops)
+{
+  std::vector<TargetCurve> targets;
+  for (const SourceCurve& curve : sources.curves)
+    targets.push_back({loops[curve.loop].curve, curve.island});
+  return BoundaryEdges(std::move(targets));
+}
+
+IndicatorField
+makeField(const SourceSet& sources,
+          const FieldParameters& parameters,
+          const Surroundings& surroundings)
+{
+  const bool full = parameters.mode == FieldMode::FULL;
+  return IndicatorField(sources,
+                        parameters.interpolation,
+                        full ? surroundings.free_points.get() : nullptr,
+                        full ? surroundings.surface.get() : nullptr);
+}
+
+/** Median of the gaps of all sources; 0 when there is one island only. */
+double
+medianGap(const SourceSet& sources)
+{
+  const GapFinder gaps(sources);
+  std::vector<double> all;
+  for (const SourceCurve& curve : sources.curves)
+    for (const FieldSource& source : curve.sources) {
+      const double gap = gaps.gapAt(source.position, curve.island);
+      if (std::isfinite(gap))
+        all.push_back(gap);
+    }
+  if (all.empty())
+    return 0.0;
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
+}
+
+/** Trace from the strongest origins; what becomes a bridge is pulled by free points. */
+void
+traceLines(const IndicatorField& field,
+           const BoundaryEdges& targets,
+           const SurveyParameters& parameters,
+           const Surroundings& surroundings,
+           const ccaa::LoopContext& context,
+           SurveyedField& surveyed)
+{
+  std::vector<LineOrigin> origins;
+  for (const std::size_t i :
+       strongestOrigins(surveyed.origins, targets, parameters.line_spacing))
+    origins.push_back(surveyed.origins[i].origin);
+  const ForceLineTracker tracker(
+      field, targets, parameters.tracker, surroundings.surface.get());
+  surveyed.lines = tracker.track(origins, context);
+  for (std::size_t i = 0; i < surveyed.lines.size(); ++i) {
+    ForceLine& line = surveyed.lines[i];
+    line = resampled(line, origins[i].query.falloff.near);
+    if (line.end == LineEnd::BRIDGE && surroundings.free_points)
+      line = perturbed(line, *surroundings.free_points, parameters.perturbation);
+  }
+}
+
+} // namespace
+
+IslandSources
+islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
+{
+  std::vector<bool> is_hole;
+  std::vector<SourceCurve> all;
+  for (std::size_t k = 0; k < survey.loops.size(); ++k) {
+    is_hole.push_back(survey.classes[k].boundary_class == BoundaryClass::HOLE);
+    all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
+    all.back().island = survey.loops[k].island;
+  }
+  IslandSources islands;
+  islands.mean_gap = medianGap(gatherSources(std::move(all)));
+  const double reach =
+      parameters.far > 0.0 ? parameters.far : parameters.room * islands.mean_gap;
+  islands.sources = sampleIslandSources(survey.loops, is_hole, reach, parameters.near);
+  return islands;
+}
+
+Surroundings
+makeSurroundings(const ModelSurvey& survey,
+                 const FieldParameters& parameters,
+                 double mean_gap)
+{
+  Surroundings surroundings;
+  surroundings.surface = std::make_unique<Shield>(survey.model);
+  const Positions& points = survey.model.free_points;
+  if (points.empty() || !(parameters.trust > 0.0))
+    return surroundings;
+  Falloff falloff;
+  falloff.near = parameters.free_point_near > 0.0 ? parameters.free_point_near
+                                                  : meanPointSpacing(points);
+  falloff.far = parameters.free_point_far > 0.0
+                    ? parameters.free_point_far
+                    : std::max(0.5 * mean_gap, 2.0 * falloff.near);
+  falloff.exponent = parameters.free_point_exponent;
+  surroundings.free_points =
+      std::make_unique<FreePointField>(points, falloff, parameters.trust);
+  return surroundings;
+}
+
+SurveyedField
+surveyIslands(const ModelSurvey& survey,
+              const SurveyParameters& parameters,
+              const IslandSources& islands,
+              const Surroundings& surroundings,
+              const ccaa::LoopContext& context)
+{
+  SurveyedField surveyed;
+  const BoundaryEdges targets = targetsOf(islands.sources, survey.loops);
+  const IndicatorField field =
+      makeField(islands.sources, parameters.field, surroundings);
+  surveyed.origins =
+      originsBetweenIslands(field, targets, reachOf(parameters.field), context);
+  traceLines(field, targets, parameters, surroundings, context, surveyed);
+  return surveyed;
+}
+
+SurveyedField
+surveyHole(const ModelSurvey& survey,
+           std::size_t loop,
+           const SurveyParameters& parameters,
+           const Surroundings& surroundings,
+           const ccaa::LoopContext& context)
+{
+  SurveyedField surveyed;
+  surveyed.hole = loop;
+  SourceCurve curve = sampleSources(survey.loops[loop].curve, parameters.field.near);
+  curve.island = survey.loops[loop].island;
+  curve.loop = loop;
+  const SourceSet sources = gatherSources({std::move(curve)});
+  const BoundaryEdges targets = targetsOf(sources, survey.loops);
+  const IndicatorField field = makeField(sources, parameters.field, surroundings);
+  const double threshold = parameters.hole_threshold * survey.loops[loop].length;
+  surveyed.origins =
+      originsInHole(field, targets, 0, threshold, reachOf(parameters.field), context);
+  traceLines(field, targets, parameters, surroundings, context, surveyed);
+  return surveyed;
+}
+
+} // namespace repair
+} // namespace pcl
