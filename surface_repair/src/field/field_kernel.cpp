@@ -6,16 +6,16 @@ namespace pcl {
 namespace repair {
 namespace field_kernel {
 
-Sum
-bestSum()
+const Kernel&
+bestKernel()
 {
 #ifdef PCL_REPAIR_HAS_X86_KERNELS
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    return AVX512_SUM;
+    return AVX512_KERNEL;
   if (__builtin_cpu_supports("avx2"))
-    return AVX2_SUM;
+    return AVX2_KERNEL;
 #endif
-  return BASELINE_SUM;
+  return BASELINE_KERNEL;
 }
 
 } // namespace field_kernel

@@ -22,11 +22,11 @@ enum Row : int {
   X, /**< position, in the frame of the blocks */
   Y,
   Z,
-  TANGENT_X,
+  TANGENT_X, /**< h tau; 0 in lanes past the end of a curve */
   TANGENT_Y,
   TANGENT_Z,
-  CHARGE, /**< 0 in lanes past the end of a curve */
-  NORMAL_X,
+  INVERSE_CHARGE, /**< 1 / h; 0 for no charge */
+  NORMAL_X,       /**< n / h; 0 for no charge */
   NORMAL_Y,
   NORMAL_Z,
   ARC,
@@ -54,16 +54,32 @@ struct Task {
   double length = 0.0;                /**< of the curve */
 };
 
-/** \param[out] tension nine values, row by row */
-using Sum = void (*)(const Task& task, double* tension);
+/** Blocks that a point may need, as the balls around them. */
+struct Candidates {
+  const double* center[3] = {};
+  const double* radius = nullptr;
+  const std::uint32_t* blocks = nullptr;
+  std::size_t count = 0; /**< a multiple of LANES: fill up with centres at infinity */
+};
 
-extern const Sum BASELINE_SUM;
-extern const Sum AVX2_SUM;
-extern const Sum AVX512_SUM;
+struct Kernel {
+  /** \param[out] tension nine values, row by row */
+  void (*sum)(const Task& task, double* tension);
+
+  /** The candidates with a source within L_2 of the point, and perhaps a few more, in
+   * order. \param[out] list room for all of them \return how many */
+  std::size_t (*select)(const Candidates& candidates,
+                        const Task& task,
+                        std::uint32_t* list);
+};
+
+extern const Kernel BASELINE_KERNEL;
+extern const Kernel AVX2_KERNEL;
+extern const Kernel AVX512_KERNEL;
 
 /** The fastest kernel of this processor. */
-Sum
-bestSum();
+const Kernel&
+bestKernel();
 
 } // namespace field_kernel
 } // namespace repair

@@ -15,6 +15,7 @@
 
 #define PCL_REPAIR_KERNEL avx2
 #define PCL_REPAIR_REGISTER_BYTES 32
+#define PCL_REPAIR_CHAINS 2
 #include "field_kernel_impl.h"
 
 #ifdef __clang__
@@ -25,7 +26,7 @@ namespace pcl {
 namespace repair {
 namespace field_kernel {
 
-const Sum AVX2_SUM = avx2::sum;
+const Kernel AVX2_KERNEL = {avx2::sum, avx2::select};
 
 } // namespace field_kernel
 } // namespace repair

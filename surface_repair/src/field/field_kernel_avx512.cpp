@@ -16,6 +16,7 @@
 
 #define PCL_REPAIR_KERNEL avx512
 #define PCL_REPAIR_REGISTER_BYTES 64
+#define PCL_REPAIR_CHAINS 3
 #include "field_kernel_impl.h"
 
 #ifdef __clang__
@@ -26,7 +27,7 @@ namespace pcl {
 namespace repair {
 namespace field_kernel {
 
-const Sum AVX512_SUM = avx512::sum;
+const Kernel AVX512_KERNEL = {avx512::sum, avx512::select};
 
 } // namespace field_kernel
 } // namespace repair

@@ -4,13 +4,14 @@
 
 #define PCL_REPAIR_KERNEL baseline
 #define PCL_REPAIR_REGISTER_BYTES 16
+#define PCL_REPAIR_CHAINS 1
 #include "field_kernel_impl.h"
 
 namespace pcl {
 namespace repair {
 namespace field_kernel {
 
-const Sum BASELINE_SUM = baseline::sum;
+const Kernel BASELINE_KERNEL = {baseline::sum, baseline::select};
 
 } // namespace field_kernel
 } // namespace repair

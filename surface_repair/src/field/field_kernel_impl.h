@@ -3,9 +3,10 @@
 // sets.
 //
 // Included once per instruction set with PCL_REPAIR_KERNEL naming the namespace and
-// PCL_REPAIR_REGISTER_BYTES the width of a vector register. Nothing of a library may be
-// compiled in here: the linker could pick that copy for everybody. Every machine gets
-// the same bits: no contraction, sums in fixed lanes.
+// PCL_REPAIR_REGISTER_BYTES the width of a vector register and PCL_REPAIR_CHAINS the
+// number of blocks side by side (what the registers can hold). Nothing of a library may
+// be compiled in here: the linker could pick that copy for everybody. Every machine
+// gets the same bits: no contraction, sums in fixed lanes.
 #pragma once
 
 #include "field_kernel.h"
@@ -39,66 +40,75 @@ raised(const Lanes& t, double exponent)
   }
 }
 
-/** sigma = -(tau_X . tau_O) h (E4.5-1), and 0 within arc T of the origin (4.7). */
+/** sigma / h = -(tau_X . tau_O) (E4.5-1), and 0 within arc T of the origin (4.7). */
 inline Lanes
-effectiveCharge(const Task& task,
-                const double* block,
-                const Lanes (&tau)[3],
-                const Lanes& charge)
+effectiveShare(const Task& task, const double* block, const Lanes (&tau)[3])
 {
   const Lanes along =
       task.tangent[0] * tau[0] + task.tangent[1] * tau[1] + task.tangent[2] * tau[2];
   const Lanes ahead = load(block + ARC * LANES) - task.arc;
-  const Lanes way = ahead < 0.0 ? -ahead : ahead, back = task.length - way;
-  const Lanes shorter = way < back ? way : back;
-  return shorter > task.threshold ? -along * charge : all(0.0);
+  const Lanes way = larger(ahead, -ahead);
+  const Lanes shorter = smaller(way, task.length - way);
+  const Lanes share = -along * load(block + INVERSE_CHARGE * LANES);
+  return shorter > task.threshold ? share : all(0.0);
 }
 
 /** A block's sources seen from the point. */
 struct View {
-  Lanes d[3]; /**< unit(XO) */
-  Lanes s[3]; /**< compatibility vector */
-  Lanes m;    /**< h q_12 (1 + k_i q_4) */
+  const double* block; /**< its rows, from the lane on at which the register begins */
+  Lanes u[3];          /**< XO = r d */
+  Lanes squared;       /**< r^2 */
+  Lanes inverse;       /**< 1 / r */
+  Lanes s[3];          /**< h r s, s the compatibility vector */
+  Lanes m;             /**< q_12 (1 + k_i q_4) / r^2 */
 };
 
-template <Power POWER, bool FULL, bool EFFECTIVE, bool INTERPOLATION>
 inline void
-look(const Task& task, const double* block, std::size_t place, View& view)
+approach(const Task& task, View& view)
 {
-  Lanes squared = all(0.0);
-  for (int k = 0; k < 3; ++k) {
-    view.d[k] = load(block + (X + k) * LANES) - task.position[k];
-    squared = squared + view.d[k] * view.d[k];
-  }
-  const Lanes inverse = inverseRoot(squared);
-  const Lanes tau[3] = {load(block + TANGENT_X * LANES),
-                        load(block + TANGENT_Y * LANES),
-                        load(block + TANGENT_Z * LANES)};
   for (int k = 0; k < 3; ++k)
-    view.d[k] = view.d[k] * inverse;
-  for (int k = 0; k < 3; ++k) { // ED4.421-3: s = -d x tau
-    const int a = (k + 1) % 3, b = (k + 2) % 3;
-    view.s[k] = tau[a] * view.d[b] - tau[b] * view.d[a];
-  }
-  Lanes length = squared * inverse;
+    view.u[k] = load(view.block + (X + k) * LANES) - task.position[k];
+  view.squared = view.u[0] * view.u[0] + view.u[1] * view.u[1] + view.u[2] * view.u[2];
+  view.inverse = inverseRoot(larger(view.squared, all(task.least_squared)));
+}
+
+/** t of q_1 = t^chi (E4.45-1). \param[in] place of the block's lanes in full mode */
+template <bool FULL>
+inline Lanes
+restOfReach(const Task& task, const View& view, std::size_t place)
+{
+  Lanes length = view.squared * view.inverse;
   if constexpr (FULL) // q_2 (E4.424-2)
     length = length * load(task.ratios + place);
   const Lanes rest = (task.far - length) * task.inverse_width;
-  const Lanes not_negative = rest > 0.0 ? rest : all(0.0);
-  const Lanes t = not_negative < 1.0 ? not_negative : all(1.0);
-  Lanes charge = load(block + CHARGE * LANES);
+  return smaller(larger(rest, all(0.0)), all(1.0));
+}
+
+/** All but q_1 of what a source weighs. */
+template <bool FULL, bool EFFECTIVE, bool INTERPOLATION>
+inline void
+weigh(const Task& task, const Lanes& q_1, std::size_t place, View& view)
+{
+  const double* block = view.block;
+  const Lanes tau[3] = {load(block + TANGENT_X * LANES), // all of them h tau
+                        load(block + TANGENT_Y * LANES),
+                        load(block + TANGENT_Z * LANES)};
+  for (int k = 0; k < 3; ++k) { // ED4.421-3: s = -d x tau
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    view.s[k] = tau[a] * view.u[b] - tau[b] * view.u[a];
+  }
+  Lanes m = q_1 * (view.inverse * view.inverse);
   if constexpr (EFFECTIVE)
-    charge = effectiveCharge(task, block, tau, charge);
-  Lanes m = charge * raised<POWER>(t, task.exponent);
+    m = m * effectiveShare(task, block, tau);
   if constexpr (INTERPOLATION) { // 1 + k_i (1 + s . n) / 2 (E4.426-1)
     const Lanes along = view.s[0] * load(block + NORMAL_X * LANES) +
                         view.s[1] * load(block + NORMAL_Y * LANES) +
-                        view.s[2] * load(block + NORMAL_Z * LANES);
-    m = m * (1.0 + task.half_interpolation * (1.0 + along));
+                        view.s[2] * load(block + NORMAL_Z * LANES); // of n / h
+    m = m * (1.0 + task.half_interpolation * (1.0 + along * view.inverse));
   }
   if constexpr (FULL)
     m = m * load(task.deltas + place);
-  view.m = squared > task.least_squared ? m : all(0.0);
+  view.m = view.squared > task.least_squared ? m : all(0.0);
 }
 
 /** Add the lanes of each of the nine sums, in halves. */
@@ -113,31 +123,86 @@ addLanes(double (&lanes)[9][LANES], double* tension)
   }
 }
 
-/** H = sum of m d s^T (E4.43-3; B changes nothing because s is perpendicular to d). */
-template <Power POWER, bool FULL, bool EFFECTIVE, bool INTERPOLATION>
+/** Which sources are added up, and how. */
+template <Power POWER_, bool FULL_, bool EFFECTIVE_, bool INTERPOLATION_>
+struct Mode {
+  static constexpr Power POWER = POWER_;
+  static constexpr bool FULL = FULL_, EFFECTIVE = EFFECTIVE_;
+  static constexpr bool INTERPOLATION = INTERPOLATION_;
+};
+
+/** Add SIDE_BY_SIDE blocks of the list to the nine sums, one after the other. What
+ * leads to a weight is a long chain of operations that wait for each other; several
+ * such chains keep the processor busy. */
+template <typename M, int SIDE_BY_SIDE>
+inline void
+addBlocks(const Task& task, std::size_t first, int pass, Lanes (&h)[9])
+{
+  View views[SIDE_BY_SIDE];
+  Lanes q_1[SIDE_BY_SIDE];
+  const auto place = [&](int j) {
+    return (first + static_cast<std::size_t>(j)) * LANES +
+           static_cast<std::size_t>(pass);
+  };
+  for (int j = 0; j < SIDE_BY_SIDE; ++j) {
+    const std::size_t block = task.list[first + static_cast<std::size_t>(j)];
+    views[j].block = task.blocks + block * (ROWS * LANES) + pass;
+    approach(task, views[j]);
+  }
+  for (int j = 0; j < SIDE_BY_SIDE; ++j)
+    q_1[j] =
+        raised<M::POWER>(restOfReach<M::FULL>(task, views[j], place(j)), task.exponent);
+  for (int j = 0; j < SIDE_BY_SIDE; ++j)
+    weigh<M::FULL, M::EFFECTIVE, M::INTERPOLATION>(task, q_1[j], place(j), views[j]);
+  for (int j = 0; j < SIDE_BY_SIDE; ++j)
+    for (int r = 0; r < 3; ++r) {
+      const Lanes row = views[j].m * views[j].u[r];
+      for (int c = 0; c < 3; ++c)
+        h[3 * r + c] = h[3 * r + c] + row * views[j].s[c];
+    }
+}
+
+/** H = sum of h m d s^T (E4.43-3; B changes nothing because s is perpendicular to d).
+ */
+template <typename M>
 void
 sumOf(const Task& task, double* tension)
 {
+  constexpr int CHAINS = PCL_REPAIR_CHAINS;
   alignas(64) double lanes[9][LANES];
   for (int pass = 0; pass < LANES; pass += WIDTH) {
     Lanes h[9] = {};
-    for (std::size_t i = 0; i < task.count; ++i) {
-      View view;
-      look<POWER, FULL, EFFECTIVE, INTERPOLATION>(
-          task,
-          task.blocks + std::size_t(ROWS * LANES) * task.list[i] + pass,
-          i * LANES + static_cast<std::size_t>(pass),
-          view);
-      for (int r = 0; r < 3; ++r) {
-        const Lanes row = view.m * view.d[r];
-        for (int c = 0; c < 3; ++c)
-          h[3 * r + c] = h[3 * r + c] + row * view.s[c];
-      }
-    }
-    for (int i = 0; i < 9; ++i)
-      __builtin_memcpy(&lanes[i][pass], &h[i], sizeof(Lanes));
+    std::size_t i = 0;
+    for (; i + CHAINS <= task.count; i += CHAINS)
+      addBlocks<M, CHAINS>(task, i, pass, h);
+    for (; i < task.count; ++i)
+      addBlocks<M, 1>(task, i, pass, h);
+    for (int k = 0; k < 9; ++k)
+      __builtin_memcpy(&lanes[k][pass], &h[k], sizeof(Lanes));
   }
   addLanes(lanes, tension);
+}
+
+/** Which balls meet the ball of L_2 around the point. The block counts are multiples of
+ * LANES. \return how many \param[out] list room for all of them */
+inline std::size_t
+select(const Candidates& candidates, const Task& task, std::uint32_t* list)
+{
+  std::size_t count = 0;
+  for (std::size_t first = 0; first < candidates.count; first += WIDTH) {
+    Lanes squared = all(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const Lanes u = load(candidates.center[k] + first) - task.position[k];
+      squared = squared + u * u;
+    }
+    const Lanes reach = load(candidates.radius + first) + task.far;
+    const Bits meets = squared < reach * reach;
+    for (int i = 0; i < WIDTH; ++i) {
+      list[count] = candidates.blocks[first + static_cast<std::size_t>(i)];
+      count -= static_cast<std::size_t>(meets[i]);
+    }
+  }
+  return count;
 }
 
 template <Power POWER, bool FULL, bool EFFECTIVE>
@@ -145,9 +210,9 @@ void
 sumByInterpolation(const Task& task, double* tension)
 {
   if (task.half_interpolation != 0.0)
-    sumOf<POWER, FULL, EFFECTIVE, true>(task, tension);
+    sumOf<Mode<POWER, FULL, EFFECTIVE, true>>(task, tension);
   else
-    sumOf<POWER, FULL, EFFECTIVE, false>(task, tension);
+    sumOf<Mode<POWER, FULL, EFFECTIVE, false>>(task, tension);
 }
 
 template <Power POWER>

@@ -49,18 +49,56 @@ squareRoot(const Lanes& x)
 #endif
 }
 
-/** 1 / sqrt(x) within 4e-16 relative for normal x; a large finite number for 0. Cheaper
- * than a root and a division, which share one slow unit. */
+/** The larger and the smaller of two, as ternary operators, but one instruction. */
+inline Lanes
+larger(const Lanes& a, const Lanes& b)
+{
+#if PCL_REPAIR_REGISTER_BYTES == 64
+  return (Lanes)_mm512_maskz_max_pd(0xff, (__m512d)a, (__m512d)b);
+#elif PCL_REPAIR_REGISTER_BYTES == 32
+  return (Lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+inline Lanes
+smaller(const Lanes& a, const Lanes& b)
+{
+#if PCL_REPAIR_REGISTER_BYTES == 64
+  return (Lanes)_mm512_maskz_min_pd(0xff, (__m512d)a, (__m512d)b);
+#elif PCL_REPAIR_REGISTER_BYTES == 32
+  return (Lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
+/** 1 / sqrt(x) in single precision. */
+inline Lanes
+roughInverseRoot(const Lanes& x)
+{
+#if PCL_REPAIR_REGISTER_BYTES == 64
+  const __m256 root = _mm256_sqrt_ps(_mm512_maskz_cvtpd_ps(0xff, (__m512d)x));
+  return (Lanes)_mm512_maskz_cvtps_pd(0xff, _mm256_div_ps(_mm256_set1_ps(1.0f), root));
+#elif PCL_REPAIR_REGISTER_BYTES == 32
+  const __m128 root = _mm_sqrt_ps(_mm256_cvtpd_ps((__m256d)x));
+  return (Lanes)_mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0f), root));
+#else
+  Lanes inverse;
+  for (int i = 0; i < WIDTH; ++i)
+    inverse[i] = 1.0f / __builtin_sqrtf(static_cast<float>(x[i]));
+  return inverse;
+#endif
+}
+
+/** 1 / sqrt(x) within 1e-13 relative for x in [1e-37, 1e37]. Single precision and a
+ * step of Newton: a root and a division in double share one slow unit. */
 inline Lanes
 inverseRoot(const Lanes& x)
 {
-  // Halving the exponent gives 5 bits, a third-order step and two of Newton the rest.
-  Lanes y = (Lanes)(0x5fe6eb50c7b537a9 - ((Bits)x >> 1));
-  const Lanes h = x * y * y;
-  y = y * (1.875 + h * (0.375 * h - 1.25));
-  const Lanes half = 0.5 * x;
-  y = y * (1.5 - half * y * y);
-  return y * (1.5 - half * y * y);
+  const Lanes y = roughInverseRoot(x);
+  return y * (1.5 - 0.5 * x * y * y);
 }
 
 /** log2(x) for normal x above 0. */

@@ -22,11 +22,12 @@ void
 setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
 {
   using namespace field_kernel;
+  const double inverse = source.charge != 0.0 ? 1.0 / source.charge : 0.0;
   for (int k = 0; k < 3; ++k) {
-    rows.values[TANGENT_X + k][lane] = source.tangent[k];
-    rows.values[NORMAL_X + k][lane] = source.normal[k];
+    rows.values[TANGENT_X + k][lane] = source.tangent[k] * source.charge;
+    rows.values[NORMAL_X + k][lane] = source.normal[k] * inverse;
   }
-  rows.values[CHARGE][lane] = source.charge;
+  rows.values[INVERSE_CHARGE][lane] = inverse;
   rows.values[ARC][lane] = source.arc;
 }
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: neighbouring field queries that share a search.
+#include "query_bunch.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+/** \brief Most queries of a bunch. */
+constexpr std::size_t BUNCH_SIZE = 32;
+
+/** \brief A bunch is no wider than this share of L_2, or its search finds too much. */
+constexpr double BUNCH_WIDTH = 0.25;
+
+/** \brief Whether the same sources count for both, apart from L_2. */
+bool
+heedAlike(const FieldQuery& a, const FieldQuery& b)
+{
+  return a.silent_island == b.silent_island &&
+         a.effective.has_value() == b.effective.has_value() &&
+         (!a.effective || a.effective->curve == b.effective->curve);
+}
+
+} // namespace
+
+bool
+canBeAnswered(const FieldQuery& query)
+{
+  return query.falloff.far > 0.0 && query.position.allFinite();
+}
+
+std::size_t
+bunchFrom(const FieldQuery* first, const FieldQuery* last)
+{
+  Eigen::AlignedBox3d box(first->position);
+  double far = first->falloff.far;
+  std::size_t count = 1;
+  for (; first + count != last && count < BUNCH_SIZE; ++count) {
+    const FieldQuery& query = first[count];
+    box.extend(query.position);
+    far = std::min(far, query.falloff.far);
+    if (!canBeAnswered(query) || !heedAlike(*first, query) ||
+        !(box.diagonal().norm() <= BUNCH_WIDTH * far))
+      break;
+  }
+  return count;
+}
+
+void
+BunchCandidates::find(const SourceBlocks& blocks,
+                      const FieldQuery* first,
+                      const FieldQuery* last)
+{
+  Eigen::AlignedBox3d box;
+  double far = 0.0;
+  for (const FieldQuery* query = first; query != last; ++query)
+    if (canBeAnswered(*query)) {
+      box.extend(query->position);
+      far = std::max(far, query->falloff.far);
+    }
+  found_.clear();
+  if (!box.isEmpty())
+    blocks.near({blocks.toFrame(box.center()),
+                 (far + 0.5 * box.diagonal().norm()) * blocks.scale()},
+                found_);
+  gather(blocks, *first);
+}
+
+void
+BunchCandidates::gather(const SourceBlocks& blocks, const FieldQuery& query)
+{
+  SourceBlocks::Range range{0, static_cast<std::uint32_t>(blocks.size())};
+  if (query.effective)
+    range = blocks.curve(query.effective->curve);
+  for (std::vector<double>& row : center_)
+    row.clear();
+  radius_.clear();
+  blocks_.clear();
+  for (const std::uint32_t b : found_) {
+    if (b < range.begin || b >= range.end || blocks.island(b) == query.silent_island)
+      continue;
+    const Ball& ball = blocks.ball(b);
+    for (std::size_t k = 0; k < 3; ++k)
+      center_[k].push_back(ball.center[static_cast<Eigen::Index>(k)]);
+    radius_.push_back(ball.radius);
+    blocks_.push_back(b);
+  }
+  while (blocks_.size() % field_kernel::LANES != 0) {
+    for (std::vector<double>& row : center_)
+      row.push_back(std::numeric_limits<double>::infinity());
+    radius_.push_back(0.0);
+    blocks_.push_back(0);
+  }
+}
+
+field_kernel::Candidates
+BunchCandidates::view() const
+{
+  return {{center_[0].data(), center_[1].data(), center_[2].data()},
+          radius_.data(),
+          blocks_.data(),
+          blocks_.size()};
+}
+
+} // namespace repair
+} // namespace pcl

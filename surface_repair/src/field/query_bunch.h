@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: neighbouring field queries that share a search.
+#pragma once
+
+#include <pcl/surface_repair/field/indicator_field.h>
+
+#include "field_kernel.h"
+#include "source_blocks.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Whether a query can have an answer other than zero. */
+bool
+canBeAnswered(const FieldQuery& query);
+
+/** \brief Number of queries from the first on that lie so close together, and agree so
+ * far in what counts, that one search may serve them; at least 1. */
+std::size_t
+bunchFrom(const FieldQuery* first, const FieldQuery* last);
+
+/** \brief The blocks that the queries of a bunch may need. Reused from bunch to bunch
+ * by one thread. */
+class BunchCandidates {
+public:
+  /** \brief Find the blocks for the queries [first, last) of one bunch. */
+  void
+  find(const SourceBlocks& blocks, const FieldQuery* first, const FieldQuery* last);
+
+  /** \brief As the kernel reads them; valid until the next find(). */
+  field_kernel::Candidates
+  view() const;
+
+private:
+  void
+  gather(const SourceBlocks& blocks, const FieldQuery& query);
+
+  std::vector<std::uint32_t> found_;
+  std::array<std::vector<double>, 3> center_;
+  std::vector<double> radius_;
+  std::vector<std::uint32_t> blocks_;
+};
+
+} // namespace repair
+} // namespace pcl
