@@ -106,8 +106,10 @@ weigh(const Task& task, const Lanes& q_1, std::size_t place, View& view)
                         view.s[2] * load(block + NORMAL_Z * LANES); // of n / h
     m = m * (1.0 + task.half_interpolation * (1.0 + along * view.inverse));
   }
-  if constexpr (FULL)
+  if constexpr (FULL) { // a short way does not bring in what is beyond L_2
     m = m * load(task.deltas + place);
+    m = view.squared < task.far * task.far ? m : all(0.0);
+  }
   view.m = view.squared > task.least_squared ? m : all(0.0);
 }
 

@@ -3,6 +3,7 @@
 #include <pcl/surface_repair/field/indicator_field.h>
 
 #include "field_kernel.h"
+#include "passages.h"
 #include "query_bunch.h"
 #include "source_blocks.h"
 
@@ -23,6 +24,7 @@ constexpr double SAME_PLACE = 1e-12;
 struct Workspace {
   BunchCandidates candidates;
   std::vector<std::uint32_t> selected; /**< the blocks a query needs */
+  Passages passages;                   /**< to their sources */
 };
 
 /** \brief 1 / (far - near) of the falloff; of a step, so much that all is 1 or 0. */
@@ -39,10 +41,11 @@ struct IndicatorField::Implementation {
   SourceSet sources;
   SourceBlocks blocks;
   double interpolation;
+  Surroundings around; /**< empty: light mode */
   const field_kernel::Kernel& kernel = field_kernel::bestKernel();
 
-  Implementation(const SourceSet& set, double k_i)
-  : sources(set), blocks(set), interpolation(k_i)
+  Implementation(const SourceSet& set, double k_i, const Surroundings& surroundings)
+  : sources(set), blocks(set), interpolation(k_i), around(surroundings)
   {}
 
   /** \brief Answer the queries of one bunch: one search serves them all. */
@@ -91,8 +94,14 @@ IndicatorField::Implementation::sum(const FieldQuery& query, Workspace& space) c
     return tension;
   field_kernel::Task task = taskFor(query);
   space.selected.resize(candidates.count);
-  task.list = space.selected.data();
   task.count = kernel.select(candidates, task, space.selected.data());
+  task.list = space.selected.data();
+  space.selected.resize(task.count);
+  if (!around.empty()) {
+    space.passages.find(blocks, space.selected, query, around);
+    task.ratios = space.passages.ratios().data();
+    task.deltas = space.passages.deltas().data();
+  }
   kernel.sum(task, tension.data());
   return tension;
 }
@@ -110,9 +119,10 @@ IndicatorField::Implementation::answer(const FieldQuery* first,
 
 IndicatorField::IndicatorField(const SourceSet& sources,
                                double interpolation,
-                               const FreePointField* /*free_points*/,
-                               const Shield* /*shield*/)
-: implementation_(std::make_unique<Implementation>(sources, interpolation))
+                               const FreePointField* free_points,
+                               const Shield* shield)
+: implementation_(std::make_unique<Implementation>(
+      sources, interpolation, Surroundings{free_points, shield, sources.spacing}))
 {}
 
 IndicatorField::~IndicatorField() = default;

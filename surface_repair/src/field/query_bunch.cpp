@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t BUNCH_SIZE = 32;
 
 /** \brief A bunch is no wider than this share of L_2, or its search finds too much. */
-constexpr double BUNCH_WIDTH = 0.25;
+constexpr double BUNCH_WIDTH = 0.75;
 
 /** \brief Whether the same sources count for both, apart from L_2. */
 bool

@@ -14,10 +14,6 @@ using field_kernel::LANES;
  * that it finds it soon. */
 constexpr std::uint32_t GROUP_BLOCKS = 4;
 
-/** \brief Coordinates in the frame are at most 1 in size, and floats: what a search may
- * be wrong by. */
-constexpr double FLOAT_MARGIN = 1e-6;
-
 void
 setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
 {
@@ -29,14 +25,6 @@ setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
   }
   rows.values[INVERSE_CHARGE][lane] = inverse;
   rows.values[ARC][lane] = source.arc;
-}
-
-pcl::PointXYZ
-toPoint(const Position& position)
-{
-  return {static_cast<float>(position.x()),
-          static_cast<float>(position.y()),
-          static_cast<float>(position.z())};
 }
 
 } // namespace
@@ -76,6 +64,7 @@ SourceBlocks::append(const SourceCurve& curve)
       // Lanes past the end repeat the last place, without charge.
       const FieldSource& source = curve.sources[std::min(first + lane, last - 1)];
       const Position place = toFrame(source.position);
+      positions_.push_back(source.position);
       for (int k = 0; k < 3; ++k)
         rows.values[field_kernel::X + k][lane] = place[k];
       if (first + lane < last)
@@ -84,10 +73,11 @@ SourceBlocks::append(const SourceCurve& curve)
     }
     rows_.push_back(rows);
     balls_.push_back({box.center(), 0.5 * box.diagonal().norm()});
-    islands_.push_back(curve.island);
+    curve_of_.push_back(curves_.size());
   }
   range.end = static_cast<std::uint32_t>(rows_.size());
   curves_.push_back(range);
+  islands_.push_back(curve.island);
   groupBlocks(range);
 }
 
@@ -115,36 +105,22 @@ SourceBlocks::groupBlocks(Range curve)
 void
 SourceBlocks::buildTree()
 {
-  if (groups_.empty())
-    return;
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr centers(new pcl::PointCloud<pcl::PointXYZ>);
+  Positions centers;
   for (const Group& group : groups_)
-    centers->push_back(toPoint(group.ball.center));
-  tree_.setInputCloud(centers);
+    centers.push_back(group.ball.center);
+  tree_ = FloatTree(centers);
 }
 
 void
 SourceBlocks::near(const Ball& place, std::vector<std::uint32_t>& blocks) const
 {
   blocks.clear();
-  if (groups_.empty())
-    return;
   pcl::Indices found;
-  std::vector<float> squared;
-  const double radius =
-      (place.radius + largest_group_) * (1.0 + FLOAT_MARGIN) + FLOAT_MARGIN;
-  const bool reaches_all = radius > place.center.norm() + 1.0;
-  if (reaches_all)
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-      found.push_back(static_cast<pcl::index_t>(i));
-  else
-    tree_.radiusSearch(toPoint(place.center), radius, found, squared);
-  std::sort(found.begin(), found.end());
+  tree_.near(place.center, place.radius + largest_group_, found);
   for (const pcl::index_t i : found) {
     const Group& group = groups_[static_cast<std::size_t>(i)];
     const double reach = place.radius + group.ball.radius;
-    if ((group.ball.center - place.center).squaredNorm() <=
-        reach * reach * (1.0 + FLOAT_MARGIN))
+    if ((group.ball.center - place.center).squaredNorm() <= reach * reach)
       for (std::uint32_t b = group.blocks.begin; b < group.blocks.end; ++b)
         blocks.push_back(b);
   }

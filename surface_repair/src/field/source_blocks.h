@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 
 #include "field_kernel.h"
+#include "float_tree.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,8 @@ struct Ball {
  * balls around groups of blocks.
  *
  * All in a frame of its own, in which the sources fill a unit box around the origin:
- * the tree is one of floats, and models may be anywhere and of any size. Const methods
- * may be called from several threads.
+ * the kernel uses single precision in between, and models may be of any size. Const
+ * methods may be called from several threads.
  */
 class SourceBlocks {
 public:
@@ -48,10 +49,11 @@ public:
     return (position - origin_) * scale_;
   }
 
-  Position
-  fromFrame(const Position& position) const
+  /** \brief Of the source in a lane of a block, in the cloud. */
+  const Position&
+  position(std::size_t block, std::size_t lane) const
   {
-    return position / scale_ + origin_;
+    return positions_[block * field_kernel::LANES + lane];
   }
 
   /** \brief Length in the frame by length in the cloud. */
@@ -73,12 +75,6 @@ public:
     return rows_.size();
   }
 
-  const Rows&
-  operator[](std::size_t block) const
-  {
-    return rows_[block];
-  }
-
   const Ball&
   ball(std::size_t block) const
   {
@@ -88,7 +84,13 @@ public:
   std::size_t
   island(std::size_t block) const
   {
-    return islands_[block];
+    return islands_[curve_of_[block]];
+  }
+
+  std::size_t
+  curveOf(std::size_t block) const
+  {
+    return curve_of_[block];
   }
 
   Range
@@ -120,12 +122,14 @@ private:
   Position origin_ = Position::Zero();
   double scale_ = 1.0;
   std::vector<Rows> rows_;
+  Positions positions_; /**< LANES for each block */
   std::vector<Ball> balls_;
-  std::vector<std::size_t> islands_;
+  std::vector<std::size_t> curve_of_; /**< of a block */
+  std::vector<std::size_t> islands_;  /**< of a curve */
   std::vector<Range> curves_;
   std::vector<Group> groups_;
   double largest_group_ = 0.0;
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree_{false}; /**< of the groups' centres, unsorted */
+  FloatTree tree_; /**< of the groups' centres */
 };
 
 } // namespace repair

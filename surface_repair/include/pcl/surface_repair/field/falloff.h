@@ -23,7 +23,8 @@ struct Falloff {
       return 0.0;
     if (distance <= near)
       return 1.0;
-    return std::pow((far - distance) / (far - near), exponent);
+    const double rest = (far - distance) / (far - near);
+    return exponent == 1.0 ? rest : std::pow(rest, exponent);
   }
 };
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: PCL's KdTree of floats over positions anywhere, of any
+// size.
+#include "float_tree.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+/** \brief Coordinates in the frame are at most 1 in size, and floats: what a search may
+ * be wrong by. */
+constexpr double FLOAT_MARGIN = 1e-6;
+
+pcl::PointXYZ
+toPoint(const Position& position)
+{
+  return {static_cast<float>(position.x()),
+          static_cast<float>(position.y()),
+          static_cast<float>(position.z())};
+}
+
+} // namespace
+
+FloatTree::FloatTree(const Positions& positions)
+: size_(static_cast<pcl::index_t>(positions.size()))
+{
+  if (positions.empty())
+    return;
+  Eigen::AlignedBox3d box;
+  for (const Position& position : positions)
+    box.extend(position);
+  origin_ = box.center();
+  const double extent = box.sizes().maxCoeff();
+  scale_ = extent > 0.0 ? 1.0 / extent : 1.0;
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  cloud->reserve(positions.size());
+  for (const Position& position : positions)
+    cloud->push_back(toPoint(toFrame(position)));
+  const bool sorted = false;
+  tree_ = std::make_shared<pcl::KdTreeFLANN<pcl::PointXYZ>>(sorted);
+  tree_->setInputCloud(cloud);
+}
+
+void
+FloatTree::near(const Position& center,
+                double radius,
+                std::vector<pcl::index_t>& found) const
+{
+  found.clear();
+  if (!tree_ || !(radius >= 0.0) || !center.allFinite())
+    return;
+  const Position place = toFrame(center);
+  const double reach = radius * scale_ * (1.0 + FLOAT_MARGIN) + FLOAT_MARGIN;
+  if (reach > place.norm() + 1.0) { // all
+    found.resize(static_cast<std::size_t>(size_));
+    std::iota(found.begin(), found.end(), 0);
+    return;
+  }
+  if (reach < place.cwiseAbs().maxCoeff() - 1.0) // none, and perhaps beyond floats
+    return;
+  std::vector<float> squared;
+  tree_->radiusSearch(toPoint(place), reach, found, squared);
+  std::sort(found.begin(), found.end());
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: PCL's KdTree of floats over positions anywhere, of any
+// size.
+#pragma once
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/surface_repair/icadm/incomplete_model.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief A radius search that misses nothing: positions go into the tree in a frame in
+ * which they fill a unit box, and the radius has room for what floats are wrong by.
+ * Const methods may be called from several threads. */
+class FloatTree {
+public:
+  FloatTree() = default;
+  explicit FloatTree(const Positions& positions);
+
+  /** \brief All positions within a radius, and perhaps a few more, ascending. */
+  void
+  near(const Position& center, double radius, std::vector<pcl::index_t>& found) const;
+
+private:
+  Position
+  toFrame(const Position& position) const
+  {
+    return (position - origin_) * scale_;
+  }
+
+  Position origin_ = Position::Zero();
+  double scale_ = 1.0;
+  std::shared_ptr<pcl::KdTreeFLANN<pcl::PointXYZ>> tree_; /**< none: no position */
+  pcl::index_t size_ = 0;
+};
+
+} // namespace repair
+} // namespace pcl

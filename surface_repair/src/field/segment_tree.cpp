@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which of many boxes a segment passes.
+#include "segment_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+/** \brief By how much boxes are too large, in the frame, so that no rounding of single
+ * precision loses one. */
+constexpr float MARGIN = 2e-6f;
+
+/** \brief A place that no segment comes to. */
+constexpr float NOWHERE = 1e18f;
+
+/** \brief Steepest 1 / component of a segment: a component of nothing is this small. */
+constexpr double MOST_INVERSE = 1e12;
+
+using Place = std::vector<pcl::index_t>::iterator;
+
+/** \brief The axis along which the centres of some boxes spread most. */
+int
+widestAxis(const std::vector<ccaa::Box>& boxes, Place begin, Place end)
+{
+  ccaa::Box spread;
+  for (Place place = begin; place != end; ++place)
+    spread.extend(boxes[static_cast<std::size_t>(*place)].center());
+  int axis = 0;
+  spread.sizes().maxCoeff(&axis);
+  return axis;
+}
+
+/** \brief Order boxes so that each run of `fan_out`, and each run of as many runs and
+ * so on, lies close together: halve along the widest axis, at a multiple of the largest
+ * run. Log-linear; ties by index. */
+void
+arrange(const std::vector<ccaa::Box>& boxes,
+        Place begin,
+        Place end,
+        std::size_t fan_out)
+{
+  const auto count = static_cast<std::size_t>(end - begin);
+  if (count <= fan_out)
+    return;
+  std::size_t run = fan_out;
+  while (run * fan_out < count)
+    run *= fan_out;
+  const std::size_t runs = (count + run - 1) / run;
+  const Place middle = begin + static_cast<std::ptrdiff_t>((runs / 2) * run);
+  const int axis = widestAxis(boxes, begin, end);
+  std::nth_element(begin, middle, end, [&](pcl::index_t i, pcl::index_t j) {
+    const ccaa::Box& first = boxes[static_cast<std::size_t>(i)];
+    const ccaa::Box& second = boxes[static_cast<std::size_t>(j)];
+    const double a = first.min()[axis] + first.max()[axis];
+    const double b = second.min()[axis] + second.max()[axis];
+    return a < b || (a == b && i < j);
+  });
+  arrange(boxes, begin, middle, fan_out);
+  arrange(boxes, middle, end, fan_out);
+}
+
+} // namespace
+
+void
+SegmentTree::Node::set(std::size_t child, const ccaa::Box& box)
+{
+  for (int k = 0; k < 3; ++k) {
+    low[k][child] = static_cast<float>(box.min()[k]) - MARGIN;
+    high[k][child] = static_cast<float>(box.max()[k]) + MARGIN;
+  }
+}
+
+ccaa::Box
+SegmentTree::Node::bounds() const
+{
+  ccaa::Box box;
+  for (std::size_t i = 0; i < FAN_OUT; ++i)
+    if (low[0][i] < NOWHERE) {
+      box.extend(ccaa::Position(low[0][i], low[1][i], low[2][i]));
+      box.extend(ccaa::Position(high[0][i], high[1][i], high[2][i]));
+    }
+  return box;
+}
+
+SegmentTree::SegmentTree(const std::vector<ccaa::Box>& boxes)
+{
+  ccaa::Box all;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!boxes[i].isEmpty()) {
+      order_.push_back(static_cast<pcl::index_t>(i));
+      all.extend(boxes[i]);
+    }
+  if (order_.empty())
+    return;
+  origin_ = all.center();
+  const double extent = all.sizes().maxCoeff();
+  scale_ = extent > 0.0 ? 1.0 / extent : 1.0;
+  arrange(boxes, order_.begin(), order_.end(), FAN_OUT);
+  std::vector<ccaa::Box> lower;
+  for (const pcl::index_t i : order_) {
+    const ccaa::Box& box = boxes[static_cast<std::size_t>(i)];
+    lower.emplace_back((box.min() - origin_) * scale_, (box.max() - origin_) * scale_);
+  }
+  do
+    lower = addLevel(lower);
+  while (lower.size() > 1);
+}
+
+std::vector<ccaa::Box>
+SegmentTree::addLevel(const std::vector<ccaa::Box>& lower)
+{
+  Node nothing;
+  for (int k = 0; k < 3; ++k) {
+    std::fill_n(nothing.low[k], FAN_OUT, NOWHERE);
+    std::fill_n(nothing.high[k], FAN_OUT, NOWHERE);
+  }
+  levels_.emplace_back((lower.size() + FAN_OUT - 1) / FAN_OUT, nothing);
+  std::vector<Node>& nodes = levels_.back();
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    nodes[i / FAN_OUT].set(i % FAN_OUT, lower[i]);
+  std::vector<ccaa::Box> bounds;
+  for (const Node& node : nodes)
+    bounds.push_back(node.bounds());
+  return bounds;
+}
+
+SegmentTree::Ray
+SegmentTree::rayFrom(const ccaa::Position& a, const ccaa::Position& b) const
+{
+  const ccaa::Position from = (a - origin_) * scale_;
+  const Eigen::Vector3d way = (b - a) * scale_;
+  Ray ray;
+  for (int k = 0; k < 3; ++k) {
+    ray.from[k] = static_cast<float>(from[k]);
+    const double inverse = 1.0 / way[k]; // infinite for no way
+    ray.inverse[k] =
+        static_cast<float>(std::clamp(inverse, -MOST_INVERSE, MOST_INVERSE));
+  }
+  return ray;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which of many boxes a segment passes.
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+namespace pcl {
+namespace repair {
+
+/** \brief A static tree over boxes for segments: eight neighbours to a node, whose
+ * bounds lie side by side so that one pass over them answers for all eight. Boxes are
+ * kept in single precision, rounded outwards: a box that the segment meets is never
+ * missed. Const methods may be called from several threads. */
+class SegmentTree {
+public:
+  SegmentTree() = default;
+  explicit SegmentTree(const std::vector<ccaa::Box>& boxes);
+
+  /** \brief The boxes' indices by place in the tree. */
+  const std::vector<pcl::index_t>&
+  order() const
+  {
+    return order_;
+  }
+
+  /** \brief Whether test(place) is true for any box the segment meets; stops there. */
+  template <typename Test>
+  bool
+  any(const ccaa::Position& a, const ccaa::Position& b, const Test& test) const
+  {
+    if (levels_.empty())
+      return false;
+    const Ray ray = rayFrom(a, b);
+    std::array<Entry, STACK> stack;
+    std::size_t height = 0;
+    stack[height++] = {levels_.size() - 1, 0};
+    while (height > 0) {
+      const Entry entry = stack[--height];
+      unsigned int hits = levels_[entry.level][entry.node].meets(ray);
+      for (; hits != 0; hits &= hits - 1) {
+        const std::size_t child =
+            entry.node * FAN_OUT + static_cast<std::size_t>(__builtin_ctz(hits));
+        if (entry.level > 0)
+          stack[height++] = {entry.level - 1, child};
+        else if (test(child))
+          return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  static constexpr std::size_t FAN_OUT = 8;
+  /** \brief Room for a path of 22 levels, seven brothers waiting at each. */
+  static constexpr std::size_t STACK = 160;
+
+  /** \brief A segment in the frame of the tree: from + t / inverse, t in [0, 1]. */
+  struct Ray {
+    float from[3], inverse[3];
+  };
+
+  struct Entry {
+    std::size_t level, node;
+  };
+
+  /** \brief The bounds of eight children. */
+  struct alignas(32) Node {
+    float low[3][FAN_OUT], high[3][FAN_OUT];
+
+    /** \brief A bit for each child whose box the segment meets. */
+    unsigned int
+    meets(const Ray& ray) const;
+    void
+    set(std::size_t child, const ccaa::Box& box);
+    ccaa::Box
+    bounds() const;
+  };
+
+  /** \brief Put boxes (in the frame) into nodes of a new level. \return the nodes' */
+  std::vector<ccaa::Box>
+  addLevel(const std::vector<ccaa::Box>& lower);
+
+  Ray
+  rayFrom(const ccaa::Position& a, const ccaa::Position& b) const;
+
+  ccaa::Position origin_ = ccaa::Position::Zero();
+  double scale_ = 1.0; /**< to the frame, in which all is within a unit box */
+  std::vector<pcl::index_t> order_;
+  std::vector<std::vector<Node>> levels_; /**< level 0: the boxes; each next one 1/8 */
+};
+
+/** Where the eight pairs of planes are passed: a box is met if there is a t inside all
+ * three pairs and inside [0, 1]. The boxes' margin covers the rounding. */
+inline unsigned int
+SegmentTree::Node::meets(const Ray& ray) const
+{
+  unsigned int hits = 0;
+#ifdef __SSE2__ // of every x86-64, and three times as fast as what compilers make
+  for (std::size_t half = 0; half < FAN_OUT; half += 4) {
+    __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(1.0f);
+    for (int k = 0; k < 3; ++k) {
+      const __m128 from = _mm_set1_ps(ray.from[k]);
+      const __m128 inverse = _mm_set1_ps(ray.inverse[k]);
+      const __m128 s =
+          _mm_mul_ps(_mm_sub_ps(_mm_load_ps(low[k] + half), from), inverse);
+      const __m128 t =
+          _mm_mul_ps(_mm_sub_ps(_mm_load_ps(high[k] + half), from), inverse);
+      enter = _mm_max_ps(enter, _mm_min_ps(s, t));
+      leave = _mm_min_ps(leave, _mm_max_ps(s, t));
+    }
+    const int met = _mm_movemask_ps(_mm_cmple_ps(enter, leave));
+    hits |= static_cast<unsigned int>(met) << half;
+  }
+#else
+  for (std::size_t i = 0; i < FAN_OUT; ++i) {
+    float enter = 0.0f, leave = 1.0f;
+    for (int k = 0; k < 3; ++k) {
+      const float s = (low[k][i] - ray.from[k]) * ray.inverse[k];
+      const float t = (high[k][i] - ray.from[k]) * ray.inverse[k];
+      enter = std::max(enter, std::min(s, t));
+      leave = std::min(leave, std::max(s, t));
+    }
+    hits |= static_cast<unsigned int>(enter <= leave) << i;
+  }
+#endif
+  return hits;
+}
+
+} // namespace repair
+} // namespace pcl

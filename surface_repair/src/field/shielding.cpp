@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: whether the surface stands between two points (E4.43-6).
+#include <pcl/surface_ccaa/mesh/intersection.h>
+#include <pcl/surface_repair/field/shielding.h>
+
+#include "segment_tree.h"
+
+#include <vector>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+ccaa::Corners
+cornersOf(const IncompleteModel& model, const Triangle& triangle)
+{
+  return {model.positions[static_cast<std::size_t>(triangle[0])],
+          model.positions[static_cast<std::size_t>(triangle[1])],
+          model.positions[static_cast<std::size_t>(triangle[2])]};
+}
+
+/** \brief Box of a triangle that has an area; else empty, so that it is left out. */
+ccaa::Box
+boxOf(const ccaa::Corners& corners)
+{
+  ccaa::Box box;
+  if (!ccaa::isCollinear(corners))
+    for (const Position& corner : corners)
+      box.extend(corner);
+  return box;
+}
+
+} // namespace
+
+struct Shield::Implementation {
+  SegmentTree tree;
+  std::vector<ccaa::Corners> triangles; /**< by place in the tree */
+};
+
+Shield::Shield(const IncompleteModel& model)
+: implementation_(std::make_unique<Implementation>())
+{
+  std::vector<ccaa::Box> boxes;
+  boxes.reserve(model.triangles.size());
+  for (const Triangle& triangle : model.triangles)
+    boxes.push_back(boxOf(cornersOf(model, triangle)));
+  implementation_->tree = SegmentTree(boxes);
+  for (const pcl::index_t i : implementation_->tree.order())
+    implementation_->triangles.push_back(
+        cornersOf(model, model.triangles[static_cast<std::size_t>(i)]));
+}
+
+Shield::~Shield() = default;
+
+bool
+Shield::crosses(const Position& a, const Position& b, double tolerance) const
+{
+  const Eigen::Vector3d way = b - a;
+  const double length = way.norm();
+  if (!(length > 2.0 * tolerance) || !(length > 0.0))
+    return false;
+  const Eigen::Vector3d margin = way * (tolerance / length);
+  const Position begin = a + margin, end = b - margin;
+  return implementation_->tree.any(begin, end, [&](std::size_t place) {
+    return ccaa::segmentMeetsTriangle(begin, end, implementation_->triangles[place]);
+  });
+}
+
+} // namespace repair
+} // namespace pcl
