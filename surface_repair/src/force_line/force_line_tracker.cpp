@@ -258,23 +258,33 @@ Trace::follow()
   return LineEnd::TOO_LONG;
 }
 
-/** The last piece, straight on to the boundary. Its normal there is the compatibility
- * vector (EC4.421-2b). */
+/** Across the end of a line: the compatibility vector (EC4.421-2b) where it agrees with
+ * the normal of the boundary; on a jagged one single edges lie along the line. */
+Direction
+normalAtTarget(const Direction& along,
+               const Direction& tangent,
+               const Direction& normal)
+{
+  const Direction compatible = unitAcross((-along).cross(tangent), along);
+  return compatible.dot(normal) > 0.0 ? compatible : unitAcross(normal, along);
+}
+
+/** The last piece, straight on to the boundary. */
 LineEnd
 Trace::arrive()
 {
   const Position ahead = position_ + 2.0 * captureDistance() * state_.direction;
-  const auto encounter = nearestTarget(position_, ahead, 2.0 * captureDistance());
-  line_.target = encounter->point;
+  line_.target = nearestTarget(position_, ahead, 2.0 * captureDistance())->point;
   const Position from = position_;
   const Direction along = (line_.target.position - from).normalized();
   const BoundaryCurve& curve = targets_.curves()[line_.target.curve].curve;
-  const Direction tangent = curve.edge(line_.target.edge).normalized();
+  const Direction& normal = curve.normals[line_.target.edge];
   LineState state = state_;
-  const Direction compatible = unitAcross((-along).cross(tangent), tangent);
-  if (!compatible.isZero())
-    state.normal = unitAcross(compatible, along);
-  const bool wrong_side = state.normal.dot(state_.normal) <= 0.0;
+  const Direction across =
+      normalAtTarget(along, curve.edge(line_.target.edge).normalized(), normal);
+  if (!across.isZero())
+    state.normal = across;
+  const bool wrong_side = normal.dot(state_.normal) <= 0.0;
   add(line_.target.position, state);
   if (wrong_side)
     return LineEnd::WRONG_SIDE;
