@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace pcl {
@@ -34,16 +35,25 @@ sample(const BoundaryLoops& loops, std::size_t loop, double spacing)
   return curve;
 }
 
-/** The gap from which on a quarter of a curve's sources is nearer to another island. */
+/** The value that a share of all values stays below; infinite without values. */
 double
-narrowGap(const SourceCurve& curve, const GapFinder& gaps)
+quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+    return std::numeric_limits<double>::infinity();
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
+                                          share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::vector<double>
+gapsAlong(const SourceCurve& curve, const GapFinder& gaps)
 {
   std::vector<double> all;
   for (const FieldSource& source : curve.sources)
     all.push_back(gaps.gapAt(source.position, curve.island));
-  const auto quarter = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 4);
-  std::nth_element(all.begin(), quarter, all.end());
-  return *quarter;
+  return all;
 }
 
 /** Sources one edge apart, closer where the gap to the next island is narrower than
@@ -57,7 +67,8 @@ sourcesFor(const BoundaryLoops& loops)
   const SourceSet coarse = gatherSources(curves);
   const GapFinder gaps(coarse);
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const double wanted = narrowGap(coarse.curves[k], gaps) / SOURCES_PER_GAP;
+    const double wanted =
+        quantile(gapsAlong(coarse.curves[k], gaps), 0.25) / SOURCES_PER_GAP;
     if (wanted < coarse.curves[k].spacing)
       curves[k] =
           sample(loops, k, std::max(wanted, coarse.curves[k].spacing / MOST_PER_EDGE));
@@ -98,18 +109,29 @@ struct BaseQueries {
   std::vector<const FieldSource*> places;
 };
 
+/** Each place looks over its gap, but not over more than twice the island's narrow
+ * gaps: what is far behind another part of the boundary, or beyond the island, would
+ * speak with the wrong sign, and louder the further it looks. */
 BaseQueries
 queriesOf(std::size_t island,
           const SourceSet& sources,
           const GapFinder& gaps,
           double room)
 {
+  std::vector<double> all;
+  for (const SourceCurve& curve : sources.curves)
+    if (curve.island == island)
+      for (const double gap : gapsAlong(curve, gaps))
+        all.push_back(gap);
+  const double widest = 2.0 * quantile(all, 0.1);
+
   BaseQueries base;
+  std::size_t place = 0;
   for (const SourceCurve& curve : sources.curves) {
     if (curve.island != island)
       continue;
     for (const FieldSource& source : curve.sources) {
-      const double gap = gaps.gapAt(source.position, island);
+      const double gap = std::min(all[place++], widest);
       if (!std::isfinite(gap))
         continue;
       FieldQuery query;
