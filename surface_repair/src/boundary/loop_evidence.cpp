@@ -15,10 +15,13 @@ constexpr double INTEGRAL_WEIGHT = 2.0;
 constexpr double TURNING_WEIGHT = 1.0;
 /** Half a sphere: as much a hole as a rim. */
 constexpr double EVEN_RATIO = 2.0;
-/** What a twin takes from the evidence of a large island: a tube may be long. */
-constexpr double TWIN_DISCOUNT = 2.5;
-/** Share of a loop's area from which another loop is its twin. */
+/** What a second mouth takes from the evidence of a large island: a tube may be long.
+ */
+constexpr double TUBE_DISCOUNT = 2.5;
+/** Share of the larger mouth's area that the other mouth of a tube has. */
 constexpr double TWIN_SHARE = 0.5;
+/** The course of a mouth says less than this for a hole or a rim. */
+constexpr double MOUTH_COURSE = 0.75;
 
 double
 angleAt(const IncompleteModel& model, pcl::index_t triangle, pcl::index_t vertex)
@@ -47,37 +50,77 @@ areaRatio(double area, const AreaBounds& closing)
   return EVEN_RATIO;
 }
 
-/** \brief Loops of each island, and what closing all of them would add. */
+/** \brief The loops of one island. */
 struct IslandLoops {
-  double closing_area = 0.0; /**< lower bounds */
-  double largest = 0.0;      /**< of the areas */
-  double second = 0.0;
+  std::vector<std::size_t> loops; /**< the largest area first */
+  double closing_area = 0.0;      /**< of all, lower bounds */
+  long euler_characteristic = 0;
 };
 
-std::vector<IslandLoops>
-sumLoops(const IncompleteModel& model,
-         const BoundaryLoops& loops,
-         const std::vector<AreaBounds>& closing)
+/** \brief Vertices less edges plus triangles of each island. */
+void
+countEuler(const IncompleteModel& model,
+           const BoundaryLoops& loops,
+           std::vector<IslandLoops>& islands)
 {
-  std::vector<IslandLoops> sums(model.islands.size());
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    IslandLoops& sum = sums[loops[i].island];
-    const double area = closing[i].lower;
-    sum.closing_area += area;
-    sum.second = std::max(sum.second, std::min(area, sum.largest));
-    sum.largest = std::max(sum.largest, area);
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+    const pcl::index_t triangle = *model.adjacency.begin(static_cast<pcl::index_t>(v));
+    ++islands[model.island_of[static_cast<std::size_t>(triangle)]].euler_characteristic;
   }
-  return sums;
+  std::vector<std::size_t> edge_ends(islands.size(), 0);
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    edge_ends[i] = 3 * model.islands[i].triangles;
+    islands[i].euler_characteristic += static_cast<long>(model.islands[i].triangles);
+  }
+  for (const BoundaryLoop& loop : loops)
+    edge_ends[loop.island] += loop.vertices.size(); // a border has one end only
+  for (std::size_t i = 0; i < islands.size(); ++i)
+    islands[i].euler_characteristic -= static_cast<long>(edge_ends[i] / 2);
 }
 
-/** \brief Whether some other loop of the island is neither much smaller nor much
- * larger.
+std::vector<IslandLoops>
+listLoops(const IncompleteModel& model,
+          const BoundaryLoops& loops,
+          const std::vector<AreaBounds>& closing)
+{
+  std::vector<IslandLoops> islands(model.islands.size());
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    islands[loops[i].island].loops.push_back(i);
+    islands[loops[i].island].closing_area += closing[i].lower;
+  }
+  for (IslandLoops& island : islands)
+    std::stable_sort(
+        island.loops.begin(), island.loops.end(), [&](std::size_t a, std::size_t b) {
+          return closing[a].lower > closing[b].lower;
+        });
+  countEuler(model, loops, islands);
+  return islands;
+}
+
+/** \brief What the loop's own course says: above 0 a hole. */
+double
+courseOf(const LoopEvidence& evidence)
+{
+  return INTEGRAL_WEIGHT * evidence.integral.relative() +
+         TURNING_WEIGHT * std::clamp(evidence.turning, -1.0, 1.0);
+}
+
+/** \brief Whether an island is a tube but for holes that are smaller than its mouths.
  */
 bool
-hasTwin(double area, const IslandLoops& island)
+isTube(const IslandLoops& island,
+       const std::vector<AreaBounds>& closing,
+       const std::vector<LoopEvidence>& evidence)
 {
-  const double other = area < island.largest ? island.largest : island.second;
-  return std::min(area, other) > TWIN_SHARE * std::max(area, other);
+  const auto count = static_cast<long>(island.loops.size());
+  if (count < 2 || island.euler_characteristic != 2 - count) // a sphere with openings
+    return false;
+  const auto area = [&](std::size_t rank) { return closing[island.loops[rank]].lower; };
+  const auto is_mouth = [&](std::size_t rank) {
+    return std::abs(courseOf(evidence[island.loops[rank]])) < MOUTH_COURSE;
+  };
+  return is_mouth(0) && is_mouth(1) && area(1) > TWIN_SHARE * area(0) &&
+         (count == 2 || area(2) < TWIN_SHARE * area(1));
 }
 
 } // namespace
@@ -86,10 +129,9 @@ double
 LoopEvidence::score() const
 {
   double size = std::log2(area_ratio / EVEN_RATIO);
-  if (has_twin && size > 0.0)
-    size = std::max(0.0, size - TWIN_DISCOUNT);
-  return INTEGRAL_WEIGHT * integral.relative() +
-         TURNING_WEIGHT * std::clamp(turning, -1.0, 1.0) + size;
+  if (is_tube_mouth && size > 0.0)
+    size = std::max(0.0, size - TUBE_DISCOUNT);
+  return courseOf(*this) + size;
 }
 
 double
@@ -132,23 +174,30 @@ leastSurface(const BoundaryCurve& curve)
 }
 
 std::vector<LoopEvidence>
-collectEvidence(const IncompleteModel& model, const BoundaryLoops& loops)
+collectEvidence(const IncompleteModel& model,
+                const BoundaryLoops& loops,
+                const ccaa::LoopContext& context)
 {
-  std::vector<AreaBounds> closing;
-  closing.reserve(loops.size());
-  for (const BoundaryLoop& loop : loops)
-    closing.push_back(leastSurface(loop.curve));
-  const std::vector<IslandLoops> islands = sumLoops(model, loops, closing);
   std::vector<LoopEvidence> all(loops.size());
+  std::vector<AreaBounds> closing(loops.size());
+  const auto look = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      all[i].integral = boundaryIntegral(loops[i].curve);
+      all[i].turning = turningOf(model, loops[i]);
+      closing[i] = leastSurface(loops[i].curve);
+    }
+  };
+  if (!ccaa::forEachBlock(loops.size(), context, look))
+    return all;
+  const std::vector<IslandLoops> islands = listLoops(model, loops, closing);
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const IslandLoops& island = islands[loops[i].island];
-    const double others = island.closing_area - closing[i].lower;
-    all[i].integral = boundaryIntegral(loops[i].curve);
-    all[i].turning = turningOf(model, loops[i]);
-    all[i].area_ratio =
-        areaRatio(model.islands[loops[i].island].area + others, closing[i]);
-    all[i].has_twin = hasTwin(closing[i].lower, island);
+    const std::size_t island = loops[i].island;
+    const double others = islands[island].closing_area - closing[i].lower;
+    all[i].area_ratio = areaRatio(model.islands[island].area + others, closing[i]);
   }
+  for (const IslandLoops& island : islands)
+    if (isTube(island, closing, all))
+      all[island.loops[0]].is_tube_mouth = all[island.loops[1]].is_tube_mouth = true;
   return all;
 }
 

@@ -10,9 +10,11 @@
 namespace pcl {
 namespace repair {
 
-/** \brief The evidence for each loop of a model. */
+/** \brief The evidence for each loop of a model; of no use after cancelling. */
 std::vector<LoopEvidence>
-collectEvidence(const IncompleteModel& model, const BoundaryLoops& loops);
+collectEvidence(const IncompleteModel& model,
+                const BoundaryLoops& loops,
+                const ccaa::LoopContext& context);
 
 /** \brief Turns to the right, in full turns, while the loop is walked: the sum of what
  * the angles of the triangles at each point lack to pi (discrete geodesic curvature),

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/boundary/boundary_integral.h>
 
 #include <cstddef>
@@ -36,8 +37,8 @@ struct LoopEvidence {
    * for a small hole. Only bounds of the least surface are known: what is taken is the
    * value nearest to 2 that is possible. */
   double area_ratio = 2.0;
-  /** \brief Another loop of the island has about the same size, as in a tube. */
-  bool has_twin = false;
+  /** \brief The island is a tube, and this is one of its two mouths. */
+  bool is_tube_mouth = false;
 
   /** \brief All of it as one number: above 0 a hole, below 0 a rim, from -4 (flat
    * rim) up; a hole in a large surface has 10 and more. */
@@ -56,7 +57,7 @@ struct LoopClass {
 
 struct ClassificationParameters {
   /** \brief Least confidence of a class that is not UNDECIDED, 0 to 1. */
-  double decided_from = 0.6;
+  double decided_from = 0.5;
   /** \brief Share of a rim that must be faced by other islands before it is an
    * ISLAND_RIM and no OUTER_BORDER, 0 to 1. */
   double faced_from = 0.25;
@@ -70,11 +71,14 @@ struct ClassificationParameters {
  * its island's size. Loops of one-sided islands are UNDECIDED.
  *
  * Cost: about 3 us a boundary edge (see farthestPoints()), 0.1 us a triangle.
- * \param[in] loops of this model, all of them: others of the same island matter */
+ * The result is the same for any number of threads.
+ * \param[in] loops of this model, all of them: others of the same island matter
+ * \param[in] context a thread takes whole loops \return empty after cancelling */
 std::vector<LoopClass>
 classifyBoundaries(const IncompleteModel& model,
                    const BoundaryLoops& loops,
-                   const ClassificationParameters& parameters = {});
+                   const ClassificationParameters& parameters = {},
+                   const ccaa::LoopContext& context = {});
 
 } // namespace repair
 } // namespace pcl
