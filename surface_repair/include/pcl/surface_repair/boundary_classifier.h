@@ -89,7 +89,7 @@ public:
   }
 
   /** \brief Least confidence of a class; below it the answer is UNDECIDED. 0 to 1,
-   * default 0.5. */
+   * default 0.4. */
   void
   setMinimumConfidence(double confidence)
   {

@@ -57,7 +57,7 @@ struct LoopClass {
 
 struct ClassificationParameters {
   /** \brief Least confidence of a class that is not UNDECIDED, 0 to 1. */
-  double decided_from = 0.5;
+  double decided_from = 0.4;
   /** \brief Share of a rim that must be faced by other islands before it is an
    * ISLAND_RIM and no OUTER_BORDER, 0 to 1. */
   double faced_from = 0.25;
