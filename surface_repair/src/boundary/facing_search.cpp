@@ -11,8 +11,10 @@ namespace pcl {
 namespace repair {
 namespace {
 
-/** Points taken of one loop at most. */
-constexpr std::size_t LOOP_POINTS = 128;
+/** Points taken of one loop: of a triangle some on each edge, of a long loop a sample.
+ */
+constexpr std::size_t FEWEST_POINTS = 24;
+constexpr std::size_t MOST_POINTS = 128;
 constexpr std::size_t LEAF_POINTS = 4;
 /** Half the opening of a view: gaps on a sphere up to 60 degrees wide are seen across.
  */
@@ -37,11 +39,20 @@ FacingSearch::FacingSearch(const BoundaryLoops& loops)
 void
 FacingSearch::addPoints(const BoundaryLoop& loop)
 {
-  const Directions conormals = smoothConormals(loop.curve, 0.0);
-  const std::size_t count = std::min(loop.curve.size(), LOOP_POINTS);
+  const BoundaryCurve& curve = loop.curve;
+  const Directions conormals = smoothConormals(curve, 0.0);
+  const std::size_t count = std::clamp(curve.size(), FEWEST_POINTS, MOST_POINTS);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t k = i * loop.curve.size() / count;
-    by_loop_.push_back({loop.curve.points[k], conormals[k], loop.island, loop.length});
+    const double place =
+        static_cast<double>(i * curve.size()) / static_cast<double>(count);
+    const auto k = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(k);
+    const std::size_t next = curve.next(k);
+    by_loop_.push_back(
+        {curve.points[k] + share * curve.edge(k),
+         (conormals[k] + share * (conormals[next] - conormals[k])).normalized(),
+         loop.island,
+         loop.length});
   }
 }
 

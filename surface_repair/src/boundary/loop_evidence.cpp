@@ -97,12 +97,20 @@ listLoops(const IncompleteModel& model,
   return islands;
 }
 
+/** \brief Turning as far as it can be believed. A loop that turns more than once says
+ * more about the roughness of the surface beside it than about itself. */
+double
+believedTurning(double turning)
+{
+  return std::abs(turning) <= 1.0 ? turning : 1.0 / (turning * std::abs(turning));
+}
+
 /** \brief What the loop's own course says: above 0 a hole. */
 double
 courseOf(const LoopEvidence& evidence)
 {
   return INTEGRAL_WEIGHT * evidence.integral.relative() +
-         TURNING_WEIGHT * std::clamp(evidence.turning, -1.0, 1.0);
+         TURNING_WEIGHT * believedTurning(evidence.turning);
 }
 
 /** \brief Whether an island is a tube but for holes that are smaller than its mouths.
@@ -123,6 +131,26 @@ isTube(const IslandLoops& island,
          (count == 2 || area(2) < TWIN_SHARE * area(1));
 }
 
+/** \brief Mark what lies within a rim: the clearest rim of an island encloses the rest
+ * of it, so a loop of less than half its area is no second one. */
+void
+markWithinRim(const IslandLoops& island,
+              const std::vector<AreaBounds>& closing,
+              std::vector<LoopEvidence>& evidence)
+{
+  if (island.loops.size() < 2)
+    return;
+  const std::size_t rim = *std::min_element(
+      island.loops.begin(), island.loops.end(), [&](std::size_t a, std::size_t b) {
+        return evidence[a].score() < evidence[b].score();
+      });
+  if (evidence[rim].score() >= 0.0)
+    return;
+  for (const std::size_t loop : island.loops)
+    evidence[loop].within_rim =
+        loop != rim && closing[loop].lower < TWIN_SHARE * closing[rim].lower;
+}
+
 } // namespace
 
 double
@@ -131,7 +159,8 @@ LoopEvidence::score() const
   double size = std::log2(area_ratio / EVEN_RATIO);
   if (is_tube_mouth && size > 0.0)
     size = std::max(0.0, size - TUBE_DISCOUNT);
-  return courseOf(*this) + size;
+  const double sum = courseOf(*this) + size;
+  return within_rim ? std::max(0.0, sum) : sum;
 }
 
 double
@@ -195,9 +224,11 @@ collectEvidence(const IncompleteModel& model,
     const double others = islands[island].closing_area - closing[i].lower;
     all[i].area_ratio = areaRatio(model.islands[island].area + others, closing[i]);
   }
-  for (const IslandLoops& island : islands)
+  for (const IslandLoops& island : islands) {
     if (isTube(island, closing, all))
       all[island.loops[0]].is_tube_mouth = all[island.loops[1]].is_tube_mouth = true;
+    markWithinRim(island, closing, all);
+  }
   return all;
 }
 
