@@ -108,7 +108,7 @@ weigh(const Task& task, const Lanes& q_1, std::size_t place, View& view)
   }
   if constexpr (FULL) { // a short way does not bring in what is beyond L_2
     m = m * load(task.deltas + place);
-    m = view.squared < task.far * task.far ? m : all(0.0);
+    m = task.far - view.squared * view.inverse > 0.0 ? m : all(0.0);
   }
   view.m = view.squared > task.least_squared ? m : all(0.0);
 }

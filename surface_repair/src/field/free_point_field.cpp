@@ -14,8 +14,8 @@ namespace repair {
 namespace {
 
 /** \brief Parts to R_2 in which a segment is measured, and bounds of their number. */
-constexpr double PARTS_TO_FAR = 2.0;
-constexpr double FEWEST_PARTS = 4.0;
+constexpr double PARTS_TO_FAR = 1.5;
+constexpr double FEWEST_PARTS = 3.0;
 constexpr double MOST_PARTS = 64.0;
 
 } // namespace

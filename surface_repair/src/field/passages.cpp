@@ -13,7 +13,7 @@ using field_kernel::LANES;
 
 /** \brief Most sources between two that are looked at first, and so many that their
  * number alone is no reason to look closer. */
-constexpr std::size_t LONGEST_SPAN = 3 * LANES;
+constexpr std::size_t LONGEST_SPAN = 6 * LANES;
 constexpr std::size_t SHORT_SPAN = 2 * LANES;
 
 /** \brief Longest span by its distance from the point. */

@@ -1,50 +1,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: how far the field has to reach, from the data (4.45).
-
-#include <pcl/kdtree/kdtree_flann.h>
+// Part of PclSurfaceRepair: how far field and trust reach, derived from the data
+// (4.45).
 #include <pcl/surface_repair/field/reach.h>
-#include <pcl/point_types.h>
+
+#include "labelled_tree.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace repair {
+namespace {
 
-double
-meanPointSpacing(const Positions& points)
+/** \brief L_2 is no less than this many spacings, or single sources would show. */
+constexpr double LEAST_REACH = 4.0;
+
+/** \brief R_2 by the distance between islands (4.45). */
+constexpr double SHARE_OF_GAP = 0.5;
+
+} // namespace
+
+struct GapFinder::Implementation {
+  LabelledTree tree;
+};
+
+GapFinder::GapFinder(const SourceSet& sources)
+: implementation_(std::make_unique<Implementation>())
 {
-  if (points.size() < 2)
-    return 0.0;
-  // Floats of coordinates far from the origin would not tell neighbours apart.
-  const Position origin = points.front();
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (const Position& point : points) {
-    const Eigen::Vector3f local = (point - origin).cast<float>();
-    cloud->emplace_back(local.x(), local.y(), local.z());
-  }
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree;
-  tree.setInputCloud(cloud);
-  pcl::Indices nearest;
-  std::vector<float> squared;
-  double sum = 0.0;
-  for (const pcl::PointXYZ& point : *cloud) {
-    tree.nearestKSearch(point, 2, nearest, squared);
-    sum += std::sqrt(static_cast<double>(squared.back()));
-  }
-  return sum / static_cast<double>(points.size());
+  Positions positions;
+  std::vector<std::size_t> islands;
+  for (const SourceCurve& curve : sources.curves)
+    for (const FieldSource& source : curve.sources) {
+      positions.push_back(source.position);
+      islands.push_back(curve.island);
+    }
+  implementation_->tree = LabelledTree(std::move(positions), std::move(islands));
 }
+
+GapFinder::~GapFinder() = default;
+
+GapFinder::GapFinder(GapFinder&&) noexcept = default;
 
 double
 GapFinder::gapAt(const Position& position, std::size_t silent_island) const
 {
-  double squared = std::numeric_limits<double>::infinity();
-  for (const SourceCurve& curve : sources_.curves)
-    if (curve.island != silent_island)
-      for (const FieldSource& source : curve.sources)
-        squared = std::min(squared, (source.position - position).squaredNorm());
-  return std::sqrt(squared);
+  return implementation_->tree.distanceToOther(position, silent_island);
+}
+
+Falloff
+sourceFalloff(double spacing, double gap, double exponent, double room)
+{
+  Falloff falloff;
+  falloff.near = spacing;
+  falloff.far = std::isfinite(gap) ? std::max(room * gap, LEAST_REACH * spacing) : 0.0;
+  falloff.exponent = exponent;
+  return falloff;
+}
+
+Falloff
+freePointFalloff(double spacing, double gap, double exponent)
+{
+  Falloff falloff;
+  falloff.near = spacing;
+  falloff.far = std::isfinite(gap) ? std::max(SHARE_OF_GAP * gap, spacing) : spacing;
+  falloff.exponent = exponent;
+  return falloff;
+}
+
+double
+meanSpacing(const Positions& points)
+{
+  if (points.size() < 2)
+    return 0.0;
+  std::vector<std::size_t> own(points.size());
+  std::iota(own.begin(), own.end(), std::size_t(0));
+  const LabelledTree tree(points, own);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += tree.distanceToOther(points[i], i);
+  return sum / static_cast<double>(points.size());
 }
 
 } // namespace repair

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #ifdef __SSE2__
@@ -40,18 +41,19 @@ public:
     if (levels_.empty())
       return false;
     const Ray ray = rayFrom(a, b);
-    std::array<Entry, STACK> stack;
+    std::array<std::uint64_t, STACK> stack; // level and node
     std::size_t height = 0;
-    stack[height++] = {levels_.size() - 1, 0};
+    stack[height++] = (levels_.size() - 1) << 32;
     while (height > 0) {
-      const Entry entry = stack[--height];
-      unsigned int hits = levels_[entry.level][entry.node].meets(ray);
+      const std::uint64_t level = stack[--height] >> 32;
+      const std::uint64_t node = stack[height] & 0xffffffffu;
+      unsigned int hits = levels_[level][node].meets(ray);
       for (; hits != 0; hits &= hits - 1) {
-        const std::size_t child =
-            entry.node * FAN_OUT + static_cast<std::size_t>(__builtin_ctz(hits));
-        if (entry.level > 0)
-          stack[height++] = {entry.level - 1, child};
-        else if (test(child))
+        const std::uint64_t child =
+            node * FAN_OUT + static_cast<unsigned int>(__builtin_ctz(hits));
+        if (level > 0)
+          stack[height++] = (level - 1) << 32 | child;
+        else if (test(static_cast<std::size_t>(child)))
           return true;
       }
     }
@@ -66,10 +68,6 @@ private:
   /** \brief A segment in the frame of the tree: from + t / inverse, t in [0, 1]. */
   struct Ray {
     float from[3], inverse[3];
-  };
-
-  struct Entry {
-    std::size_t level, node;
   };
 
   /** \brief The bounds of eight children. */
