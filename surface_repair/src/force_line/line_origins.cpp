@@ -17,8 +17,8 @@ namespace repair {
 
 namespace {
 
-/** L_2 at least, in spacings of the sources. */
-constexpr double LEAST_REACH = 4.0;
+/** Spacings around a place in which to look first for what lies across a hole. */
+constexpr double FIRST_LOOK = 4.0;
 
 PossibleOrigin
 originAt(const SourceCurve& curve,
@@ -94,12 +94,10 @@ gapAcross(const LineOrigin& origin,
 Falloff
 falloffOver(double gap, double source_spacing, const Reach& reach)
 {
-  Falloff falloff;
-  falloff.near = reach.near > 0.0 ? reach.near : source_spacing;
-  falloff.far = reach.far > 0.0
-                    ? reach.far
-                    : std::max(reach.room * gap, LEAST_REACH * falloff.near);
-  falloff.exponent = reach.exponent;
+  const double near = reach.near > 0.0 ? reach.near : source_spacing;
+  Falloff falloff = sourceFalloff(near, gap, reach.exponent, reach.room);
+  if (reach.far > 0.0)
+    falloff.far = reach.far;
   return falloff;
 }
 
@@ -135,14 +133,14 @@ originsInHole(const IndicatorField& field,
 {
   const SourceCurve& sources = field.sources().curves[curve];
   std::vector<PossibleOrigin> origins;
-  double guess = LEAST_REACH * sources.spacing;
+  double guess = FIRST_LOOK * sources.spacing;
   for (const FieldSource& source : sources.sources) {
     PossibleOrigin origin = originAt(sources, source, curve, targets);
     const EffectiveCharge hole{source.tangent, source.arc, threshold, curve};
     origin.gap = gapAcross(origin.origin, hole, targets, guess);
     if (!std::isfinite(origin.gap))
       continue;
-    guess = std::max(origin.gap + sources.spacing, LEAST_REACH * sources.spacing);
+    guess = std::max(origin.gap + sources.spacing, FIRST_LOOK * sources.spacing);
     origin.origin.query.silent_island = NONE;
     origin.origin.query.effective = hole;
     origin.origin.query.falloff = falloffOver(origin.gap, sources.spacing, reach);

@@ -66,8 +66,7 @@ orientIslands(const IncompleteModel& model,
   decide(votesOfNormals(model), SideRule::NORMALS, parameters.agreement, sides);
   decide(votesOfViewpoints(model), SideRule::VIEWPOINT, parameters.agreement, sides);
 
-  const double clearance =
-      parameters.sight_clearance * meanPointSpacing(model.free_points);
+  const double clearance = parameters.sight_clearance * meanSpacing(model.free_points);
   SideEvidence evidence;
   evidence.sight = lookAround(model, clearance, context);
   std::vector<SideVotes> clear_sight;

@@ -116,13 +116,11 @@ makeSurroundings(const ModelSurvey& survey,
   const Positions& points = survey.model.free_points;
   if (points.empty() || !(parameters.trust > 0.0))
     return surroundings;
-  Falloff falloff;
-  falloff.near = parameters.free_point_near > 0.0 ? parameters.free_point_near
-                                                  : meanPointSpacing(points);
-  falloff.far = parameters.free_point_far > 0.0
-                    ? parameters.free_point_far
-                    : std::max(0.5 * mean_gap, 2.0 * falloff.near);
-  falloff.exponent = parameters.free_point_exponent;
+  const double spacing = parameters.free_point_near > 0.0 ? parameters.free_point_near
+                                                          : meanSpacing(points);
+  Falloff falloff = freePointFalloff(spacing, mean_gap, parameters.free_point_exponent);
+  if (parameters.free_point_far > 0.0)
+    falloff.far = parameters.free_point_far;
   surroundings.free_points =
       std::make_unique<FreePointField>(points, falloff, parameters.trust);
   return surroundings;

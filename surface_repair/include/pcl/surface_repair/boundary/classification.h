@@ -39,7 +39,8 @@ struct LoopEvidence {
   double area_ratio = 2.0;
   /** \brief The island is a tube, and this is one of its two mouths. */
   bool is_tube_mouth = false;
-  /** \brief Another loop of the island is a clearer rim and far larger: this is none. */
+  /** \brief Another loop of the island is a clearer rim and far larger: this is none.
+   */
   bool within_rim = false;
 
   /** \brief All of it as one number: above 0 a hole, below 0 a rim, from -4 (flat
