@@ -22,36 +22,6 @@ using pcl::repair::IncompleteModel;
 using pcl::repair::Triangle;
 using pcl::repair::Triangles;
 
-pcl::PolygonMesh::Ptr
-toMesh(const ClosedModel& model, const std::vector<char>& removed)
-{
-  auto mesh = pcl::make_shared<pcl::PolygonMesh>();
-  pcl::PCLPointCloud2& cloud = mesh->cloud;
-  const char* const names[] = {"x", "y", "z"};
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    pcl::PCLPointField field;
-    field.name = names[i];
-    field.offset = i * static_cast<std::uint32_t>(sizeof(double));
-    field.datatype = pcl::PCLPointField::FLOAT64;
-    field.count = 1;
-    cloud.fields.push_back(field);
-  }
-  cloud.point_step = 3 * sizeof(double);
-  cloud.width = static_cast<std::uint32_t>(model.positions.size());
-  cloud.height = 1;
-  cloud.row_step = cloud.width * cloud.point_step;
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(model.positions.data());
-  cloud.data.assign(bytes, bytes + cloud.row_step);
-  for (std::size_t t = 0; t < removed.size(); ++t) {
-    if (removed[t] != 0)
-      continue;
-    mesh->polygons.emplace_back();
-    mesh->polygons.back().vertices.assign(model.triangles[t].begin(),
-                                          model.triangles[t].end());
-  }
-  return mesh;
-}
-
 TruthCase
 readCase(const pcl::PolygonMesh::Ptr& mesh)
 {
@@ -220,7 +190,7 @@ TruthCase
 damagedCase(const ClosedModel& model, const std::vector<char>& removed)
 {
   constexpr double FLAT = 0.6;
-  TruthCase truth = readCase(toMesh(model, removed));
+  TruthCase truth = readCase(damagedMesh(model, removed));
   if (truth.model.islands.empty())
     return truth;
   MissingParts missing(model, truth.model);

@@ -146,4 +146,34 @@ madeModels()
   return models;
 }
 
+pcl::PolygonMesh::Ptr
+damagedMesh(const ClosedModel& model, const std::vector<char>& removed)
+{
+  auto mesh = pcl::make_shared<pcl::PolygonMesh>();
+  pcl::PCLPointCloud2& cloud = mesh->cloud;
+  const char* const names[] = {"x", "y", "z"};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    pcl::PCLPointField field;
+    field.name = names[i];
+    field.offset = i * static_cast<std::uint32_t>(sizeof(double));
+    field.datatype = pcl::PCLPointField::FLOAT64;
+    field.count = 1;
+    cloud.fields.push_back(field);
+  }
+  cloud.point_step = 3 * sizeof(double);
+  cloud.width = static_cast<std::uint32_t>(model.positions.size());
+  cloud.height = 1;
+  cloud.row_step = cloud.width * cloud.point_step;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(model.positions.data());
+  cloud.data.assign(bytes, bytes + cloud.row_step);
+  for (std::size_t t = 0; t < removed.size(); ++t) {
+    if (removed[t] != 0)
+      continue;
+    mesh->polygons.emplace_back();
+    mesh->polygons.back().vertices.assign(model.triangles[t].begin(),
+                                          model.triangles[t].end());
+  }
+  return mesh;
+}
+
 } // namespace bench

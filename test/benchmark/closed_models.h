@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
+#include <pcl/PolygonMesh.h>
 
 #include <string>
 #include <vector>
@@ -32,6 +33,11 @@ readClosedModel(const std::string& name);
 /** \brief A unit sphere, a torus and a cube of some ten thousand triangles each. */
 std::vector<ClosedModel>
 madeModels();
+
+/** \brief The model without the triangles that are flagged, with positions as doubles.
+ */
+pcl::PolygonMesh::Ptr
+damagedMesh(const ClosedModel& model, const std::vector<char>& removed);
 
 double
 areaOf(const pcl::repair::Triangle& triangle, const pcl::repair::Positions& positions);

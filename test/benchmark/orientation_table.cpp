@@ -3,10 +3,11 @@
 
 #include "orientation_table.h"
 
+#include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/surface_repair/boundary/extraction.h>
+#include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
 
-#include "classification_truth.h"
 #include "closed_models.h"
 #include "common/random_numbers.h"
 
@@ -117,6 +118,18 @@ isWoundOutward(const ClosedModel& model)
   return volume > 0.0;
 }
 
+/** What is left of a model, as the filter leaves it: without bow-ties and crumbs. */
+IncompleteModel
+filtered(const ClosedModel& model, const std::vector<char>& removed)
+{
+  pcl::UmbrellaFilter filter;
+  filter.setInputMesh(damagedMesh(model, removed));
+  filter.setConsistentOrientation(false);
+  const auto mesh = pcl::make_shared<pcl::PolygonMesh>();
+  filter.process(*mesh);
+  return pcl::repair::readModel(mesh, nullptr, {}).model;
+}
+
 struct Counts {
   std::size_t islands = 0;
   std::size_t right = 0;
@@ -193,10 +206,10 @@ printOrientationTable(std::ostream& out, std::uint64_t rounds)
       for (std::uint64_t round = 0; round < rounds; ++round) {
         app::RandomNumbers random(1000 * round + c);
         const std::vector<Damage> damages = chooseDamages(model, cuts[c], random);
-        const Counts counts = orientOnce(
-            damagedCase(model, removedBy(damages, model, cuts[c].thickness)).model,
-            isWoundOutward(model),
-            random);
+        const Counts counts =
+            orientOnce(filtered(model, removedBy(damages, model, cuts[c].thickness)),
+                       isWoundOutward(model),
+                       random);
         of_model.add(counts);
         of_cut[c].add(counts);
         all.add(counts);

@@ -3,6 +3,7 @@
 
 #include "free_sight.h"
 
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_repair/field/shielding.h>
 
 #include <algorithm>
@@ -13,7 +14,10 @@ namespace repair {
 
 namespace {
 
-constexpr std::size_t DIRECTIONS = 16;
+/** Directions from a lookout, on each side: more where an island has few lookouts. */
+constexpr std::size_t LEAST_DIRECTIONS = 16;
+constexpr std::size_t MOST_DIRECTIONS = 256;
+constexpr std::size_t WAYS = 1024;
 constexpr std::size_t MOST_SAMPLES = 64;
 constexpr std::size_t LEAST_SAMPLES = 12;
 constexpr std::size_t ALL_SAMPLES = 12800;
@@ -26,6 +30,7 @@ struct Lookout {
   std::size_t island = 0;
   Position position;
   Direction normal;
+  std::size_t directions = LEAST_DIRECTIONS;
 };
 
 /** A tetrahedron around a free point whose faces are `clearance` from it. */
@@ -57,24 +62,6 @@ obstaclesOf(const IncompleteModel& model, double clearance)
   return obstacles;
 }
 
-struct Corner {
-  Position a, b, c;
-  Eigen::Vector3d
-  area() const
-  {
-    return 0.5 * (b - a).cross(c - a);
-  }
-};
-
-Corner
-cornersOf(const IncompleteModel& model, std::size_t triangle)
-{
-  const Triangle& t = model.triangles[triangle];
-  return {model.positions[static_cast<std::size_t>(t[0])],
-          model.positions[static_cast<std::size_t>(t[1])],
-          model.positions[static_cast<std::size_t>(t[2])]};
-}
-
 /** Centres of triangles at equal steps of the island's running area. */
 std::vector<Lookout>
 chooseLookouts(const IncompleteModel& model)
@@ -87,26 +74,31 @@ chooseLookouts(const IncompleteModel& model)
   std::vector<Lookout> lookouts;
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     const std::size_t island = model.island_of[t];
-    const Corner corners = cornersOf(model, t);
-    const Eigen::Vector3d area = corners.area();
+    const ccaa::Corners corners = ccaa::cornersOf(model.triangles[t], model.positions);
+    const Eigen::Vector3d area = 0.5 * ccaa::areaNormal(corners);
     passed[island] += area.norm();
     const double due = (static_cast<double>(taken[island]) + 0.5) /
                        static_cast<double>(samples) * model.islands[island].area;
     if (passed[island] < due || !(area.norm() > 0.0))
       continue;
     ++taken[island];
-    lookouts.push_back(
-        {island, (corners.a + corners.b + corners.c) / 3.0, area.normalized()});
+    lookouts.push_back({island,
+                        (corners[0] + corners[1] + corners[2]) / 3.0,
+                        area.normalized(),
+                        LEAST_DIRECTIONS});
   }
+  for (Lookout& lookout : lookouts)
+    lookout.directions =
+        std::clamp(WAYS / taken[lookout.island], LEAST_DIRECTIONS, MOST_DIRECTIONS);
   return lookouts;
 }
 
 /** The k-th of the directions, spread over the half sphere around a normal, turned by
  * an angle of the lookout's own. */
 Direction
-directionOf(const Direction& normal, std::size_t k, double turn)
+directionOf(const Direction& normal, std::size_t k, std::size_t count, double turn)
 {
-  const double up = (static_cast<double>(k) + 0.5) / static_cast<double>(DIRECTIONS);
+  const double up = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
   const double aside = std::sqrt(1.0 - up * up);
   const double angle = turn + static_cast<double>(k) * GOLDEN_ANGLE;
   const Direction first = normal.unitOrthogonal();
@@ -128,8 +120,9 @@ lookFrom(const Lookout& lookout,
   FreeSight sight;
   const double turn = static_cast<double>(number) * GOLDEN_ANGLE;
   for (const double side : {1.0, -1.0})
-    for (std::size_t k = 0; k < DIRECTIONS; ++k) {
-      const Direction direction = directionOf(side * lookout.normal, k, turn);
+    for (std::size_t k = 0; k < lookout.directions; ++k) {
+      const Direction direction =
+          directionOf(side * lookout.normal, k, lookout.directions, turn);
       const double weight = std::abs(direction.dot(lookout.normal));
       if (side > 0.0)
         sight.asked += weight;

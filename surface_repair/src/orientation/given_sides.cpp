@@ -3,6 +3,8 @@
 
 #include "given_sides.h"
 
+#include <pcl/surface_ccaa/mesh/corners.h>
+
 namespace pcl {
 namespace repair {
 
@@ -12,15 +14,6 @@ const Position&
 cornerOf(const Positions& list, const Triangle& triangle, std::size_t corner)
 {
   return list[static_cast<std::size_t>(triangle[corner])];
-}
-
-/** Twice the area of a triangle, along its normal. */
-Eigen::Vector3d
-areaVector(const IncompleteModel& model, const Triangle& triangle)
-{
-  const Position& a = cornerOf(model.positions, triangle, 0);
-  return (cornerOf(model.positions, triangle, 1) - a)
-      .cross(cornerOf(model.positions, triangle, 2) - a);
 }
 
 /** Let every triangle vote with its area vector against a direction it looks up. */
@@ -34,7 +27,9 @@ votesAgainst(const IncompleteModel& model, const DirectionOf& directionOf)
     const double length = direction.norm();
     if (length > 0.0 && std::isfinite(length))
       votes[model.island_of[t]].add(
-          areaVector(model, model.triangles[t]).dot(direction) / length);
+          ccaa::areaNormal(ccaa::cornersOf(model.triangles[t], model.positions))
+              .dot(direction) /
+          length);
   }
   return votes;
 }

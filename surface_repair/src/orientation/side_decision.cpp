@@ -33,6 +33,8 @@ private:
 
   void
   join(std::size_t island, std::size_t group);
+  void
+  hear(std::size_t speaker, std::size_t listener, const Neighbour& pair);
   std::size_t
   strongest() const;
   std::size_t
@@ -84,13 +86,18 @@ Decision::join(std::size_t island, std::size_t group)
   group_[island] = group;
   if (sides_[island].rule == SideRule::ONE_SIDED)
     return; // its boundary has no direction, so it says nothing about others
-  for (const Neighbour& neighbour : neighbours_[island]) {
-    // |f . m| splits into what attracts and what repels.
-    const double towards = 0.5 * (neighbour.magnitude + neighbour.attraction);
-    const double away = 0.5 * (neighbour.magnitude - neighbour.attraction);
-    const SideVotes votes{towards, away};
-    field_[neighbour.island].add(sign(island) > 0.0 ? votes : votes.turned());
-  }
+  for (const Neighbour& neighbour : neighbours_[island])
+    hear(island, neighbour.island, neighbour);
+}
+
+/** Add what the field of one island says about another. */
+void
+Decision::hear(std::size_t speaker, std::size_t listener, const Neighbour& pair)
+{
+  // |f . m| splits into what attracts and what repels.
+  const SideVotes votes{0.5 * (pair.magnitude + pair.attraction),
+                        0.5 * (pair.magnitude - pair.attraction)};
+  field_[listener].add(sign(speaker) > 0.0 ? votes : votes.turned());
 }
 
 /** Of the islands about which the field is clear, the one with the greatest integral.
