@@ -37,10 +37,19 @@ const std::vector<std::string> open_files = {"holes/holes.ply",
                                              "rs1_scene/rs1_normals.ply"};
 
 bool
-isRim(BoundaryClass boundary_class)
+isRight(BoundaryClass found, LoopTruth truth)
 {
-  return boundary_class == BoundaryClass::ISLAND_RIM ||
-         boundary_class == BoundaryClass::OUTER_BORDER;
+  switch (found) {
+  case BoundaryClass::HOLE:
+    return truth == LoopTruth::HOLE;
+  case BoundaryClass::ISLAND_RIM:
+    return truth == LoopTruth::ISLAND_RIM || truth == LoopTruth::RIM;
+  case BoundaryClass::OUTER_BORDER:
+    return truth == LoopTruth::OUTER_BORDER || truth == LoopTruth::RIM;
+  case BoundaryClass::UNDECIDED:
+    break;
+  }
+  return false;
 }
 
 void
@@ -53,7 +62,8 @@ printRow(std::ostream& out, const std::string& name, const TruthCounts& counts)
   out << std::left << std::setw(34) << name << std::right << std::setw(8)
       << counts.holes << std::setw(8) << counts.rims << std::setw(8) << counts.right
       << std::setw(8) << counts.wrong << std::setw(10) << counts.undecided
-      << std::setw(9) << std::fixed << std::setprecision(2) << share << "\n"
+      << std::setw(9) << std::fixed << std::setprecision(2) << share << std::setw(12)
+      << counts.wrong_by_sign << "\n"
       << std::flush;
 }
 
@@ -86,6 +96,7 @@ TruthCounts::add(const TruthCounts& other)
   right += other.right;
   wrong += other.wrong;
   undecided += other.undecided;
+  wrong_by_sign += other.wrong_by_sign;
 }
 
 TruthCounts
@@ -101,7 +112,9 @@ compare(const TruthCase& truth, const std::vector<pcl::repair::LoopClass>& class
     if (found == BoundaryClass::UNDECIDED)
       ++counts.undecided;
     else
-      ++(isRim(found) == hole ? counts.wrong : counts.right);
+      ++(isRight(found, truth.truth[i]) ? counts.right : counts.wrong);
+    if ((classes[i].evidence.integral.value > 0) != hole)
+      ++counts.wrong_by_sign;
   }
   return counts;
 }
@@ -109,9 +122,8 @@ compare(const TruthCase& truth, const std::vector<pcl::repair::LoopClass>& class
 void
 printClassificationTable(std::ostream& out, std::uint64_t rounds)
 {
-  out << "loops                                holes    rims   right   wrong undecided "
-         " "
-         "right %\n";
+  out << "loops of                             holes    rims   right   wrong undecided"
+         "  right %  wrong by D\n";
   TruthCounts all;
   for (const ClosedModel& model : madeModels())
     all.add(damagedRow(out, model, rounds));

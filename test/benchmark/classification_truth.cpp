@@ -211,7 +211,7 @@ damagedCase(const ClosedModel& model, const std::vector<char>& removed)
       if (island == main_island)
         truth.truth[loop] = LoopTruth::HOLE;
       else if (flatness[island] > FLAT)
-        truth.truth[loop] = LoopTruth::RIM;
+        truth.truth[loop] = LoopTruth::ISLAND_RIM;
     }
   }
   return truth;
@@ -255,7 +255,9 @@ openCase(const std::string& file)
                                                   0.5 * truth.loops[loops[0]].length))
       continue;
     for (const std::size_t loop : loops)
-      truth.truth[loop] = loop == loops[0] ? LoopTruth::RIM : LoopTruth::HOLE;
+      truth.truth[loop] = LoopTruth::HOLE;
+    truth.truth[loops[0]] =
+        truth.model.islands.size() == 1 ? LoopTruth::OUTER_BORDER : LoopTruth::RIM;
   }
   return truth;
 }

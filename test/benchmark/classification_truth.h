@@ -19,7 +19,9 @@ namespace bench {
 enum class LoopTruth : std::uint8_t {
   UNCLEAR, /**< not counted */
   HOLE,
-  RIM /**< an island's rim or an outer border */
+  ISLAND_RIM,
+  OUTER_BORDER,
+  RIM /**< either of the two */
 };
 
 /** \brief A model and the truth about its loops. */
@@ -34,14 +36,15 @@ struct TruthCase {
  * The truth comes from what was taken away. Each connected missing part that is a disc,
  * or a disc around islands that are discs themselves, has one loop on the largest
  * island: a HOLE, as long as what is missing is smaller than what is there. The
- * islands in it are RIMs where they are nearly flat. Everything else (a part that
- * connects two sides of the surface, half the model missing) is UNCLEAR. */
+ * islands in it have ISLAND_RIMs where they are nearly flat. Everything else (a part
+ * that connects two sides of the surface, half the model missing) is UNCLEAR. */
 TruthCase
 damagedCase(const ClosedModel& model, const std::vector<char>& removed);
 
 /** \brief Of an open surface, such as a scan, whose longest loops are its rims: the
- * longest loop of each island is a RIM, the others are HOLEs. An island whose second
- * loop has more than half the length of the longest one is UNCLEAR as a whole. */
+ * longest loop of each island is a RIM (an OUTER_BORDER where there is one island
+ * only), the others are HOLEs. An island whose second loop has more than half the
+ * length of the longest one is UNCLEAR as a whole. */
 TruthCase
 openCase(const std::string& file);
 
@@ -57,6 +60,7 @@ struct TruthCounts {
   std::size_t right = 0;
   std::size_t wrong = 0;
   std::size_t undecided = 0;
+  std::size_t wrong_by_sign = 0; /**< by the sign of D alone, as in the thesis */
 
   void
   add(const TruthCounts& other);

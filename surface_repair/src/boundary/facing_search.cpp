@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t FEWEST_POINTS = 24;
 constexpr std::size_t MOST_POINTS = 128;
 constexpr std::size_t LEAF_POINTS = 4;
-/** Half the opening of a view: gaps on a sphere up to 60 degrees wide are seen across.
- */
-constexpr double VIEW_ANGLE = M_PI / 6.0;
+/** Half the opening of a view. Wide, because around the tip of a limb the other side of
+ * a gap lies far off the conormal. */
+constexpr double VIEW_ANGLE = M_PI / 3.0;
 /** Share of the own loop's length below which another loop is a fragment. */
 constexpr double FRAGMENT_SHARE = 0.1;
 
