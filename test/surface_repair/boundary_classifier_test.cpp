@@ -244,5 +244,20 @@ TEST(BoundaryClassifier, TheBunnyHasFiveHoles)
   EXPECT_EQ(1113u, classifier.getReport().free_points);
 }
 
+TEST(BoundaryClassifier, TheMaskHasSixHolesAndAnOuterBorder)
+{
+  const std::string path = sharedData("holes/holes.ply");
+  SKIP_WITHOUT_DATA(path);
+  const auto mesh = pcl::make_shared<pcl::PolygonMesh>();
+  ASSERT_GE(pcl::io::loadPLYFile(path, *mesh), 0);
+  BoundaryClassifier classifier;
+  for (const auto& boundary : classified(mesh, classifier))
+    EXPECT_EQ(boundary.vertices.size() == 136,
+              boundary.boundary_class == BoundaryClass::OUTER_BORDER);
+  EXPECT_EQ(6u, classifier.getReport().counts.complex_holes);
+  EXPECT_EQ(1u, classifier.getReport().outer_borders);
+  EXPECT_EQ(repair::IcmClass::ICM2, classifier.getReport().icm_class);
+}
+
 } // namespace
 } // namespace pcl
