@@ -82,7 +82,7 @@ LabelledTree::descend(const Node& node,
     return;
   if (node.children == 0) {
     for (std::size_t i = node.begin; i < node.end; ++i)
-      if (labels_[i] != label)
+      if (label == NONE || labels_[i] != label)
         squared = std::min(squared, (positions_[i] - position).squaredNorm());
     return;
   }

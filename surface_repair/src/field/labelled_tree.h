@@ -22,11 +22,11 @@ class LabelledTree {
 public:
   LabelledTree() = default;
 
-  /** \param[in] labels one a position; any but NONE */
+  /** \param[in] labels one a position */
   LabelledTree(Positions positions, std::vector<std::size_t> labels);
 
-  /** \brief Distance to the nearest position with another label than this; infinite
-   * when there is none. */
+  /** \brief Distance to the nearest position with another label than this, or with any
+   * when it is NONE; infinite when there is none. */
   double
   distanceToOther(const Position& position, std::size_t label) const;
 

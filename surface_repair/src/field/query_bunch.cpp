@@ -82,7 +82,9 @@ BunchCandidates::gather(const SourceBlocks& blocks, const FieldQuery& query)
   radius_.clear();
   blocks_.clear();
   for (const std::uint32_t b : found_) {
-    if (b < range.begin || b >= range.end || blocks.island(b) == query.silent_island)
+    const bool silent =
+        query.silent_island != NONE && blocks.island(b) == query.silent_island;
+    if (silent || b < range.begin || b >= range.end)
       continue;
     const Ball& ball = blocks.ball(b);
     for (std::size_t k = 0; k < 3; ++k)
