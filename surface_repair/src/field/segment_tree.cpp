@@ -68,19 +68,22 @@ void
 SegmentTree::Node::set(std::size_t child, const ccaa::Box& box)
 {
   for (int k = 0; k < 3; ++k) {
-    low[k][child] = static_cast<float>(box.min()[k]) - MARGIN;
-    high[k][child] = static_cast<float>(box.max()[k]) + MARGIN;
+    bounds[0][k][child] = static_cast<float>(box.min()[k]) - MARGIN;
+    bounds[1][k][child] = static_cast<float>(box.max()[k]) + MARGIN;
   }
 }
 
 ccaa::Box
-SegmentTree::Node::bounds() const
+SegmentTree::Node::box() const
 {
+  const auto corner = [this](std::size_t side, std::size_t i) {
+    return ccaa::Position(bounds[side][0][i], bounds[side][1][i], bounds[side][2][i]);
+  };
   ccaa::Box box;
   for (std::size_t i = 0; i < FAN_OUT; ++i)
-    if (low[0][i] < NOWHERE) {
-      box.extend(ccaa::Position(low[0][i], low[1][i], low[2][i]));
-      box.extend(ccaa::Position(high[0][i], high[1][i], high[2][i]));
+    if (bounds[0][0][i] < NOWHERE) {
+      box.extend(corner(0, i));
+      box.extend(corner(1, i));
     }
   return box;
 }
@@ -113,17 +116,14 @@ std::vector<ccaa::Box>
 SegmentTree::addLevel(const std::vector<ccaa::Box>& lower)
 {
   Node nothing;
-  for (int k = 0; k < 3; ++k) {
-    std::fill_n(nothing.low[k], FAN_OUT, NOWHERE);
-    std::fill_n(nothing.high[k], FAN_OUT, NOWHERE);
-  }
+  std::fill_n(&nothing.bounds[0][0][0], 2 * 3 * FAN_OUT, NOWHERE);
   levels_.emplace_back((lower.size() + FAN_OUT - 1) / FAN_OUT, nothing);
   std::vector<Node>& nodes = levels_.back();
   for (std::size_t i = 0; i < lower.size(); ++i)
     nodes[i / FAN_OUT].set(i % FAN_OUT, lower[i]);
   std::vector<ccaa::Box> bounds;
   for (const Node& node : nodes)
-    bounds.push_back(node.bounds());
+    bounds.push_back(node.box());
   return bounds;
 }
 
@@ -134,10 +134,10 @@ SegmentTree::rayFrom(const ccaa::Position& a, const ccaa::Position& b) const
   const Eigen::Vector3d way = (b - a) * scale_;
   Ray ray;
   for (int k = 0; k < 3; ++k) {
-    ray.from[k] = static_cast<float>(from[k]);
-    const double inverse = 1.0 / way[k]; // infinite for no way
-    ray.inverse[k] =
-        static_cast<float>(std::clamp(inverse, -MOST_INVERSE, MOST_INVERSE));
+    const double inverse = std::clamp(1.0 / way[k], -MOST_INVERSE, MOST_INVERSE);
+    std::fill_n(ray.from[k], WIDTH, static_cast<float>(from[k]));
+    std::fill_n(ray.inverse[k], WIDTH, static_cast<float>(inverse));
+    ray.entry[k] = inverse < 0.0 ? 1 : 0;
   }
   return ray;
 }
