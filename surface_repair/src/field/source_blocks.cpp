@@ -14,6 +14,9 @@ using field_kernel::LANES;
  * that it finds it soon. */
 constexpr std::uint32_t GROUP_BLOCKS = 4;
 
+/** \brief Up to so many groups looking at all of them is faster than a search. */
+constexpr std::size_t FEW_GROUPS = 256;
+
 void
 setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
 {
@@ -105,6 +108,8 @@ SourceBlocks::groupBlocks(Range curve)
 void
 SourceBlocks::buildTree()
 {
+  if (groups_.size() <= FEW_GROUPS)
+    return;
   Positions centers;
   for (const Group& group : groups_)
     centers.push_back(group.ball.center);
@@ -115,15 +120,20 @@ void
 SourceBlocks::near(const Ball& place, std::vector<std::uint32_t>& blocks) const
 {
   blocks.clear();
-  pcl::Indices found;
-  tree_.near(place.center, place.radius + largest_group_, found);
-  for (const pcl::index_t i : found) {
-    const Group& group = groups_[static_cast<std::size_t>(i)];
+  const auto look = [&](const Group& group) {
     const double reach = place.radius + group.ball.radius;
     if ((group.ball.center - place.center).squaredNorm() <= reach * reach)
       for (std::uint32_t b = group.blocks.begin; b < group.blocks.end; ++b)
         blocks.push_back(b);
+  };
+  if (groups_.size() <= FEW_GROUPS) {
+    std::for_each(groups_.begin(), groups_.end(), look);
+    return;
   }
+  pcl::Indices found;
+  tree_.near(place.center, place.radius + largest_group_, found);
+  for (const pcl::index_t i : found)
+    look(groups_[static_cast<std::size_t>(i)]);
 }
 
 } // namespace repair
