@@ -30,18 +30,23 @@ constexpr double LEAST_WEIGHT = 0.005;
 /** \brief Sources of consecutive blocks of one curve, and where their passages go. */
 class Run {
 public:
+  struct Blocks {
+    std::uint32_t first;
+    std::size_t count;
+  };
+
   Run(const SourceBlocks& blocks,
       const FieldQuery& query,
       const Surroundings& around,
-      std::uint32_t first_block,
-      std::size_t count)
+      double shield_reach,
+      Blocks listed)
   : blocks_(blocks)
   , x_(query.position)
   , far_(query.falloff.far)
-  , shield_reach_(shieldReach(query.falloff))
+  , shield_reach_(shield_reach)
   , around_(around)
-  , first_(first_block)
-  , size_(count)
+  , first_(listed.first)
+  , size_(listed.count * LANES)
   {}
 
   void
@@ -165,10 +170,13 @@ private:
 } // namespace
 
 double
-shieldReach(const Falloff& falloff)
+ShieldReach::operator()(const Falloff& falloff)
 {
-  const double rest = std::pow(LEAST_WEIGHT, 1.0 / falloff.exponent);
-  return falloff.far - rest * std::max(falloff.far - falloff.near, 0.0);
+  if (falloff.exponent != exponent_) {
+    exponent_ = falloff.exponent;
+    rest_ = std::pow(LEAST_WEIGHT, 1.0 / exponent_);
+  }
+  return falloff.far - rest_ * std::max(falloff.far - falloff.near, 0.0);
 }
 
 Passage
@@ -194,12 +202,13 @@ Passages::find(const SourceBlocks& blocks,
 {
   ratios_.resize(list.size() * LANES);
   deltas_.resize(list.size() * LANES);
+  const double reach = shield_reach_(query.falloff);
   for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
     do
       ++end;
     while (end < list.size() && list[end] == list[end - 1] + 1 &&
            blocks.curveOf(list[end]) == blocks.curveOf(list[begin]));
-    const Run run(blocks, query, around, list[begin], (end - begin) * LANES);
+    const Run run(blocks, query, around, reach, {list[begin], end - begin});
     run.fill(ratios_.data() + begin * LANES, deltas_.data() + begin * LANES);
   }
 }

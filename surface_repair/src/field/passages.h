@@ -35,9 +35,16 @@ struct Passage {
 };
 
 /** \brief Effective length of a passage up to which it matters whether the surface is
- * in its way: beyond it the source weighs next to nothing. */
-double
-shieldReach(const Falloff& falloff);
+ * in its way: beyond it the source weighs next to nothing. Remembers the last exponent.
+ */
+class ShieldReach {
+public:
+  double
+  operator()(const Falloff& falloff);
+
+private:
+  double exponent_ = 0.0, rest_ = 0.0;
+};
 
 /** \brief The passage of the straight segment from x to a source as it is. */
 Passage
@@ -77,6 +84,7 @@ public:
 
 private:
   std::vector<double> ratios_, deltas_;
+  ShieldReach shield_reach_;
 };
 
 } // namespace repair

@@ -34,7 +34,11 @@ public:
   tensionAt(const Position& position) const;
 
   /** \brief The effective length of the straight segment from a to b divided by its
-   * true length (E4.424-2): in (0, 1], exactly 1 where no free point is near. */
+   * true length (E4.424-2): in (0, 1], exactly 1 where no free point is near.
+   *
+   * Taken from a grid of the tension with cells of R_2 / 4, at 3 to 64 places of the
+   * segment, 0.67 R_2 apart: within 0.01 of the integral on average, 0.08 at worst (on
+   * our tests). Some 80 ns. */
   double
   lengthRatio(const Position& a, const Position& b) const;
 

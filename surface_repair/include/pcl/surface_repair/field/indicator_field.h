@@ -48,11 +48,17 @@ struct FieldQuery {
  * s = -d x tau_O, m = q_12 (1 + k_i q_4), q_4 = (1 + s . n_O) / 2 and q_12 =
  * q_1(effective length): Because s is perpendicular to d, this is E4.43-3 to E4.43-5
  * in full, B included. In light mode the effective length is the distance; in full mode
- * (with free points) it is E4.424-2. Sources behind the surface do not count (with a
- * shield, E4.43-6).
+ * (with free points) it is E4.424-2, and a source beyond L_2 does not count however
+ * short the way to it. Sources behind the surface do not count (with a shield, E4.43-6;
+ * crossings within one source spacing of either end are none).
+ *
+ * Full mode looks at a few sources of each stretch of boundary and takes the passages
+ * to those between from them: within some percent of the sum of weights of looking at
+ * all of them, and exactly light mode where nothing is around.
  *
  * The sums run in an order fixed by the sources: the result is the same for any number
- * of threads, and a point alone gives the bits it gives in a batch.
+ * of threads and any processor, and a point alone gives the bits it gives in a batch.
+ * Const methods may be called from several threads. Cost: see doc/concepts/field.md.
  */
 class IndicatorField {
 public:
@@ -70,12 +76,13 @@ public:
   const SourceSet&
   sources() const;
 
-  /** \brief Tension at one point. A source at the point itself does not count. */
+  /** \brief Tension at one point. A source at the point itself does not count; the
+   * tension is zero where the position is not finite or nothing reaches (L_2 = 0). */
   Tension
   tensionAt(const FieldQuery& query) const;
 
   /** \brief Tension at many points; much faster than one by one where neighbours in the
-   * list lie close together. */
+   * list lie close together. Zero for queries left out after cancelling. */
   std::vector<Tension>
   tensionAt(const std::vector<FieldQuery>& queries,
             const ccaa::LoopContext& context) const;
