@@ -87,6 +87,63 @@ measureLight(const FieldCase& field_case, int repeats, LightSpeed& row)
       pairs / leastSecondsOf(repeats, [&] { field.tensionAt(queries, {}); });
 }
 
+/** \brief The sum of all weights, and the tension with every source looked at for
+ * itself (E4.43-6). */
+struct PlainField {
+  double weights = 0.0;
+  Tension tension = Tension::Zero();
+
+  PlainField(const SourceSet& sources,
+             const FieldQuery& query,
+             const FreePointField& points,
+             const Shield& shield)
+  {
+    for (const SourceCurve& curve : sources.curves)
+      if (curve.island != query.silent_island)
+        for (const FieldSource& source : curve.sources)
+          add(source,
+              query,
+              points,
+              shield.crosses(query.position, source.position, sources.spacing));
+  }
+
+private:
+  void
+  add(const FieldSource& source,
+      const FieldQuery& query,
+      const FreePointField& points,
+      bool shielded)
+  {
+    const Eigen::Vector3d way = source.position - query.position;
+    const double length = way.norm();
+    if (!(length < query.falloff.far) || length == 0.0)
+      return;
+    const double ratio = points.lengthRatio(query.position, source.position);
+    const double weight = source.charge * query.falloff(ratio * length);
+    const Eigen::Vector3d d = way / length;
+    weights += weight;
+    if (!shielded)
+      tension -= weight * d * d.cross(source.tangent).transpose();
+  }
+};
+
+/** \brief Error of full mode at every so many-th query. */
+double
+errorOf(const IndicatorField& field,
+        const std::vector<FieldQuery>& queries,
+        const FreePointField& points,
+        const Shield& shield)
+{
+  constexpr std::size_t STRIDE = 23;
+  double error = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < queries.size(); i += STRIDE) {
+    const PlainField plain(field.sources(), queries[i], points, shield);
+    error += (field.tensionAt(queries[i]) - plain.tension).norm();
+    weights += plain.weights;
+  }
+  return weights > 0.0 ? error / weights : 0.0;
+}
+
 } // namespace
 
 std::vector<LightSpeed>
@@ -124,6 +181,8 @@ measureFullField(const FieldCase& field_case, int repeats)
   speed.free_points = microseconds(&points, nullptr);
   speed.shield = microseconds(nullptr, &shield);
   speed.full = microseconds(&points, &shield);
+  speed.error =
+      errorOf(IndicatorField(sources, 0.0, &points, &shield), queries, points, shield);
   return speed;
 }
 
@@ -149,8 +208,9 @@ printFullField(const FieldCase& field_case, const FullSpeed& speed)
 {
   std::printf(
       "\nField, full mode, %s: %zu triangles, %zu free points; built in %.0f ms\n"
-      "\n| us/query | light | free points | shield | both | both / light |\n"
-      "|---|---|---|---|---|---|\n| | %.2f | %.2f | %.2f | %.2f | %.1f |\n",
+      "\n| us/query | light | free points | shield | both | both / light | error |\n"
+      "|---|---|---|---|---|---|---|\n"
+      "| | %.2f | %.2f | %.2f | %.2f | %.1f | %.1f %% |\n",
       field_case.name.c_str(),
       field_case.model.triangles.size(),
       field_case.model.free_points.size(),
@@ -159,7 +219,8 @@ printFullField(const FieldCase& field_case, const FullSpeed& speed)
       speed.free_points,
       speed.shield,
       speed.full,
-      speed.ratio());
+      speed.ratio(),
+      100.0 * speed.error);
 }
 
 } // namespace bench

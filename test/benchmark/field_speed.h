@@ -51,6 +51,8 @@ struct FullSpeed {
   double shield = 0.0;      /**< with the surface only */
   double full = 0.0;        /**< with both */
   double build = 0.0;       /**< of both, milliseconds */
+  double error = 0.0; /**< of both against every source looked at for itself, over all
+                           points, by the sum of all weights */
 
   double
   ratio() const
