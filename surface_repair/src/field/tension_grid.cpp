@@ -14,6 +14,10 @@ namespace {
 /** \brief Cells to R_2. */
 constexpr double CELLS_TO_FAR = 4.0;
 
+/** \brief Points spread over more cells than this have no grid: bricks could not be
+ * numbered, and R_2 is nothing at that scale. */
+constexpr double MOST_CELLS = 1e9;
+
 constexpr std::size_t FIRST_TABLE = 64;
 
 std::size_t
@@ -39,6 +43,8 @@ TensionGrid::TensionGrid(const Positions& points,
     box.extend(point);
   origin_ = box.min() - Position::Constant(falloff.far);
   size_ = box.sizes() / cell_ + Position::Constant(2.0 * CELLS_TO_FAR);
+  if (!(size_.maxCoeff() < MOST_CELLS))
+    return;
   table_.resize(FIRST_TABLE);
   for (const Position& point : points)
     add(point, falloff, tension);
@@ -115,7 +121,10 @@ TensionGrid::addToBrick(const Place& place,
   for (int x = first[0]; x <= last[0]; ++x)
     for (int y = first[1]; y <= last[1]; ++y)
       for (int z = first[2]; z <= last[2]; ++z) {
-        const double distance = cell_ * (Position(x, y, z) - seen).norm();
+        const double squared = (Position(x, y, z) - seen).squaredNorm();
+        if (squared >= CELLS_TO_FAR * CELLS_TO_FAR)
+          continue;
+        const double distance = cell_ * std::sqrt(squared);
         brick[static_cast<std::size_t>((x * NODES + y) * NODES + z)] +=
             static_cast<float>(tension * falloff(distance)); // E4.45-2
       }

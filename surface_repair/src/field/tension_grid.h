@@ -16,8 +16,9 @@ namespace repair {
 /** \brief The sum of G over all free points (4.424) at nodes a quarter of R_2 apart,
  * linear between them; exactly 0 away from all points.
  *
- * Nodes lie in bricks that exist only near points. Building costs about a microsecond a
- * point, a look-up some nanoseconds. Const methods may be called from several threads.
+ * Nodes lie in bricks that exist only near points. Building costs some ten microseconds
+ * a point and up to 2 KB, a look-up ten nanoseconds. Const methods may be called from
+ * several threads.
  */
 class TensionGrid {
 public:

@@ -40,6 +40,22 @@ TEST(IndicatorField, IsTheSumOfTheThesisWithInterpolation)
   expectPlain(randomSources(500, 3), randomQueries(50, 4), 0.7);
 }
 
+TEST(IndicatorField, MissesNoSourceOfALargeSet)
+{
+  SourceSet sources = twoCaps(6000, 0.02);
+  const Eigen::Vector3d shift(1e4, -2e4, 3e4);
+  for (SourceCurve& curve : sources.curves)
+    for (FieldSource& source : curve.sources)
+      source.position += shift;
+  std::vector<FieldQuery> queries(40);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const double angle = 0.1 * static_cast<double>(i);
+    queries[i].position = shift + Position(std::cos(angle), std::sin(angle), 0.004);
+    queries[i].falloff = {0.001, 0.02 * static_cast<double>(1 + i % 8), 2.5};
+  }
+  expectPlain(sources, queries, 0.0);
+}
+
 TEST(IndicatorField, LeavesOutTheSilentIsland)
 {
   std::vector<FieldQuery> queries = randomQueries(50, 5);
