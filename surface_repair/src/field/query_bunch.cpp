@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace pcl {
@@ -75,8 +76,10 @@ void
 BunchCandidates::gather(const SourceBlocks& blocks, const FieldQuery& query)
 {
   SourceBlocks::Range range{0, static_cast<std::uint32_t>(blocks.size())};
-  if (query.effective)
+  if (query.effective) {
+    assert(query.effective->curve < blocks.curveCount() && "no curve of the sources");
     range = blocks.curve(query.effective->curve);
+  }
   for (std::vector<double>& row : center_)
     row.clear();
   radius_.clear();

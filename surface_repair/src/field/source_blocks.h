@@ -93,6 +93,12 @@ public:
     return curve_of_[block];
   }
 
+  std::size_t
+  curveCount() const
+  {
+    return curves_.size();
+  }
+
   Range
   curve(std::size_t curve) const
   {

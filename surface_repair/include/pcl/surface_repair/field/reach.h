@@ -24,8 +24,9 @@ constexpr double DEFAULT_ROOM = 2.5;
 
 /** \brief Distances across gaps: from places to the sources of other islands.
  *
- * Built once, log-linear; a question costs a fraction of a microsecond, also with many
- * islands. Const methods may be called from several threads. */
+ * Built once, log-linear, some 0.3 us a source; a question costs two to four
+ * microseconds, with two islands as with ten thousand. Const methods may be called from
+ * several threads. */
 class GapFinder {
 public:
   explicit GapFinder(const SourceSet& sources);
