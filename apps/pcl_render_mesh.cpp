@@ -71,7 +71,7 @@ writePicture(const std::string& png, const std::string& path)
 }
 
 app::Status
-renderMesh(const app::Arguments& arguments, char** restart_arguments)
+renderMesh(const app::Arguments& arguments)
 {
   const std::string input = app::takeText(arguments, "MESH_OR_CLOUD");
   const std::string output = app::takeText(arguments, "OUTPUT");
@@ -82,14 +82,14 @@ renderMesh(const app::Arguments& arguments, char** restart_arguments)
   if (!status.ok())
     return status;
 
-  if (!app::hasDisplay()) {
-    app::restartUnderVirtualDisplay(restart_arguments);
-    return app::Status::error(
-        "no X display to draw with: set DISPLAY or install xvfb-run");
-  }
   app::MeshParts parts;
   status = loadParts(input, parts);
-  return status.ok() ? writePicture(app::drawPng(parts, settings), output) : status;
+  if (!status.ok())
+    return status;
+  const app::Display display;
+  if (!display.ready())
+    return app::Status::error("no X display to draw with: set DISPLAY or install Xvfb");
+  return writePicture(app::drawPng(parts, settings), output);
 }
 
 } // namespace
@@ -98,8 +98,8 @@ int
 main(int argc, char** argv)
 {
   return app::runApp(
-      makeCommandLine(), argc, argv, [argv](const app::Arguments& arguments) {
-        const app::Status status = renderMesh(arguments, argv);
+      makeCommandLine(), argc, argv, [](const app::Arguments& arguments) {
+        const app::Status status = renderMesh(arguments);
         return status.ok() ? app::Outcome{} : app::Outcome::badInput(status);
       });
 }

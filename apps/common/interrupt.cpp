@@ -16,7 +16,7 @@ std::atomic<bool> signal_came{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "used in a signal handler");
 
 /** Plain memory, since a signal handler may not touch a std::string. */
-char temporary_files[8][4096];
+char temporary_files[32][4096];
 
 void
 handleSignal(int)

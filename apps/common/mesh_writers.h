@@ -5,6 +5,8 @@
 #include "model.h"
 #include "output_file.h"
 
+#include <vector>
+
 namespace app {
 
 /** \brief Binary little-endian PLY with all fields; colours as red, green, blue bytes
@@ -22,6 +24,12 @@ void
 writeVtk(const pcl::PolygonMesh& mesh,
          const std::vector<FaceProperty>& properties,
          OutputFile& file);
+
+/** \brief The same for lines along the points of a cloud. */
+void
+writeVtkLines(const pcl::PCLPointCloud2& cloud,
+              const std::vector<pcl::Vertices>& lines,
+              OutputFile& file);
 
 /** \brief Wavefront OBJ with colours and normals; other fields have no place there. */
 void

@@ -130,12 +130,22 @@ OutputFile::flush()
 }
 
 Status
-OutputFile::commit()
+OutputFile::finish()
 {
+  if (descriptor_ < 0)
+    return {};
   flush();
   if (::close(descriptor_) != 0 && error_ == 0)
     error_ = errno;
   descriptor_ = -1;
+  return error_ == 0 ? Status() : cannotWrite(path_, std::strerror(error_));
+}
+
+Status
+OutputFile::commit()
+{
+  if (!finish().ok())
+    discard();
   if (error_ == 0 && !temporary_.empty() &&
       std::rename(temporary_.c_str(), path_.c_str()) != 0)
     error_ = errno;

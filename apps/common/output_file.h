@@ -64,6 +64,11 @@ public:
     write(reversed, sizeof(T));
   }
 
+  /** \brief Write the rest: all that can fail for lack of room. Nothing may be appended
+   * any more. */
+  Status
+  finish();
+
   /** \brief Write the rest and give the file its name. */
   Status
   commit();

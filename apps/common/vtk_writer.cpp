@@ -67,20 +67,29 @@ writePositions(const pcl::PCLPointCloud2& cloud, OutputFile& file)
   file.text("\n");
 }
 
+/** Polygons or lines, whichever \a keyword says they are. */
 void
-writePolygons(const pcl::PolygonMesh& mesh, OutputFile& file)
+writeCells(const std::string& keyword,
+           const std::vector<pcl::Vertices>& cells,
+           OutputFile& file)
 {
   std::size_t size = 0;
-  for (const auto& polygon : mesh.polygons)
-    size += polygon.vertices.size() + 1;
-  file.text("POLYGONS " + std::to_string(mesh.polygons.size()) + " " +
-            std::to_string(size) + "\n");
-  for (const auto& polygon : mesh.polygons) {
-    file.bigEndian(static_cast<std::int32_t>(polygon.vertices.size()));
-    for (const pcl::index_t corner : polygon.vertices)
+  for (const auto& cell : cells)
+    size += cell.vertices.size() + 1;
+  file.text(keyword + " " + std::to_string(cells.size()) + " " + std::to_string(size) +
+            "\n");
+  for (const auto& cell : cells) {
+    file.bigEndian(static_cast<std::int32_t>(cell.vertices.size()));
+    for (const pcl::index_t corner : cell.vertices)
       file.bigEndian(static_cast<std::int32_t>(corner));
   }
   file.text("\n");
+}
+
+void
+writeHeader(OutputFile& file)
+{
+  file.text("# vtk DataFile Version 3.0\nPclSurfaceRepair\nBINARY\nDATASET POLYDATA\n");
 }
 
 void
@@ -149,9 +158,9 @@ writeVtk(const pcl::PolygonMesh& mesh,
          const std::vector<FaceProperty>& properties,
          OutputFile& file)
 {
-  file.text("# vtk DataFile Version 3.0\nPclSurfaceRepair\nBINARY\nDATASET POLYDATA\n");
+  writeHeader(file);
   writePositions(mesh.cloud, file);
-  writePolygons(mesh, file);
+  writeCells("POLYGONS", mesh.polygons, file);
   if (!properties.empty())
     file.text("CELL_DATA " + std::to_string(mesh.polygons.size()) + "\n");
   for (const FaceProperty& property : properties) {
@@ -161,6 +170,17 @@ writeVtk(const pcl::PolygonMesh& mesh,
     file.text("\n");
   }
   writePointData(mesh.cloud, file);
+}
+
+void
+writeVtkLines(const pcl::PCLPointCloud2& cloud,
+              const std::vector<pcl::Vertices>& lines,
+              OutputFile& file)
+{
+  writeHeader(file);
+  writePositions(cloud, file);
+  writeCells("LINES", lines, file);
+  writePointData(cloud, file);
 }
 
 } // namespace app

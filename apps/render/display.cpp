@@ -1,44 +1,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: makes sure there is an X display to draw with.
+// Part of PclSurfaceRepair: an X display to draw with.
 #include "render/display.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <X11/Xlib.h>
 
+#include <array>
+#include <csignal>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 namespace app {
 namespace {
 
-/** \brief Set for the program we start, so that it does not start itself for ever. */
-constexpr const char* RESTARTED = "PCL_RENDER_MESH_RESTARTED";
-
-} // namespace
+constexpr int SECONDS_TO_START = 30;
 
 bool
-hasDisplay()
+answers()
 {
   // Never closed: a virtual server starts afresh when its last client leaves, and for a
   // moment refuses the next one.
-  static Display* const display = XOpenDisplay(nullptr);
-  return display != nullptr;
+  return XOpenDisplay(nullptr) != nullptr;
 }
 
-void
-restartUnderVirtualDisplay(char** arguments)
+/** \brief Become the server, which writes the number of its display to \a output. Only
+ * what a forked process may call. */
+[[noreturn]] void
+becomeServer(int output, const char* output_number)
 {
-  if (std::getenv(RESTARTED) != nullptr)
+  setpgid(0, 0);                    // Ctrl-C is for us alone to answer
+  prctl(PR_SET_PDEATHSIG, SIGTERM); // it ends with us, however we end
+  const int nowhere = open("/dev/null", O_RDWR);
+  for (const int stream : {0, 1, 2})
+    dup2(nowhere, stream);
+  fcntl(output, F_SETFD, 0);
+  execlp("Xvfb",
+         "Xvfb",
+         "-displayfd",
+         output_number,
+         "-screen",
+         "0",
+         "1280x1024x24",
+         "-nolisten",
+         "tcp",
+         static_cast<char*>(nullptr));
+  _exit(127);
+}
+
+/** \brief The line that the server writes once it is ready; empty when it ends or takes
+ * too long. */
+std::string
+readLine(int input)
+{
+  std::string line;
+  pollfd wait{input, POLLIN, 0};
+  while (poll(&wait, 1, 1000 * SECONDS_TO_START) > 0) {
+    char letter = 0;
+    if (read(input, &letter, 1) != 1)
+      return {};
+    if (letter == '\n')
+      return line;
+    line += letter;
+  }
+  return {};
+}
+
+/** \brief Start a virtual display and name it in $DISPLAY.
+ * \return its process, -1 if there is none */
+pid_t
+startServer()
+{
+  std::array<int, 2> channel{};
+  if (pipe2(channel.data(), O_CLOEXEC) != 0)
+    return -1;
+  const std::string output_number = std::to_string(channel[1]);
+  const pid_t server = fork();
+  if (server == 0)
+    becomeServer(channel[1], output_number.c_str());
+  close(channel[1]);
+  const std::string number = server > 0 ? readLine(channel[0]) : "";
+  close(channel[0]);
+  if (!number.empty())
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+  return server;
+}
+
+} // namespace
+
+Display::Display() : ready_(answers())
+{
+  if (ready_)
     return;
-  setenv(RESTARTED, "1", 1);
-  std::string launcher = "xvfb-run";
-  std::string automatic = "-a";
-  std::vector<char*> command{launcher.data(), automatic.data()};
-  for (; *arguments != nullptr; ++arguments)
-    command.push_back(*arguments);
-  command.push_back(nullptr);
-  execvp(command[0], command.data());
+  server_ = startServer();
+  ready_ = server_ > 0 && answers();
+}
+
+Display::~Display()
+{
+  if (server_ <= 0)
+    return;
+  kill(server_, SIGTERM);
+  waitpid(server_, nullptr, 0);
 }
 
 } // namespace app

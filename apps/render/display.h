@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: makes sure there is an X display to draw with.
+// Part of PclSurfaceRepair: an X display to draw with.
 #pragma once
+
+#include <sys/types.h>
 
 namespace app {
 
-/** \brief Whether an X server answers at $DISPLAY. VTK ends the program where none
- * does, even when it draws off-screen. */
-bool
-hasDisplay();
+/** \brief The X display that pictures are drawn with: that of $DISPLAY, or else a
+ * virtual one (Xvfb), which is started for this object, named in $DISPLAY and ended
+ * with it. VTK ends the program where there is none, even when it draws off-screen. */
+class Display {
+public:
+  Display();
+  ~Display();
+  Display(const Display&) = delete;
+  Display&
+  operator=(const Display&) = delete;
 
-/** \brief Start this program again, with the same arguments, under a virtual display
- * (xvfb-run). Returns only if that is not possible or was done already. */
-void
-restartUnderVirtualDisplay(char** arguments);
+  /** \brief Whether there is something to draw with. */
+  bool
+  ready() const
+  {
+    return ready_;
+  }
+
+private:
+  bool ready_;
+  pid_t server_ = -1; /**< the virtual display, if one was started */
+};
 
 } // namespace app

@@ -7,6 +7,8 @@
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "render/drawing.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,6 @@
 
 namespace app {
 namespace {
-
-using Color = std::array<double, 3>;
 
 /** \brief Give point i of \a part the colour \a color_of(i). */
 void

@@ -40,31 +40,6 @@ parsePlace(const std::string& option, const std::string& text, Eigen::Vector3d& 
 }
 
 Status
-parseDirection(const std::string& option,
-               const Arguments& arguments,
-               Eigen::Vector3d& direction)
-{
-  Status status = parsePlace(option, takeText(arguments, option), direction);
-  if (status.ok() && direction.norm() < 1e-12)
-    return Status::error("--" + option + " must not be zero");
-  return status;
-}
-
-Status
-parseSize(const std::string& text, RenderSettings& settings)
-{
-  constexpr int largest = 8192;
-  std::array<int, 2> size{};
-  if (!parseList(text, 'x', size) || size[0] < 1 || size[1] < 1 || size[0] > largest ||
-      size[1] > largest)
-    return Status::error("--size takes WxH in pixels from 1x1 to 8192x8192, not '" +
-                         text + "'");
-  settings.width = size[0];
-  settings.height = size[1];
-  return {};
-}
-
-Status
 parseColoring(const std::string& text, Coloring& coloring)
 {
   if (text == "none")
@@ -105,15 +80,41 @@ addRenderOptions(CommandLine& command_line)
 }
 
 Status
+readSize(const Arguments& arguments, int& width, int& height)
+{
+  constexpr int largest = 8192;
+  const std::string text = takeText(arguments, "size");
+  std::array<int, 2> size{};
+  if (!parseList(text, 'x', size) || size[0] < 1 || size[1] < 1 || size[0] > largest ||
+      size[1] > largest)
+    return Status::error("--size takes WxH in pixels from 1x1 to 8192x8192, not '" +
+                         text + "'");
+  width = size[0];
+  height = size[1];
+  return {};
+}
+
+Status
+readDirection(const Arguments& arguments,
+              const std::string& option,
+              Eigen::Vector3d& direction)
+{
+  Status status = parsePlace(option, takeText(arguments, option), direction);
+  if (status.ok() && direction.norm() < 1e-12)
+    return Status::error("--" + option + " must not be zero");
+  return status;
+}
+
+Status
 readRenderSettings(const Arguments& arguments, RenderSettings& settings)
 {
   settings.edges = arguments.count("edges") > 0;
   settings.boundaries = arguments.count("no-boundaries") == 0;
-  Status status = parseSize(takeText(arguments, "size"), settings);
+  Status status = readSize(arguments, settings.width, settings.height);
   if (status.ok())
-    status = parseDirection("view", arguments, settings.view);
+    status = readDirection(arguments, "view", settings.view);
   if (status.ok())
-    status = parseDirection("up", arguments, settings.up);
+    status = readDirection(arguments, "up", settings.up);
   if (status.ok())
     status = parseColoring(takeText(arguments, "color-by"), settings.coloring);
   if (status.ok())

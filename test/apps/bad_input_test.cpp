@@ -21,6 +21,8 @@ struct AppCall {
     std::vector<std::string> words{input};
     if (program == "pcl_mesh_quality")
       words.push_back("--report");
+    if (program == "pcl_repair_holes")
+      words.push_back("--inspect");
     words.push_back(output_path);
     words.insert(words.end(), rest.begin(), rest.end());
     return words;
@@ -61,7 +63,8 @@ protected:
   bool
   readsMeshes() const
   {
-    return GetParam().program == "pcl_mesh_quality";
+    return GetParam().program == "pcl_mesh_quality" ||
+           GetParam().program == "pcl_repair_holes";
   }
 
   TemporaryFolder folder_;
@@ -108,8 +111,10 @@ TEST_P(BadInput, FewerThanThreeUsablePoints)
 TEST_P(BadInput, UnwritableOutput)
 {
   const std::string name = GetParam().output;
-  std::filesystem::create_directory(folder_.path("folder" + name));
-  expectOutputRefused(folder_.path("folder" + name));
+  if (GetParam().program != "pcl_repair_holes") { // which writes to a folder
+    std::filesystem::create_directory(folder_.path("folder" + name));
+    expectOutputRefused(folder_.path("folder" + name));
+  }
   expectOutputRefused(folder_.path("missing/" + name));
   expectOutputRefused(folder_.path("in.ply")); // the input itself
   expectOutputRefused("/proc/" + name);
@@ -186,7 +191,8 @@ INSTANTIATE_TEST_SUITE_P(
     BadInput,
     testing::Values(AppCall{"pcl_ccaa_reconstruct", "out.ply", {}},
                     AppCall{"pcl_damage_cloud", "out.ply", {"--patches", "1"}},
-                    AppCall{"pcl_mesh_quality", "out.json", {}}),
+                    AppCall{"pcl_mesh_quality", "out.json", {}},
+                    AppCall{"pcl_repair_holes", "out", {"--no-pictures"}}),
     [](const auto& test) { return test.param.program; });
 
 } // namespace

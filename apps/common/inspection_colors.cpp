@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the colours in which an incomplete model is shown.
+#include "inspection_colors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace app {
+namespace {
+
+using pcl::repair::BoundaryClass;
+using pcl::repair::LineEnd;
+using pcl::repair::SideRule;
+
+Rgb
+mix(const Rgb& from, const Rgb& to, double share)
+{
+  Rgb mixed{};
+  for (std::size_t i = 0; i < mixed.size(); ++i)
+    mixed[i] =
+        static_cast<std::uint8_t>(std::lround(from[i] + share * (to[i] - from[i])));
+  return mixed;
+}
+
+Rgb
+colorOfRule(SideRule rule)
+{
+  switch (rule) {
+  case SideRule::NORMALS:
+    return {150, 200, 235};
+  case SideRule::VIEWPOINT:
+    return {165, 215, 165};
+  case SideRule::FREE_SIGHT:
+    return {240, 220, 130};
+  case SideRule::FIELD:
+    return {240, 170, 185};
+  case SideRule::UNDECIDED:
+    return {200, 200, 200};
+  case SideRule::ONE_SIDED:
+    return {215, 120, 230};
+  }
+  return {};
+}
+
+} // namespace
+
+Rgb
+colorOf(BoundaryClass boundary_class)
+{
+  switch (boundary_class) {
+  case BoundaryClass::HOLE:
+    return {215, 25, 30};
+  case BoundaryClass::ISLAND_RIM:
+    return {20, 90, 220};
+  case BoundaryClass::OUTER_BORDER:
+    return {10, 150, 70};
+  case BoundaryClass::UNDECIDED:
+    return {245, 145, 0};
+  }
+  return {};
+}
+
+Rgb
+colorOf(const pcl::repair::IslandSide& side)
+{
+  const Rgb color = colorOfRule(side.rule);
+  return side.flipped ? mix(color, {0, 0, 0}, 0.4) : color;
+}
+
+Rgb
+colorOf(LineEnd end)
+{
+  switch (end) {
+  case LineEnd::BRIDGE:
+    return colorOfBridge(0.0);
+  case LineEnd::REPELLED:
+    return {90, 90, 90};
+  case LineEnd::NO_FIELD:
+    return {170, 170, 170};
+  case LineEnd::OUT_OF_REACH:
+    return {240, 150, 20};
+  case LineEnd::TOO_LONG:
+    return {130, 80, 30};
+  case LineEnd::CROSSES_SURFACE:
+    return {225, 0, 200};
+  case LineEnd::WRONG_SIDE:
+    return {200, 0, 30};
+  }
+  return {};
+}
+
+Rgb
+colorOfBridge(double strength)
+{
+  return mix({155, 215, 90}, {0, 105, 45}, std::clamp(strength, 0.0, 1.0));
+}
+
+Rgb
+colorOfTension(double share)
+{
+  constexpr std::array<Rgb, 5> stops{
+      {{255, 255, 255}, {255, 225, 120}, {250, 140, 50}, {200, 30, 40}, {70, 0, 40}}};
+  const double place = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  return mix(stops[below], stops[below + 1], place - static_cast<double>(below));
+}
+
+} // namespace app

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the command line of pcl_repair_holes.
+#include "repair_options.h"
+
+#include <limits>
+
+namespace app {
+namespace {
+
+namespace po = boost::program_options;
+using pcl::repair::FieldMode;
+using pcl::repair::FieldParameters;
+using pcl::repair::SurveyParameters;
+
+constexpr double LARGEST = 1e30; // of lengths, which have the units of the cloud
+constexpr double BELOW_ONE = 1.0 - std::numeric_limits<double>::epsilon();
+
+/** Least value of what has to be above 0. */
+constexpr double ABOVE_ZERO = 1e-6;
+
+/** \brief An option of the method with one real number. */
+struct RealOption {
+  const char* name;
+  const char* help;
+  double lowest;
+  double highest;
+  double FieldParameters::*value;
+};
+
+constexpr RealOption FIELD_OPTIONS[] = {
+    {"interpolation",
+     "k_i: how much lines follow the tangent plane of the surface, 0 or more",
+     0.0,
+     1000.0,
+     &FieldParameters::interpolation},
+    {"falloff-exponent",
+     "chi: how fast the field falls off with distance, above 0; 1.7 for long wide gaps",
+     ABOVE_ZERO,
+     100.0,
+     &FieldParameters::falloff_exponent},
+    {"near",
+     "L1: distance up to which it does not, units of the cloud; 0: the mean spacing of "
+     "boundary points",
+     0.0,
+     LARGEST,
+     &FieldParameters::near},
+    {"far",
+     "L2: distance from which there is no field; 0: --room times the gap at each place",
+     0.0,
+     LARGEST,
+     &FieldParameters::far},
+    {"room",
+     "gaps that L2 spans, above 1",
+     1.0 + ABOVE_ZERO,
+     1e6,
+     &FieldParameters::room},
+    {"free-point-near",
+     "R1: the same as L1 for the influence of a free point; 0: their mean spacing",
+     0.0,
+     LARGEST,
+     &FieldParameters::free_point_near},
+    {"free-point-far",
+     "R2: the same as L2 for it; 0: half the mean gap",
+     0.0,
+     LARGEST,
+     &FieldParameters::free_point_far},
+    {"free-point-exponent",
+     "gamma: how fast it falls off, above 0",
+     ABOVE_ZERO,
+     100.0,
+     &FieldParameters::free_point_exponent},
+    {"trust",
+     "k_t: how far free points are to be trusted, 0 to less than 1",
+     0.0,
+     BELOW_ONE,
+     &FieldParameters::trust},
+};
+
+void
+addRunOptions(po::options_description_easy_init add)
+{
+  const auto path = [] { return po::value<std::string>(); };
+  add("inspect",
+      path(),
+      "write what was found to this folder (made if missing): .vtk and .pcd files for "
+      "pcl_viewer, PNG pictures, and legend.txt, which explains them");
+  add("no-pictures", "leave out the pictures");
+  add("free-points", path(), "a cloud of points of the missing regions");
+  add("report", path(), "write figures about the model to this JSON file");
+  add("threads",
+      po::value<long long>()->default_value(0),
+      "number of threads, 0 = all; the result is the same for any");
+}
+
+void
+addMethodOptions(po::options_description_easy_init add)
+{
+  const SurveyParameters defaults;
+  add("mode",
+      po::value<std::string>()->default_value("light"),
+      "light: distances as they are; full: free points shorten ways and the surface "
+      "stands in the way (slower)");
+  for (const RealOption& option : FIELD_OPTIONS)
+    add(option.name, realValue(defaults.field.*option.value), option.help);
+  add("simple-edges",
+      po::value<long long>()->default_value(
+          static_cast<long long>(defaults.simple_edges)),
+      "holes of up to so many edges are simple");
+  add("hole-threshold",
+      realValue(defaults.hole_threshold),
+      "T: within a hole no line ends nearer to its origin than this share of the "
+      "boundary's length, 0 to 0.5");
+  add("line-spacing",
+      realValue(defaults.line_spacing),
+      "least distance between the origins of force lines, in gaps, above 0");
+}
+
+Status
+takeMode(const std::string& text, FieldMode& mode)
+{
+  if (text != "light" && text != "full")
+    return Status::error("--mode must be light or full, not '" + text + "'");
+  mode = text == "full" ? FieldMode::FULL : FieldMode::LIGHT;
+  return {};
+}
+
+/** What the field and other steps of the method have in common. */
+void
+shareParameters(SurveyParameters& parameters)
+{
+  parameters.orientation.room = parameters.field.room;
+  parameters.tracker.room = parameters.field.room;
+  parameters.perturbation.trust = parameters.field.trust;
+}
+
+Status
+takeSurveyParameters(const Arguments& arguments, SurveyParameters& parameters)
+{
+  Status status = takeMode(takeText(arguments, "mode"), parameters.field.mode);
+  for (const RealOption& option : FIELD_OPTIONS)
+    if (status.ok())
+      status = takeReal(arguments,
+                        option.name,
+                        option.lowest,
+                        option.highest,
+                        parameters.field.*option.value);
+  unsigned int simple_edges = 0;
+  if (status.ok())
+    status = takeCount(arguments, "simple-edges", 0, 1000000000, simple_edges);
+  parameters.simple_edges = simple_edges;
+  if (status.ok())
+    status = takeReal(arguments, "hole-threshold", 0.0, 0.5, parameters.hole_threshold);
+  if (status.ok())
+    status =
+        takeReal(arguments, "line-spacing", ABOVE_ZERO, 1e6, parameters.line_spacing);
+  shareParameters(parameters);
+  return status;
+}
+
+} // namespace
+
+void
+addRepairOptions(CommandLine& command_line)
+{
+  addRunOptions(command_line.addOptions());
+  addMethodOptions(command_line.addOptions());
+}
+
+Status
+takeRepairSettings(const Arguments& arguments, RepairSettings& settings)
+{
+  settings.input = takeText(arguments, "INPUT_MESH");
+  settings.inspect = takeText(arguments, "inspect");
+  settings.free_points = takeText(arguments, "free-points");
+  settings.report = takeText(arguments, "report");
+  settings.pictures = arguments.count("no-pictures") == 0;
+  settings.quiet = arguments.count("quiet") != 0;
+  if (arguments.count("inspect") == 0)
+    return Status::error("nothing is asked for: --inspect DIR writes what the model "
+                         "lacks, as pictures and files for pcl_viewer (try --help)");
+  Status status = takeCount(arguments, "threads", 0, 1024, settings.threads);
+  if (status.ok())
+    status = takeSurveyParameters(arguments, settings.survey);
+  return status;
+}
+
+} // namespace app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the command line of pcl_repair_holes.
+#pragma once
+
+#include <pcl/surface_repair/model_survey.h>
+
+#include "cli.h"
+
+#include <string>
+
+namespace app {
+
+/** \brief What the user asked pcl_repair_holes for. */
+struct RepairSettings {
+  std::string input;
+  std::string inspect;     /**< folder */
+  std::string free_points; /**< empty: none */
+  std::string report;      /**< empty: none */
+  bool pictures = true;
+  bool quiet = false;
+  unsigned int threads = 0;
+  pcl::repair::SurveyParameters survey;
+};
+
+/** \brief Add the options of the run and of the method, with the defaults of the
+ * library. */
+void
+addRepairOptions(CommandLine& command_line);
+
+/** \brief Take the settings; fails with one sentence for a value out of range or when
+ * nothing is asked for. */
+Status
+takeRepairSettings(const Arguments& arguments, RepairSettings& settings);
+
+} // namespace app

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what pcl_repair_holes tells about a model.
+#include "repair_report.h"
+
+#include <pcl/surface_ccaa/threads.h>
+
+#include "layer_builder.h"
+#include "report.h"
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using pcl::repair::BoundaryClass;
+using pcl::repair::IcmClass;
+using pcl::repair::LineEnd;
+using pcl::repair::ModelSurvey;
+using pcl::repair::ReadingReport;
+using pcl::repair::SideRule;
+
+const char*
+nameOf(IcmClass icm_class)
+{
+  switch (icm_class) {
+  case IcmClass::ICM1:
+    return "ICM1";
+  case IcmClass::ICM2:
+    return "ICM2";
+  case IcmClass::ICM3:
+    return "ICM3";
+  }
+  return "unknown";
+}
+
+json
+describePosition(const Eigen::Vector3d& position)
+{
+  return {position.x(), position.y(), position.z()};
+}
+
+json
+describeReading(const ReadingReport& reading)
+{
+  json description = {{"input_polygons", reading.input_polygons},
+                      {"invalid_polygons", reading.invalid_polygons},
+                      {"non_finite_points", reading.non_finite_points},
+                      {"reversed_triangles", reading.reversed_triangles},
+                      {"filtered", reading.filtered}};
+  if (reading.filtered)
+    description["removed_triangles"] = {
+        {"duplicate", reading.filter.duplicate_triangles},
+        {"overfull", reading.filter.overfull_triangles},
+        {"umbrella", reading.filter.umbrella_triangles},
+        {"twist", reading.filter.twist_triangles}};
+  return description;
+}
+
+json
+describeIslands(const ModelSurvey& survey)
+{
+  json list = json::array();
+  for (std::size_t i = 0; i < survey.model.islands.size(); ++i) {
+    const auto& island = survey.model.islands[i];
+    const auto& side = survey.sides[i];
+    list.push_back({{"triangles", island.triangles},
+                    {"area", island.area},
+                    {"closed", island.closed},
+                    {"rule", describe(side.rule)},
+                    {"flipped", side.flipped},
+                    {"confidence", side.confidence}});
+  }
+  return list;
+}
+
+json
+describeLoops(const ModelSurvey& survey)
+{
+  json list = json::array();
+  for (std::size_t i = 0; i < survey.loops.size(); ++i) {
+    const auto& loop = survey.loops[i];
+    const auto& loop_class = survey.classes[i];
+    list.push_back({{"island", indexOrMinusOne(loop.island)},
+                    {"edges", loop.curve.size()},
+                    {"length", loop.length},
+                    {"class", describe(loop_class.boundary_class)},
+                    {"confidence", loop_class.confidence},
+                    {"D", loop_class.evidence.integral.value},
+                    {"D_relative", loop_class.evidence.integral.relative()},
+                    {"turning", loop_class.evidence.turning},
+                    {"area_ratio", loop_class.evidence.area_ratio},
+                    {"faced", loop_class.faced}});
+  }
+  return list;
+}
+
+json
+describeEnd(const pcl::repair::BoundaryPoint& point)
+{
+  return {{"curve", indexOrMinusOne(point.curve)},
+          {"edge", point.edge},
+          {"share", point.share},
+          {"position", describePosition(point.position)}};
+}
+
+/** \brief The lines of one step, each with the hole it lies in or -1. */
+void
+appendLines(const pcl::repair::SurveyedField& field, json& list)
+{
+  for (const auto& line : field.lines) {
+    json description = {{"hole", indexOrMinusOne(field.hole)},
+                        {"origin", describeEnd(line.origin)},
+                        {"target", nullptr},
+                        {"quality", line.quality},
+                        {"length", line.length},
+                        {"bridge", line.end == LineEnd::BRIDGE},
+                        {"end", describe(line.end)}};
+    if (line.end == LineEnd::BRIDGE)
+      description["target"] = describeEnd(line.target);
+    list.push_back(std::move(description));
+  }
+}
+
+json
+describeLines(const ModelSurvey& survey)
+{
+  json list = json::array();
+  appendLines(survey.between_islands, list);
+  for (const auto& field : survey.in_holes)
+    appendLines(field, list);
+  return list;
+}
+
+json
+describeParameters(const RepairSettings& settings)
+{
+  const auto& field = settings.survey.field;
+  const bool full = field.mode == pcl::repair::FieldMode::FULL;
+  return {{"mode", full ? "full" : "light"},
+          {"interpolation", field.interpolation},
+          {"falloff_exponent", field.falloff_exponent},
+          {"near", field.near},
+          {"far", field.far},
+          {"room", field.room},
+          {"free_point_near", field.free_point_near},
+          {"free_point_far", field.free_point_far},
+          {"free_point_exponent", field.free_point_exponent},
+          {"trust", field.trust},
+          {"simple_edges", settings.survey.simple_edges},
+          {"hole_threshold", settings.survey.hole_threshold},
+          {"line_spacing", settings.survey.line_spacing}};
+}
+
+double
+totalSeconds(const ModelSurvey& survey)
+{
+  double seconds = 0.0;
+  for (const auto& stage : survey.seconds)
+    seconds += stage.second;
+  return seconds;
+}
+
+/** \brief "3 holes, 1 island rim": how often each name comes up, in the order of first
+ * appearance. */
+class Tally {
+public:
+  void
+  add(const std::string& name)
+  {
+    const auto found =
+        std::find_if(counts_.begin(), counts_.end(), [&](const auto& entry) {
+          return entry.first == name;
+        });
+    if (found == counts_.end())
+      counts_.emplace_back(name, 1);
+    else
+      ++found->second;
+  }
+
+  std::string
+  text() const
+  {
+    std::string text;
+    for (const auto& [name, count] : counts_)
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+    return text;
+  }
+
+private:
+  std::vector<std::pair<std::string, std::size_t>> counts_;
+};
+
+std::string
+row(const char* name, std::size_t count, const std::string& details)
+{
+  char head[64];
+  std::snprintf(head, sizeof(head), "  %-12s %7zu", name, count);
+  return head + (details.empty() ? "" : "  (" + details + ")") + "\n";
+}
+
+std::string
+tellIslands(const ModelSurvey& survey)
+{
+  Tally rules;
+  std::size_t flipped = 0;
+  for (const auto& side : survey.sides) {
+    rules.add(describe(side.rule));
+    flipped += side.flipped ? 1 : 0;
+  }
+  return row("islands",
+             survey.sides.size(),
+             "outer side by: " + rules.text() + "; " + std::to_string(flipped) +
+                 " turned round");
+}
+
+std::string
+tellLoops(const ModelSurvey& survey)
+{
+  Tally classes;
+  for (const auto& loop_class : survey.classes)
+    classes.add(describe(loop_class.boundary_class));
+  return row("loops", survey.classes.size(), classes.text());
+}
+
+std::string
+tellLines(const ModelSurvey& survey)
+{
+  Tally ends;
+  std::size_t count = 0;
+  const auto add = [&](const pcl::repair::SurveyedField& field) {
+    for (const auto& line : field.lines)
+      ends.add(describe(line.end));
+    count += field.lines.size();
+  };
+  add(survey.between_islands);
+  for (const auto& field : survey.in_holes)
+    add(field);
+  return row("force lines", count, ends.text());
+}
+
+/** \brief What was not taken as it is; empty if nothing. */
+std::string
+tellReading(const ReadingReport& reading)
+{
+  std::string text;
+  const auto tell = [&](std::size_t count, const char* what) {
+    if (count > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+  };
+  const auto& filter = reading.filter;
+  tell(reading.invalid_polygons, "invalid polygons left out");
+  tell(reading.non_finite_points, "points that are not finite left out");
+  if (reading.filtered)
+    tell(filter.duplicate_triangles + filter.overfull_triangles +
+             filter.umbrella_triangles + filter.twist_triangles,
+         "triangles taken out by the umbrella filter");
+  tell(reading.reversed_triangles, "triangles wound the other way");
+  return text.empty() ? "" : "  on reading: " + text + "\n";
+}
+
+} // namespace
+
+json
+describeSurvey(const RepairSettings& settings,
+               const ModelSurvey& survey,
+               const Warnings& warnings)
+{
+  const std::size_t points = survey.model.positions.size();
+  return {{"input", settings.input},
+          {"class", nameOf(survey.icm_class)},
+          {"triangles", survey.model.triangles.size()},
+          {"vertices", points},
+          {"free_points", survey.model.free_points.size()},
+          {"simple_holes", survey.counts.simple_holes},
+          {"complex_holes", survey.counts.complex_holes},
+          {"source_spacing", survey.spacing},
+          {"reading", describeReading(survey.reading)},
+          {"islands", describeIslands(survey)},
+          {"loops", describeLoops(survey)},
+          {"origins", survey.between_islands.origins.size()},
+          {"lines", describeLines(survey)},
+          {"parameters", describeParameters(settings)},
+          {"stages", describeStages(survey.seconds, points)},
+          {"total_seconds", totalSeconds(survey)},
+          {"peak_memory_bytes", peakMemoryBytes()},
+          {"threads", pcl::ccaa::resolveThreads(settings.threads)},
+          {"warnings", warnings}};
+}
+
+std::string
+summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
+{
+  std::string text = settings.input + ": " + nameOf(survey.icm_class) + ", " +
+                     std::to_string(survey.counts.islands) + " islands, " +
+                     std::to_string(survey.counts.simple_holes) + " simple and " +
+                     std::to_string(survey.counts.complex_holes) + " complex holes\n";
+  text += row("triangles", survey.model.triangles.size(), "");
+  text += tellIslands(survey) + tellLoops(survey) + tellLines(survey);
+  text += row("free points", survey.model.free_points.size(), "");
+  text += tellReading(survey.reading);
+  char seconds[64];
+  std::snprintf(seconds, sizeof(seconds), "  %.3f s", totalSeconds(survey));
+  return text + seconds;
+}
+
+} // namespace app
