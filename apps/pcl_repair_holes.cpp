@@ -3,6 +3,7 @@
 #include <pcl/surface_ccaa/threads.h>
 
 #include "common/cli.h"
+#include "common/cloud_normals.h"
 #include "common/inspection_files.h"
 #include "common/model_io.h"
 #include "common/progress.h"
@@ -99,6 +100,7 @@ survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& resul
   if (!status.ok())
     return status;
   result.warnings = model.warnings;
+  appendViewpoint(model.viewpoint, model.mesh.cloud);
   pcl::ccaa::RunControl control(bar.callback());
   pcl::ccaa::LoopContext context;
   context.threads = pcl::ccaa::resolveThreads(settings.threads);

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: adds normals to a cloud with any fields.
+// Part of PclSurfaceRepair: adds normals or a sensor position to a cloud with any
+// fields.
 #include "cloud_normals.h"
 
 #include "point_columns.h"
 
+#include <array>
 #include <cstring>
 #include <utility>
 
 namespace app {
 namespace {
 
-constexpr const char* NORMAL_FIELDS[] = {"normal_x", "normal_y", "normal_z"};
-constexpr std::size_t NORMAL_BYTES = 3 * sizeof(float);
+using Names = std::array<const char*, 3>;
+
+constexpr Names NORMAL_FIELDS{"normal_x", "normal_y", "normal_z"};
+constexpr Names VIEWPOINT_FIELDS{"vp_x", "vp_y", "vp_z"};
+constexpr std::size_t TRIPLE_BYTES = 3 * sizeof(float);
 
 void
-appendFields(pcl::PCLPointCloud2& cloud)
+appendFields(const Names& names, pcl::PCLPointCloud2& cloud)
 {
-  for (const char* name : NORMAL_FIELDS) {
+  for (const char* name : names) {
     pcl::PCLPointField field;
     field.name = name;
     field.offset = cloud.point_step;
@@ -28,25 +33,44 @@ appendFields(pcl::PCLPointCloud2& cloud)
   cloud.row_step = cloud.point_step * cloud.width;
 }
 
+/** Append three numbers to every point, those of point i at \a triple_of(i). */
+template <typename TripleOf>
+bool
+appendTriples(const Names& names, const TripleOf& triple_of, pcl::PCLPointCloud2& cloud)
+{
+  for (const char* name : names)
+    if (findField(cloud, name) != nullptr)
+      return false;
+  const std::size_t step = cloud.point_step;
+  const std::size_t points = pointCount(cloud);
+  std::vector<std::uint8_t> data(points * (step + TRIPLE_BYTES));
+  std::uint8_t* target = data.data();
+  for (std::size_t i = 0; i < points; ++i) {
+    std::memcpy(target, pointAt(cloud, i), step);
+    std::memcpy(target + step, triple_of(i), TRIPLE_BYTES);
+    target += step + TRIPLE_BYTES;
+  }
+  cloud.data = std::move(data);
+  appendFields(names, cloud);
+  return true;
+}
+
 } // namespace
 
 bool
 appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& cloud)
 {
-  for (const char* name : NORMAL_FIELDS)
-    if (findField(cloud, name) != nullptr)
-      return false;
-  const std::size_t step = cloud.point_step;
-  std::vector<std::uint8_t> data(normals.size() * (step + NORMAL_BYTES));
-  std::uint8_t* target = data.data();
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    std::memcpy(target, pointAt(cloud, i), step);
-    std::memcpy(target + step, normals[i].data_n, NORMAL_BYTES);
-    target += step + NORMAL_BYTES;
-  }
-  cloud.data = std::move(data);
-  appendFields(cloud);
-  return true;
+  return appendTriples(
+      NORMAL_FIELDS, [&](std::size_t i) { return normals[i].data_n; }, cloud);
+}
+
+bool
+appendViewpoint(const Viewpoint& viewpoint, pcl::PCLPointCloud2& cloud)
+{
+  return viewpoint.known && appendTriples(
+                                VIEWPOINT_FIELDS,
+                                [&](std::size_t) { return viewpoint.position.data(); },
+                                cloud);
 }
 
 } // namespace app

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: adds normals to a cloud with any fields.
+// Part of PclSurfaceRepair: adds normals or a sensor position to a cloud with any
+// fields.
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+
+#include "model.h"
 
 namespace app {
 
@@ -14,5 +17,11 @@ namespace app {
  * \return false, with nothing done, when the cloud has one of these fields already */
 bool
 appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& cloud);
+
+/** \brief Append the sensor position of a file to every point as vp_x, vp_y and vp_z.
+ * \return false, with nothing done, when it is not known or the cloud has one of these
+ * fields already */
+bool
+appendViewpoint(const Viewpoint& viewpoint, pcl::PCLPointCloud2& cloud);
 
 } // namespace app

@@ -147,6 +147,26 @@ TEST_F(RepairApp, TellsWhatChangedOnReading)
   EXPECT_TRUE(contains(result.output, "wound the other way")) << result.output;
 }
 
+TEST_F(RepairApp, TheSensorPositionOfAFileTellsTheOuterSide)
+{
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\n"
+      "element camera 1\nproperty float view_px\n"
+      "property float view_py\nproperty float view_pz\nend_header\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  for (const auto& [camera, flipped] :
+       {std::pair{"0 0 9\n", false}, std::pair{"0 0 -9\n", true}}) {
+    writeFile(folder_.path("in.ply"), head + camera);
+    const RunResult result =
+        inspectQuickly("in.ply", {"--report", folder_.path("report.json")});
+    ASSERT_EQ(0, result.exit_code) << result.errors;
+    EXPECT_EQ("sensor position", report().at("islands")[0].at("rule"));
+    EXPECT_EQ(flipped, report().at("islands")[0].at("flipped"));
+  }
+}
+
 TEST_F(RepairApp, AClosedMeshLacksNothing)
 {
   save(folder_.path("closed.ply"), colouredSphere());
