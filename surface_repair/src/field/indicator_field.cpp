@@ -139,7 +139,8 @@ Tension
 IndicatorField::tensionAt(const FieldQuery& query) const
 {
   Tension tension;
-  Workspace space;
+  // Kept by each thread: trackers ask point by point, and memory costs as much as sums.
+  thread_local Workspace space;
   implementation_->answer(&query, &query + 1, &tension, space);
   return tension;
 }
