@@ -15,6 +15,7 @@
 #include "render/render_options.h"
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <iostream>
 
 namespace {
@@ -74,15 +75,32 @@ readView(const app::Arguments& arguments, app::InspectionView& view)
   return status;
 }
 
+/** The report may lie in the folder that is yet to be made. */
+bool
+comesWithFolder(const app::RepairSettings& settings)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::exists(settings.inspect, ignored))
+    return false;
+  const auto folder_of = [&](const std::string& file) {
+    return fs::weakly_canonical(file, ignored).parent_path();
+  };
+  return folder_of(settings.report) == folder_of(settings.inspect + "/any");
+}
+
 /** All that can be known to fail before the work begins. */
 app::Status
 checkFiles(const app::RepairSettings& settings)
 {
-  app::Status status = app::checkDifferentFiles(
-      {settings.input, settings.free_points, settings.report, settings.inspect});
+  std::vector<std::string> files{
+      settings.input, settings.free_points, settings.report, settings.inspect};
+  for (const std::string& name : app::inspectionNames())
+    files.push_back(settings.inspect + "/" + name);
+  app::Status status = app::checkDifferentFiles(files);
   if (status.ok())
     status = app::OutputFolder::check(settings.inspect);
-  if (status.ok() && !settings.report.empty())
+  if (status.ok() && !settings.report.empty() && !comesWithFolder(settings))
     status = app::OutputFile::check(settings.report);
   return status;
 }

@@ -15,3 +15,19 @@ mkdir -p "$images"
 "$render" "$mesh" "$images/bunny_mesh.png" --size 600x480
 "$render" "$mesh" "$images/bunny_detail.png" --size 600x480 --zoom 6 --edges \
   --focus=-0.45,0.45,0.5
+
+# The Bunny in pieces, and what pcl_repair_holes finds in it.
+bin=build/release/bin
+"$bin/pcl_damage_cloud" "$mesh" build/demo/pieces.ply --slabs 4 --slab-size 0.06 \
+  --spheres 4 --sphere-size 0.05 --keep 0.05 --noise 0.3 --seed 7
+"$bin/pcl_repair_holes" build/demo/pieces.ply --inspect build/demo/pieces --view 0,0,1 --size 700x460
+for name in islands lines slice; do
+  cp "build/demo/pieces/$name.png" "$images/inspect_bunny_$name.png"
+done
+
+# A real scan, where there is one: it is no part of the repository.
+scan=${PSR_SHARED_DATA:-../shared/data}/range_maps/lato000.ply
+if [[ -f $scan ]]; then
+  "$bin/pcl_repair_holes" "$scan" --inspect build/demo/scan --size 700x460
+  cp build/demo/scan/loops.png "$images/inspect_scan_loops.png"
+fi

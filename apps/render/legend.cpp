@@ -20,6 +20,13 @@ namespace {
 constexpr Rgb FRAME{150, 150, 150};
 constexpr std::size_t LETTERS_PER_LINE = 22;
 
+/** \brief Pixels that can be read, also in a small picture. */
+int
+letterHeight(int picture_height)
+{
+  return std::max(picture_height / 45, 11);
+}
+
 /** \brief The text with line ends in place of some spaces. */
 std::string
 wrap(const std::string& text)
@@ -85,7 +92,7 @@ makeSquare(const Rgb& color, int left, int top, int side)
 int
 legendWidth(int height)
 {
-  return height * 3 / 10;
+  return 15 * letterHeight(height);
 }
 
 vtkSmartPointer<vtkRenderer>
@@ -95,7 +102,7 @@ makeLegend(const Legend& legend, int width, int height)
   renderer->SetBackground(1.0, 1.0, 1.0);
   renderer->SetViewport(
       0.0, 0.0, static_cast<double>(legendWidth(height)) / width, 1.0);
-  const int letter = std::max(height / 50, 6);
+  const int letter = letterHeight(height);
   const int left = letter;
   int top = height - letter;
   const std::string title = wrap(legend.title);

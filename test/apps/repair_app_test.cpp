@@ -232,6 +232,26 @@ TEST_F(RepairApp, SaysWhatCanBeAskedForWhenNothingIs)
   EXPECT_TRUE(contains(result.errors, "--inspect DIR")) << result.errors;
 }
 
+TEST_F(RepairApp, TheReportMayLieInTheNewFolder)
+{
+  save(folder_.path("caps.ply"), twoCaps());
+  const RunResult result =
+      inspectQuickly("caps.ply", {"--report", foundFile("report.json")});
+  EXPECT_EQ(0, result.exit_code) << result.errors;
+  EXPECT_TRUE(nlohmann::json::accept(readFile(foundFile("report.json"))));
+}
+
+TEST_F(RepairApp, NeverWritesOverItsInput)
+{
+  std::filesystem::create_directory(folder_.path("found"));
+  save(foundFile("islands.vtk"), twoCaps());
+  const std::string before = readFile(foundFile("islands.vtk"));
+  const RunResult result = inspectQuickly("found/islands.vtk");
+  EXPECT_EQ(1, result.exit_code);
+  EXPECT_TRUE(isOneLine(result.errors)) << result.errors;
+  EXPECT_TRUE(before == readFile(foundFile("islands.vtk")));
+}
+
 TEST_F(RepairApp, RefusesACloudInPlaceOfAMesh)
 {
   save(folder_.path("cloud.ply"), colouredCloud(100));
@@ -262,7 +282,10 @@ TEST_F(RepairApp, AnInterruptLeavesNothing)
   }
 }
 
-TEST_F(RepairApp, DrawsPicturesInTheAskedSize)
+/** Named apart from the rest: sanitizers complain about the drivers that draw. */
+class RenderInspection : public RepairApp {};
+
+TEST_F(RenderInspection, DrawsPicturesInTheAskedSize)
 {
   save(folder_.path("caps.ply"), twoCaps());
   const RunResult result = inspect("caps.ply", {"--size", "400x240"});
@@ -272,6 +295,21 @@ TEST_F(RepairApp, DrawsPicturesInTheAskedSize)
     ASSERT_GT(picture.size(), 1000U) << name;
     EXPECT_EQ("PNG", picture.substr(1, 3));
     EXPECT_EQ(std::string("\0\0\1\x90\0\0\0\xf0", 8), picture.substr(16, 8)) << name;
+  }
+}
+
+TEST_F(RenderInspection, DrawsTheSamePicturesForAnyNumberOfThreads)
+{
+  save(folder_.path("caps.ply"), twoCaps());
+  std::vector<std::string> first;
+  for (const char* threads : {"1", "2"}) {
+    ASSERT_EQ(
+        0, inspect("caps.ply", {"--threads", threads, "--size", "300x200"}).exit_code);
+    const std::vector<std::string> pictures{readFile(foundFile("lines.png")),
+                                            readFile(foundFile("slice.png"))};
+    if (first.empty())
+      first = pictures;
+    EXPECT_TRUE(first == pictures) << threads;
   }
 }
 
