@@ -10,17 +10,6 @@ namespace {
 
 using pcl::repair::BoundaryClass;
 
-/** Closed surfaces; damage makes the loops. */
-const std::vector<std::string> closed_files = {"horse/horse.ply",
-                                               "armadillo/armadillo.ply",
-                                               "rocker_arm/rockerArm.ply",
-                                               "cad_daratech/daratech.ply",
-                                               "lordquas/lordquas.ply",
-                                               "fandisk/fandisk_large.ply",
-                                               "igea/igea.ply",
-                                               "skull/skull.ply",
-                                               "femur/femur.ply",
-                                               "woman/human_woman.ply"};
 /** Bodies with holes. */
 const std::vector<std::string> enclosing_files = {"bunny/bun_zipper.ply",
                                                   "bunny/bun_zipper_res2.ply",
@@ -127,7 +116,7 @@ printClassificationTable(std::ostream& out, std::uint64_t rounds)
   TruthCounts all;
   for (const ClosedModel& model : madeModels())
     all.add(damagedRow(out, model, rounds));
-  for (const std::string& file : closed_files)
+  for (const std::string& file : closedFiles())
     all.add(damagedRow(out, readClosedModel(file), rounds));
   const auto add_file = [&](const std::string& file, const TruthCase& truth) {
     const TruthCounts counts = judged(truth);

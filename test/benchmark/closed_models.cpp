@@ -176,4 +176,20 @@ damagedMesh(const ClosedModel& model, const std::vector<char>& removed)
   return mesh;
 }
 
+const std::vector<std::string>&
+closedFiles()
+{
+  static const std::vector<std::string> files = {"horse/horse.ply",
+                                                 "armadillo/armadillo.ply",
+                                                 "rocker_arm/rockerArm.ply",
+                                                 "cad_daratech/daratech.ply",
+                                                 "lordquas/lordquas.ply",
+                                                 "fandisk/fandisk_large.ply",
+                                                 "igea/igea.ply",
+                                                 "skull/skull.ply",
+                                                 "femur/femur.ply",
+                                                 "woman/human_woman.ply"};
+  return files;
+}
+
 } // namespace bench

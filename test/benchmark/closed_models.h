@@ -25,6 +25,10 @@ struct ClosedModel {
 std::string
 sharedFile(const std::string& name);
 
+/** \brief Files of the shared data that are closed surfaces of one piece. */
+const std::vector<std::string>&
+closedFiles();
+
 /** \brief Read a file of the shared data. Throws std::runtime_error when it cannot be
  * read or is not closed. */
 ClosedModel

@@ -26,17 +26,6 @@ using pcl::repair::IslandSide;
 using pcl::repair::Position;
 using pcl::repair::SideRule;
 
-const std::vector<std::string> files = {"horse/horse.ply",
-                                        "armadillo/armadillo.ply",
-                                        "rocker_arm/rockerArm.ply",
-                                        "cad_daratech/daratech.ply",
-                                        "lordquas/lordquas.ply",
-                                        "fandisk/fandisk_large.ply",
-                                        "igea/igea.ply",
-                                        "skull/skull.ply",
-                                        "femur/femur.ply",
-                                        "woman/human_woman.ply"};
-
 enum class CutKind { SLABS, RINGS };
 
 /** Five slabs or eight spherical shells, of a thickness in shares of the diagonal. */
@@ -198,7 +187,7 @@ printOrientationTable(std::ostream& out, std::uint64_t rounds)
   Counts all;
   std::vector<Counts> of_cut(cuts.size());
   std::vector<ClosedModel> models = madeModels();
-  for (const std::string& file : files)
+  for (const std::string& file : closedFiles())
     models.push_back(readClosedModel(file));
   for (const ClosedModel& model : models) {
     Counts of_model;

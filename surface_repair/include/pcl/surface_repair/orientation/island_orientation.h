@@ -45,9 +45,9 @@ struct OrientationParameters {
   /** \brief Balance of the field integral, 0 to 1, from which it decides alone.
    * Default 0.3. */
   double clear_field = 0.5;
-  /** \brief Balance from which field and sight together decide, 0 to 2. Default 0.1.
+  /** \brief Balance from which field and sight together decide, 0 to 2. Default 0.2.
    */
-  double decided_from = 0.1;
+  double decided_from = 0.2;
   /** \brief k of r = k d (4.48): a way closer than this times the mean free-point
    * spacing to a free point is not free. Default 1. */
   double sight_clearance = 1.0;
