@@ -52,8 +52,8 @@ addLineLegend(const std::vector<ForceLine>& lines, LayerBuilder& builder)
     const auto line_end = static_cast<LineEnd>(end);
     const std::string count = " (" + std::to_string(counts[end]) + ")";
     if (line_end == LineEnd::BRIDGE) {
-      builder.addLegend(colorOfBridge(1.0), "bridge, strong" + count);
-      builder.addLegend(colorOfBridge(0.0), "bridge, weak");
+      builder.addLegend(colorOfBridge(1.0), "strong bridge");
+      builder.addLegend(colorOfBridge(0.0), "weak bridge; in all" + count);
     }
     else
       builder.addLegend(colorOf(line_end), describe(line_end) + count);

@@ -148,12 +148,14 @@ lineScene(const Studio& studio)
 }
 
 /** \brief The slice and the section are moved behind the model, so that the boundaries
- * before and behind the plane are seen as well. */
+ * before and behind the plane are seen as well. \a towards is the direction to the
+ * camera.
+ */
 Scene
-sliceScene(const pcl::repair::FieldSlice& slice, const Studio& studio)
+sliceScene(const Eigen::Vector3d& towards, const Studio& studio)
 {
-  const Eigen::Vector3d back = -slice.across.cross(slice.up).normalized() *
-                               diagonalOf(*studio.layers.at("islands.vtk"));
+  const Eigen::Vector3d back =
+      -towards.normalized() * diagonalOf(*studio.layers.at("islands.vtk"));
   const auto add_behind = [back](vtkRenderer& renderer, vtkActor* actor, double times) {
     const Eigen::Vector3d shift = times * back;
     actor->SetPosition(shift.x(), shift.y(), shift.z());
@@ -229,13 +231,18 @@ aimAtModel(const pcl::repair::ModelSurvey& survey, const Studio& studio)
   return cameras;
 }
 
-/** \brief The slice from the front, with room for all that is drawn behind it. */
+/** \brief The slice, from the side that the model is seen from. */
 Cameras
-aimAtSlice(const pcl::repair::FieldSlice& slice, const Studio& studio)
+aimAtSlice(const pcl::repair::ModelSurvey& survey,
+           const pcl::repair::FieldSlice& slice,
+           const Cameras& at_model,
+           const Studio& studio)
 {
-  return {positionsOf(*studio.layers.at("slice.vtk")),
-          {slice.across.cross(slice.up)},
-          slice.up};
+  Eigen::Vector3d normal = slice.across.cross(slice.up).normalized();
+  if (normal.dot(at_model.views.front()) < 0.0)
+    normal = -normal;
+  const auto up = studio.settings.up.value_or(chooseUp(survey, normal));
+  return {positionsOf(*studio.layers.at("slice.vtk")), {normal}, up};
 }
 
 } // namespace
@@ -262,9 +269,11 @@ drawInspection(const pcl::repair::ModelSurvey& survey,
     pictures.push_back(draw(loopScene(studio), at_model, studio));
   if (holds("lines.vtk"))
     pictures.push_back(draw(lineScene(studio), at_model, studio));
-  if (holds("slice.vtk"))
+  if (holds("slice.vtk")) {
+    const Cameras at_slice = aimAtSlice(survey, slice, at_model, studio);
     pictures.push_back(
-        draw(sliceScene(slice, studio), aimAtSlice(slice, studio), studio));
+        draw(sliceScene(at_slice.views.front(), studio), at_slice, studio));
+  }
   return pictures;
 }
 
