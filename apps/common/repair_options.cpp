@@ -29,7 +29,7 @@ struct RealOption {
 
 constexpr RealOption FIELD_OPTIONS[] = {
     {"interpolation",
-     "k_i: how much lines follow the tangent plane of the surface, 0 or more",
+     "k_i: how much more a boundary counts for places straight ahead of it, 0 or more",
      0.0,
      1000.0,
      &FieldParameters::interpolation},
