@@ -36,7 +36,6 @@ encodePng(vtkRenderWindow& window)
   image->Update();
   const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
   writer->SetInputConnection(image->GetOutputPort());
-  writer->SetCompressionLevel(9);
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
