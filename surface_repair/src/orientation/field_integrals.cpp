@@ -107,7 +107,25 @@ fieldPerIsland(const SourceSet& sources)
 struct BaseQueries {
   std::vector<FieldQuery> queries;
   std::vector<const FieldSource*> places;
+  std::vector<double> facing; /**< see facingOf() */
 };
+
+/** How much a place faces the nearest other island: the cosine between its conormal and
+ * the way there, 0 if that leads back over its own island. Found from how the gap
+ * changes ahead. The conormal does not depend on the winding, so this takes no side;
+ * but the far rim of a strip would speak almost as loud as the near one, with the other
+ * sign. */
+double
+facingOf(const FieldSource& source,
+         double gap,
+         std::size_t island,
+         const GapFinder& gaps)
+{
+  const double step = 0.1 * gap;
+  const Direction conormal = source.tangent.cross(source.normal);
+  const double ahead = gaps.gapAt(source.position + step * conormal, island);
+  return step > 0.0 ? std::clamp((gap - ahead) / step, 0.0, 1.0) : 0.0;
+}
 
 /** Each place looks over its gap, but not over more than twice the island's narrow
  * gaps: what is far behind another part of the boundary, or beyond the island, would
@@ -131,14 +149,19 @@ queriesOf(std::size_t island,
     if (curve.island != island)
       continue;
     for (const FieldSource& source : curve.sources) {
-      const double gap = std::min(all[place++], widest);
-      if (!std::isfinite(gap))
+      const double true_gap = all[place++];
+      const double gap = std::min(true_gap, widest);
+      if (!std::isfinite(true_gap))
+        continue;
+      const double facing = facingOf(source, true_gap, island, gaps);
+      if (!(facing > 0.0))
         continue;
       FieldQuery query;
       query.position = source.position;
       query.falloff = {curve.spacing, std::max(room * gap, 4.0 * curve.spacing), CHI};
       base.queries.push_back(query);
       base.places.push_back(&source);
+      base.facing.push_back(facing);
     }
   }
   return base;
@@ -153,6 +176,7 @@ within(const BaseQueries& base, const Eigen::AlignedBox3d& box)
     if (box.exteriorDistance(base.queries[i].position) < base.queries[i].falloff.far) {
       near.queries.push_back(base.queries[i]);
       near.places.push_back(base.places[i]);
+      near.facing.push_back(base.facing[i]);
     }
   return near;
 }
@@ -164,7 +188,8 @@ integrate(const BaseQueries& base, const std::vector<Tension>& tensions)
   for (std::size_t i = 0; i < tensions.size(); ++i) {
     const FieldSource& place = *base.places[i];
     const Direction conormal = place.tangent.cross(place.normal);
-    const double outward = (tensions[i] * place.normal).dot(conormal) * place.charge;
+    const double outward =
+        (tensions[i] * place.normal).dot(conormal) * place.charge * base.facing[i];
     integral.attraction += outward;
     integral.magnitude += std::abs(outward);
   }

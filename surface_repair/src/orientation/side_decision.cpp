@@ -123,7 +123,8 @@ double
 Decision::together(std::size_t island) const
 {
   const FreeSight& sight = evidence_.sight[island];
-  return field_[island].balance() + sight.weight() * sight.votes.balance();
+  return field_[island].balance() +
+         evidence_.sight_trust * sight.weight() * sight.votes.balance();
 }
 
 std::size_t
@@ -172,7 +173,7 @@ Decision::turnGroups()
     votes[group_[i]].add(sides_[i].flipped ? seen.turned() : seen);
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const double balance = votes[group_[i]].balance();
+    const double balance = evidence_.sight_trust * votes[group_[i]].balance();
     if (group_[i] == STANDARD || std::abs(balance) < parameters_.decided_from)
       continue;
     if (balance < 0.0)

@@ -17,6 +17,7 @@ namespace repair {
  * have. */
 struct SideEvidence {
   std::vector<FreeSight> sight; /**< an island each */
+  double sight_trust = 1.0;     /**< how much sight says of this model, 0 to 1 */
   std::vector<double> areas;    /**< of the islands */
   std::vector<PairIntegral> pairs;
 };
