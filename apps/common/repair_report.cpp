@@ -294,7 +294,8 @@ std::string
 summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
 {
   std::string text = settings.input + ": " + nameOf(survey.icm_class) + ", " +
-                     std::to_string(survey.counts.islands) + " islands, " +
+                     std::to_string(survey.counts.islands) +
+                     (survey.counts.islands == 1 ? " island, " : " islands, ") +
                      std::to_string(survey.counts.simple_holes) + " simple and " +
                      std::to_string(survey.counts.complex_holes) + " complex holes\n";
   text += row("triangles", survey.model.triangles.size(), "");
