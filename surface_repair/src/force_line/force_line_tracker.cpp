@@ -258,8 +258,22 @@ Trace::follow()
   return LineEnd::TOO_LONG;
 }
 
+/** Direction of a boundary around an edge: the chords over two edges to each side of
+ * both its ends, because single edges of a scan's boundary point anywhere. */
+Direction
+tangentAround(const BoundaryCurve& curve, std::size_t edge)
+{
+  const std::size_t count = curve.size();
+  if (count < 10)
+    return curve.edge(edge).normalized();
+  const auto point = [&](std::size_t ahead) -> const Position& {
+    return curve.points[(edge + count - 2 + ahead) % count];
+  };
+  return (point(4) - point(0) + point(5) - point(1)).normalized();
+}
+
 /** Across the end of a line: the compatibility vector (EC4.421-2b) where it agrees with
- * the normal of the boundary; on a jagged one single edges lie along the line. */
+ * the normal of the boundary, else that normal. */
 Direction
 normalAtTarget(const Direction& along,
                const Direction& tangent,
@@ -281,7 +295,7 @@ Trace::arrive()
   const Direction& normal = curve.normals[line_.target.edge];
   LineState state = state_;
   const Direction across =
-      normalAtTarget(along, curve.edge(line_.target.edge).normalized(), normal);
+      normalAtTarget(along, tangentAround(curve, line_.target.edge), normal);
   if (!across.isZero())
     state.normal = across;
   const bool wrong_side = normal.dot(state_.normal) <= 0.0;

@@ -110,6 +110,17 @@ TEST(ForceLineTracker, NormalsPointOutOfTheSphereAllAlong)
       EXPECT_GT(line.normals[k].dot(line.points[k].normalized()), 0.8);
 }
 
+TEST(ForceLineTracker, NormalAtAJaggedTargetIsThatOfTheBoundaryAsAWhole)
+{
+  std::vector<BoundaryCurve> caps = twoCaps(120);
+  for (std::size_t k = 0; k < caps[0].size(); k += 2)
+    caps[0].points[k].head<2>() *= 0.95; // as far as the points are apart
+  for (const ForceLine& line : trace(Islands(caps), 1)) {
+    ASSERT_EQ(LineEnd::BRIDGE, line.end) << describe(line.end);
+    EXPECT_GT(line.normals.back().dot(line.points.back().normalized()), 0.7);
+  }
+}
+
 TEST(ForceLineTracker, LineEndsOnTheEdgeItNames)
 {
   const Islands islands(twoCaps());
