@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a bridge between two supporting points (4.32).
+
+#pragma once
+
+#include <pcl/surface_repair/force_line/boundary_edges.h>
+#include <pcl/surface_repair/force_line/force_line.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief A curve that connects two boundary points of A, with the external normal
+ * along it (D4.32-1). An overlay: it is no part of the mesh until a hole beside it is
+ * darned. */
+struct Bridge {
+  BoundaryPoint begin;  /**< supporting point at points.front() */
+  BoundaryPoint end;    /**< supporting point at points.back() */
+  Positions points;     /**< at least two */
+  Directions normals;   /**< unit, one a point */
+  double quality = 0.0; /**< mean tension (4.41) */
+};
+
+/** \brief The bridge along a force line that reached another boundary. */
+Bridge
+bridgeAlong(const ForceLine& line);
+
+/** \brief Choose bridges among force lines: those that reached a boundary, the best
+ * first, no two supporting points of a boundary nearer to each other along it than
+ * \a apart (C4.47-2). Lines of equal quality go by index.
+ * \param[in] boundaries the curves that the lines' ends refer to
+ * \param[in] apart arc length, above 0 */
+std::vector<Bridge>
+selectBridges(const std::vector<ForceLine>& lines,
+              const BoundaryEdges& boundaries,
+              double apart);
+
+} // namespace repair
+} // namespace pcl

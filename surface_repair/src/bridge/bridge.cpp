@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a bridge between two supporting points (4.32).
+
+#include <pcl/surface_repair/bridge/bridge.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** The supporting points that are taken, by curve and arc. */
+class TakenPoints {
+public:
+  TakenPoints(const BoundaryEdges& boundaries, double apart)
+  : boundaries_(boundaries), apart_(apart)
+  {}
+
+  bool
+  hasRoomFor(const BoundaryPoint& point) const
+  {
+    const auto taken = arcs_.find(point.curve);
+    if (taken == arcs_.end())
+      return true;
+    const double arc = boundaries_.arcAt(point);
+    return std::all_of(taken->second.begin(), taken->second.end(), [&](double other) {
+      return boundaries_.arcBetween(point.curve, arc, other) >= apart_;
+    });
+  }
+
+  void
+  add(const BoundaryPoint& point)
+  {
+    arcs_[point.curve].insert(boundaries_.arcAt(point));
+  }
+
+private:
+  const BoundaryEdges& boundaries_;
+  double apart_;
+  std::map<std::size_t, std::set<double>> arcs_;
+};
+
+/** Of a line within one boundary the two ends must keep their distance as well. */
+bool
+endsAreApart(const Bridge& bridge, const BoundaryEdges& boundaries, double apart)
+{
+  return bridge.begin.curve != bridge.end.curve ||
+         boundaries.arcBetween(bridge.begin.curve,
+                               boundaries.arcAt(bridge.begin),
+                               boundaries.arcAt(bridge.end)) >= apart;
+}
+
+} // namespace
+
+Bridge
+bridgeAlong(const ForceLine& line)
+{
+  return {line.origin, line.target, line.points, line.normals, line.quality};
+}
+
+std::vector<Bridge>
+selectBridges(const std::vector<ForceLine>& lines,
+              const BoundaryEdges& boundaries,
+              double apart)
+{
+  std::vector<std::size_t> order(lines.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return lines[a].quality > lines[b].quality;
+  });
+  TakenPoints taken(boundaries, apart);
+  std::vector<Bridge> chosen;
+  for (const std::size_t i : order) {
+    if (lines[i].end != LineEnd::BRIDGE)
+      continue;
+    Bridge bridge = bridgeAlong(lines[i]);
+    if (!taken.hasRoomFor(bridge.begin) || !taken.hasRoomFor(bridge.end) ||
+        !endsAreApart(bridge, boundaries, apart))
+      continue;
+    taken.add(bridge.begin);
+    taken.add(bridge.end);
+    chosen.push_back(std::move(bridge));
+  }
+  return chosen;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of choosing bridges among force lines.
+
+#include <pcl/surface_repair/bridge/bridge.h>
+
+#include <gtest/gtest.h>
+
+#include "surface_repair/force_line/sphere_rims.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using test::Islands;
+using test::sphereRim;
+
+Islands
+twoCaps()
+{
+  return Islands({sphereRim(0.35, true, 60, 0.3), sphereRim(-0.35, false, 67)});
+}
+
+std::vector<ForceLine>
+linesOf(const Islands& islands)
+{
+  std::vector<ForceLine> lines;
+  const ForceLineTracker tracker(islands.field, islands.targets, {});
+  for (const std::size_t from : {0, 1})
+    for (const LineOrigin& origin : islands.originsOn(from))
+      lines.push_back(tracker.track(origin));
+  return lines;
+}
+
+TEST(BridgeSelection, SupportingPointsOfABoundaryKeepTheirDistance)
+{
+  const Islands caps = twoCaps();
+  std::vector<BoundaryPoint> supports;
+  for (const Bridge& bridge : selectBridges(linesOf(caps), caps.targets, 0.4)) {
+    supports.push_back(bridge.begin);
+    supports.push_back(bridge.end);
+  }
+  ASSERT_GT(supports.size(), 12U);
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (supports[i].curve == supports[j].curve) {
+        EXPECT_GE(caps.targets.arcBetween(supports[i].curve,
+                                          caps.targets.arcAt(supports[i]),
+                                          caps.targets.arcAt(supports[j])),
+                  0.4);
+      }
+}
+
+TEST(BridgeSelection, BestLineIsTheFirstBridge)
+{
+  const Islands caps = twoCaps();
+  const std::vector<ForceLine> lines = linesOf(caps);
+  double best = 0.0;
+  for (const ForceLine& line : lines)
+    best = std::max(best, line.quality);
+  EXPECT_EQ(best, selectBridges(lines, caps.targets, 0.4).front().quality);
+}
+
+TEST(BridgeSelection, LineThatDidNotArriveIsNoBridge)
+{
+  const Islands caps = twoCaps();
+  std::vector<ForceLine> lines = linesOf(caps);
+  for (ForceLine& line : lines)
+    line.end = LineEnd::CROSSES_SURFACE;
+  EXPECT_TRUE(selectBridges(lines, caps.targets, 0.4).empty());
+}
+
+TEST(BridgeSelection, RoomIsUsedUp)
+{
+  const Islands caps = twoCaps();
+  const std::size_t chosen = selectBridges(linesOf(caps), caps.targets, 0.4).size();
+  // Between gaps of twice the distance another one would have fitted.
+  EXPECT_GE(static_cast<double>(chosen), caps.targets.lengthOf(0) / (2.0 * 0.4 + 0.2));
+}
+
+TEST(BridgeSelection, BridgeHasTheLineOfItsForceLine)
+{
+  const Islands caps = twoCaps();
+  const ForceLine line = linesOf(caps).front();
+  const Bridge bridge = bridgeAlong(line);
+  EXPECT_EQ(line.points, bridge.points);
+  EXPECT_EQ(line.target.edge, bridge.end.edge);
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
