@@ -16,19 +16,17 @@ namespace {
 /** The supporting points that are taken, by curve and arc. */
 class TakenPoints {
 public:
-  TakenPoints(const BoundaryEdges& boundaries, double apart)
-  : boundaries_(boundaries), apart_(apart)
-  {}
+  explicit TakenPoints(const BoundaryEdges& boundaries) : boundaries_(boundaries) {}
 
   bool
-  hasRoomFor(const BoundaryPoint& point) const
+  hasRoomFor(const BoundaryPoint& point, double apart) const
   {
     const auto taken = arcs_.find(point.curve);
     if (taken == arcs_.end())
       return true;
     const double arc = boundaries_.arcAt(point);
     return std::all_of(taken->second.begin(), taken->second.end(), [&](double other) {
-      return boundaries_.arcBetween(point.curve, arc, other) >= apart_;
+      return boundaries_.arcBetween(point.curve, arc, other) >= apart;
     });
   }
 
@@ -40,7 +38,6 @@ public:
 
 private:
   const BoundaryEdges& boundaries_;
-  double apart_;
   std::map<std::size_t, std::set<double>> arcs_;
 };
 
@@ -65,20 +62,22 @@ bridgeAlong(const ForceLine& line)
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
-              double apart)
+              const SupportSpacing& spacing)
 {
   std::vector<std::size_t> order(lines.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return lines[a].quality > lines[b].quality;
   });
-  TakenPoints taken(boundaries, apart);
+  TakenPoints taken(boundaries);
   std::vector<Bridge> chosen;
   for (const std::size_t i : order) {
     if (lines[i].end != LineEnd::BRIDGE)
       continue;
     Bridge bridge = bridgeAlong(lines[i]);
-    if (!taken.hasRoomFor(bridge.begin) || !taken.hasRoomFor(bridge.end) ||
+    const double apart = std::max(spacing.least, spacing.share * lines[i].length);
+    if (!taken.hasRoomFor(bridge.begin, apart) ||
+        !taken.hasRoomFor(bridge.end, apart) ||
         !endsAreApart(bridge, boundaries, apart))
       continue;
     taken.add(bridge.begin);

@@ -84,6 +84,7 @@ traceFields(const SurveyParameters& parameters,
       makeSurroundings(survey, parameters.field, islands.mean_gap);
   survey.between_islands =
       surveyIslands(survey, parameters, islands, surroundings, context);
+  survey.joined = joinIslands(survey, parameters, islands);
   for (std::size_t k = 0; k < survey.loops.size() && !context.cancelled(); ++k)
     if (isOpenHole(survey.classes[k]) &&
         survey.loops[k].vertices.size() > parameters.simple_edges)

@@ -143,6 +143,23 @@ surveyIslands(const ModelSurvey& survey,
   return surveyed;
 }
 
+SurveyedBridges
+joinIslands(const ModelSurvey& survey,
+            const SurveyParameters& parameters,
+            const IslandSources& islands)
+{
+  SurveyedBridges joined;
+  for (const SourceCurve& curve : islands.sources.curves)
+    joined.loops.push_back(curve.loop);
+  const BoundaryEdges boundaries = targetsOf(islands.sources, survey.loops);
+  joined.bridges =
+      selectBridges(survey.between_islands.lines,
+                    boundaries,
+                    {parameters.bridge_spacing, 2.0 * islands.sources.spacing});
+  joined.holes = extractContours(boundaries, joined.bridges);
+  return joined;
+}
+
 SurveyedField
 surveyHole(const ModelSurvey& survey,
            std::size_t loop,

@@ -44,6 +44,12 @@ surveyIslands(const ModelSurvey& survey,
               const Surroundings& surroundings,
               const ccaa::LoopContext& context);
 
+/** \brief Bridges among the lines between islands, and the contours they make. */
+SurveyedBridges
+joinIslands(const ModelSurvey& survey,
+            const SurveyParameters& parameters,
+            const IslandSources& islands);
+
 /** \brief Lines across one hole. */
 SurveyedField
 surveyHole(const ModelSurvey& survey,

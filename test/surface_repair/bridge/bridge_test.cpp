@@ -37,7 +37,7 @@ TEST(BridgeSelection, SupportingPointsOfABoundaryKeepTheirDistance)
 {
   const Islands caps = twoCaps();
   std::vector<BoundaryPoint> supports;
-  for (const Bridge& bridge : selectBridges(linesOf(caps), caps.targets, 0.4)) {
+  for (const Bridge& bridge : selectBridges(linesOf(caps), caps.targets, {0.0, 0.4})) {
     supports.push_back(bridge.begin);
     supports.push_back(bridge.end);
   }
@@ -59,7 +59,7 @@ TEST(BridgeSelection, BestLineIsTheFirstBridge)
   double best = 0.0;
   for (const ForceLine& line : lines)
     best = std::max(best, line.quality);
-  EXPECT_EQ(best, selectBridges(lines, caps.targets, 0.4).front().quality);
+  EXPECT_EQ(best, selectBridges(lines, caps.targets, {0.0, 0.4}).front().quality);
 }
 
 TEST(BridgeSelection, LineThatDidNotArriveIsNoBridge)
@@ -68,13 +68,22 @@ TEST(BridgeSelection, LineThatDidNotArriveIsNoBridge)
   std::vector<ForceLine> lines = linesOf(caps);
   for (ForceLine& line : lines)
     line.end = LineEnd::CROSSES_SURFACE;
-  EXPECT_TRUE(selectBridges(lines, caps.targets, 0.4).empty());
+  EXPECT_TRUE(selectBridges(lines, caps.targets, {0.0, 0.4}).empty());
+}
+
+TEST(BridgeSelection, LongerLinesNeedMoreRoom)
+{
+  const Islands caps = twoCaps();
+  const std::vector<ForceLine> lines = linesOf(caps);
+  EXPECT_LT(selectBridges(lines, caps.targets, {1.5, 0.1}).size(),
+            selectBridges(lines, caps.targets, {0.5, 0.1}).size());
 }
 
 TEST(BridgeSelection, RoomIsUsedUp)
 {
   const Islands caps = twoCaps();
-  const std::size_t chosen = selectBridges(linesOf(caps), caps.targets, 0.4).size();
+  const std::size_t chosen =
+      selectBridges(linesOf(caps), caps.targets, {0.0, 0.4}).size();
   // Between gaps of twice the distance another one would have fitted.
   EXPECT_GE(static_cast<double>(chosen), caps.targets.lengthOf(0) / (2.0 * 0.4 + 0.2));
 }

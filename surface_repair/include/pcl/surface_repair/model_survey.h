@@ -6,6 +6,7 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/boundary/classification.h>
 #include <pcl/surface_repair/force_line/line_origins.h>
+#include <pcl/surface_repair/hole/hole_contour.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
@@ -48,6 +49,8 @@ struct SurveyParameters {
   PerturbationParameters perturbation;
   std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
   double hole_threshold = 0.25; /**< T of a hole (4.5), in lengths of its boundary */
+  double bridge_spacing = 0.5;  /**< least arc length between bridges, in lengths of the
+                                     bridge */
   double line_spacing = 0.25;   /**< least arc length between origins, in gaps */
 };
 
@@ -59,6 +62,16 @@ struct SurveyedField {
   std::vector<ForceLine> lines;        /**< traced from the strongest origins */
 };
 
+/** \brief What would join the islands: the bridges chosen among the lines between them,
+ * and the contours of the holes that are left then (4.47). Boundaries that are no
+ * sources (C4.46-1) are not among the curves. */
+struct SurveyedBridges {
+  std::vector<std::size_t>
+      loops; /**< of the curves that bridges and contours refer to */
+  std::vector<Bridge> bridges;
+  ContourExtraction holes;
+};
+
 /** \brief What surveyModel() found. */
 struct ModelSurvey {
   IncompleteModel model; /**< islands wound outward as far as that could be told */
@@ -68,8 +81,9 @@ struct ModelSurvey {
   std::vector<LoopClass> classes; /**< one a loop */
   IcmCounts counts;
   IcmClass icm_class = IcmClass::ICM1;
-  double spacing = 0.0;                /**< mean source spacing, units of the cloud */
-  SurveyedField between_islands;       /**< step ICM3 -> ICM2 */
+  double spacing = 0.0;          /**< mean source spacing, units of the cloud */
+  SurveyedField between_islands; /**< step ICM3 -> ICM2 */
+  SurveyedBridges joined;
   std::vector<SurveyedField> in_holes; /**< step ICM2 -> ICM1: complex holes */
   std::vector<std::pair<std::string, double>> seconds; /**< of each stage */
   bool cancelled = false;
@@ -85,7 +99,7 @@ struct FieldSlice {
   std::vector<double> tension; /**< greatest |H n| over all n, row by row */
 };
 
-/** \brief Read, orient, classify and trace: everything but bridges and triangles.
+/** \brief Read, orient, classify, trace and choose bridges: everything but triangles.
  * \param[in] free_points a separate cloud of free points, or null
  * \return with reading.problem set when there is no model */
 ModelSurvey

@@ -27,15 +27,19 @@ struct Bridge {
 Bridge
 bridgeAlong(const ForceLine& line);
 
+/** \brief How near supporting points of a boundary may be to each other (C4.47-2). */
+struct SupportSpacing {
+  double share = 1.0; /**< least arc length, in lengths of the line that asks */
+  double least = 0.0; /**< least arc length in any case, units of the cloud, above 0 */
+};
+
 /** \brief Choose bridges among force lines: those that reached a boundary, the best
- * first, no two supporting points of a boundary nearer to each other along it than
- * \a apart (C4.47-2). Lines of equal quality go by index.
- * \param[in] boundaries the curves that the lines' ends refer to
- * \param[in] apart arc length, above 0 */
+ * first, each with room on both of its boundaries. Lines of equal quality go by index.
+ * \param[in] boundaries the curves that the lines' ends refer to */
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
-              double apart);
+              const SupportSpacing& spacing);
 
 } // namespace repair
 } // namespace pcl
