@@ -134,6 +134,23 @@ describeLines(const ModelSurvey& survey)
   return list;
 }
 
+/** \brief Bridges that would join the islands, and how many holes they leave. */
+json
+describeBridges(const ModelSurvey& survey)
+{
+  const auto& joined = survey.joined;
+  json list = json::array();
+  for (const auto& bridge : joined.bridges)
+    list.push_back({{"from_loop", joined.loops[bridge.begin.curve]},
+                    {"to_loop", joined.loops[bridge.end.curve]},
+                    {"from", describePosition(bridge.begin.position)},
+                    {"to", describePosition(bridge.end.position)},
+                    {"quality", bridge.quality}});
+  return {{"list", std::move(list)},
+          {"deleted", joined.holes.removed_bridges},
+          {"holes_left", joined.holes.contours.size()}};
+}
+
 json
 describeParameters(const RepairSettings& settings)
 {
@@ -151,6 +168,7 @@ describeParameters(const RepairSettings& settings)
           {"trust", field.trust},
           {"simple_edges", settings.survey.simple_edges},
           {"hole_threshold", settings.survey.hole_threshold},
+          {"bridge_spacing", settings.survey.bridge_spacing},
           {"line_spacing", settings.survey.line_spacing}};
 }
 
@@ -241,6 +259,19 @@ tellLines(const ModelSurvey& survey)
   return row("force lines", count, ends.text());
 }
 
+std::string
+tellBridges(const ModelSurvey& survey)
+{
+  const auto& joined = survey.joined;
+  if (joined.bridges.empty())
+    return "";
+  return row("bridges",
+             joined.bridges.size() - joined.holes.removed_bridges.size(),
+             "would join islands and leave " +
+                 std::to_string(joined.holes.contours.size()) + " holes; " +
+                 std::to_string(joined.holes.removed_bridges.size()) + " deleted");
+}
+
 /** \brief What was not taken as it is; empty if nothing. */
 std::string
 tellReading(const ReadingReport& reading)
@@ -282,6 +313,7 @@ describeSurvey(const RepairSettings& settings,
           {"loops", describeLoops(survey)},
           {"origins", survey.between_islands.origins.size()},
           {"lines", describeLines(survey)},
+          {"bridges", describeBridges(survey)},
           {"parameters", describeParameters(settings)},
           {"stages", describeStages(survey.seconds, points)},
           {"total_seconds", totalSeconds(survey)},
@@ -299,7 +331,8 @@ summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
                      std::to_string(survey.counts.simple_holes) + " simple and " +
                      std::to_string(survey.counts.complex_holes) + " complex holes\n";
   text += row("triangles", survey.model.triangles.size(), "");
-  text += tellIslands(survey) + tellLoops(survey) + tellLines(survey);
+  text +=
+      tellIslands(survey) + tellLoops(survey) + tellLines(survey) + tellBridges(survey);
   text += row("free points", survey.model.free_points.size(), "");
   text += tellReading(survey.reading);
   char seconds[64];

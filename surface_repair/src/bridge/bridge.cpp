@@ -41,6 +41,14 @@ private:
   std::map<std::size_t, std::set<double>> arcs_;
 };
 
+/** Quality made comparable between lines over gaps of different widths, whose L_2
+ * differ: see strongestOrigins(). */
+double
+rankOf(const ForceLine& line)
+{
+  return line.length > 0.0 ? line.quality / (line.length * line.length) : 0.0;
+}
+
 /** Of a line within one boundary the two ends must keep their distance as well. */
 bool
 endsAreApart(const Bridge& bridge, const BoundaryEdges& boundaries, double apart)
@@ -67,7 +75,7 @@ selectBridges(const std::vector<ForceLine>& lines,
   std::vector<std::size_t> order(lines.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return lines[a].quality > lines[b].quality;
+    return rankOf(lines[a]) > rankOf(lines[b]);
   });
   TakenPoints taken(boundaries);
   std::vector<Bridge> chosen;

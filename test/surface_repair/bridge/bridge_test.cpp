@@ -52,14 +52,23 @@ TEST(BridgeSelection, SupportingPointsOfABoundaryKeepTheirDistance)
       }
 }
 
-TEST(BridgeSelection, BestLineIsTheFirstBridge)
+TEST(BridgeSelection, OfEquallyLongLinesTheOneOfHigherQualityComesFirst)
 {
   const Islands caps = twoCaps();
-  const std::vector<ForceLine> lines = linesOf(caps);
-  double best = 0.0;
-  for (const ForceLine& line : lines)
-    best = std::max(best, line.quality);
-  EXPECT_EQ(best, selectBridges(lines, caps.targets, {0.0, 0.4}).front().quality);
+  std::vector<ForceLine> lines = linesOf(caps);
+  for (ForceLine& line : lines)
+    line.length = 0.7;
+  lines[20].quality = 100.0;
+  EXPECT_EQ(100.0, selectBridges(lines, caps.targets, {0.0, 0.4}).front().quality);
+}
+
+TEST(BridgeSelection, ShorterLineComesFirst)
+{
+  const Islands caps = twoCaps();
+  std::vector<ForceLine> lines = linesOf(caps);
+  lines[20].length = 0.1;
+  EXPECT_EQ(lines[20].points,
+            selectBridges(lines, caps.targets, {0.0, 0.4}).front().points);
 }
 
 TEST(BridgeSelection, LineThatDidNotArriveIsNoBridge)

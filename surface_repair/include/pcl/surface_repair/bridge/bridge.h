@@ -34,8 +34,10 @@ struct SupportSpacing {
 };
 
 /** \brief Choose bridges among force lines: those that reached a boundary, the best
- * first, each with room on both of its boundaries. Lines of equal quality go by index.
- * \param[in] boundaries the curves that the lines' ends refer to */
+ * first, each with room on both of its boundaries. The best has the highest quality by
+ * the square of its length: |f| grows with L_2, and L_2 with the gap, so that quality
+ * alone would prefer wide gaps. Equal ones go by index. \param[in] boundaries the
+ * curves that the lines' ends refer to */
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
