@@ -43,6 +43,10 @@ echo
 "$bin/pcl_mesh_quality" "$demo/bunny.ply"
 "$bin/pcl_render_mesh" "$demo/bunny.ply" "$demo/bunny.png"
 echo
+echo "What it lacks:"
+"$bin/pcl_repair_holes" "$demo/bunny.ply" --inspect "$demo/lacks"
+echo
 echo "Mesh:    $PWD/$demo/bunny.ply"
 echo "Picture: $PWD/$demo/bunny.png"
+echo "Holes:   $PWD/$demo/lacks/loops.png, lines.png"
 echo "Report:  $PWD/$demo/bunny.json"
