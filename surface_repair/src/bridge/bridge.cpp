@@ -13,6 +13,10 @@ namespace repair {
 
 namespace {
 
+/** A boundary has room for so many supporting points, however small it is: an island
+ * that one bridge reaches cannot keep it (C4.47-3). */
+constexpr double LEAST_SUPPORTS = 6.0;
+
 /** The supporting points that are taken, by curve and arc. */
 class TakenPoints {
 public:
@@ -25,8 +29,10 @@ public:
     if (taken == arcs_.end())
       return true;
     const double arc = boundaries_.arcAt(point);
+    const double wanted =
+        std::min(apart, boundaries_.lengthOf(point.curve) / LEAST_SUPPORTS);
     return std::all_of(taken->second.begin(), taken->second.end(), [&](double other) {
-      return boundaries_.arcBetween(point.curve, arc, other) >= apart;
+      return boundaries_.arcBetween(point.curve, arc, other) >= wanted;
     });
   }
 

@@ -27,7 +27,8 @@ struct Bridge {
 Bridge
 bridgeAlong(const ForceLine& line);
 
-/** \brief How near supporting points of a boundary may be to each other (C4.47-2). */
+/** \brief How near supporting points of a boundary may be to each other (C4.47-2). A
+ * boundary that is too short for six of them gets a sixth of its length. */
 struct SupportSpacing {
   double share = 1.0; /**< least arc length, in lengths of the line that asks */
   double least = 0.0; /**< least arc length in any case, units of the cloud, above 0 */
