@@ -130,7 +130,6 @@ shareParameters(SurveyParameters& parameters)
 {
   parameters.orientation.room = parameters.field.room;
   parameters.tracker.room = parameters.field.room;
-  parameters.perturbation.trust = parameters.field.trust;
 }
 
 Status

@@ -156,6 +156,24 @@ TEST(ModelSurvey, FreePointsOnTheSphereLiftTheLines)
   EXPECT_GT(top(survey(meshOf(shape))), top(survey(meshOf(shape), without_trust)));
 }
 
+TEST(ModelSurvey, MoreTrustInFreePointsLiftsTheLinesMore)
+{
+  Shape shape = sphereWithHole();
+  for (const Position& point : icosphere(3).vertices)
+    if (point.z() > 0.8)
+      shape.vertices.push_back(1.05 * point); // above the sphere
+  const auto lift = [&shape](double trust) {
+    SurveyParameters parameters;
+    parameters.field.trust = trust;
+    double sum = 0.0;
+    for (const ForceLine& line : survey(meshOf(shape), parameters).in_holes.at(0).lines)
+      for (const Position& point : line.points)
+        sum += point.z();
+    return sum;
+  };
+  EXPECT_GT(lift(0.9), lift(0.3));
+}
+
 TEST(ModelSurvey, ResultIsTheSameForAnyNumberOfThreads)
 {
   const auto mesh = meshOf(twoCaps());

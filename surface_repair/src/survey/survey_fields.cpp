@@ -78,11 +78,13 @@ traceLines(const IndicatorField& field,
   const ForceLineTracker tracker(
       field, targets, parameters.tracker, surroundings.surface.get());
   surveyed.lines = tracker.track(origins, context);
+  PerturbationParameters perturbation = parameters.perturbation;
+  perturbation.trust = parameters.field.trust; // k_t is one number (4.424, 4.6)
   for (std::size_t i = 0; i < surveyed.lines.size(); ++i) {
     ForceLine& line = surveyed.lines[i];
     line = resampled(line, origins[i].query.falloff.near);
     if (line.end == LineEnd::BRIDGE && surroundings.free_points)
-      line = perturbed(line, *surroundings.free_points, parameters.perturbation);
+      line = perturbed(line, *surroundings.free_points, perturbation);
   }
 }
 

@@ -46,7 +46,7 @@ struct SurveyParameters {
   OrientationParameters orientation;
   ClassificationParameters classification;
   TrackerParameters tracker;
-  PerturbationParameters perturbation;
+  PerturbationParameters perturbation;          /**< its trust is that of the field */
   std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
   double hole_threshold = 0.25; /**< T of a hole (4.5), in lengths of its boundary */
   double bridge_spacing = 0.5;  /**< least arc length between bridges, in lengths of the
