@@ -165,8 +165,9 @@ TEST(ModelSurvey, MoreTrustInFreePointsLiftsTheLinesMore)
   const auto lift = [&shape](double trust) {
     SurveyParameters parameters;
     parameters.field.trust = trust;
+    const ModelSurvey found = survey(meshOf(shape), parameters);
     double sum = 0.0;
-    for (const ForceLine& line : survey(meshOf(shape), parameters).in_holes.at(0).lines)
+    for (const ForceLine& line : found.in_holes.at(0).lines)
       for (const Position& point : line.points)
         sum += point.z();
     return sum;
