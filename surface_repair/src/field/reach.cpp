@@ -83,5 +83,25 @@ meanSpacing(const Positions& points)
   return sum / static_cast<double>(points.size());
 }
 
+double
+quantile(std::vector<double> values, double share)
+{
+  if (values.empty())
+    return std::numeric_limits<double>::infinity();
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
+                                          share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::vector<double>
+gapsAlong(const SourceCurve& curve, const GapFinder& gaps)
+{
+  std::vector<double> all;
+  for (const FieldSource& source : curve.sources)
+    all.push_back(gaps.gapAt(source.position, curve.island));
+  return all;
+}
+
 } // namespace repair
 } // namespace pcl

@@ -80,6 +80,16 @@ onCubic(const ForceLine& line, std::size_t k, double share)
 
 } // namespace
 
+void
+bringNormalsAcross(ForceLine& line)
+{
+  for (std::size_t k = 1; k + 1 < line.points.size(); ++k) {
+    const Direction across = unitAcross(line.normals[k], directionAt(line, k));
+    if (!across.isZero())
+      line.normals[k] = across;
+  }
+}
+
 ForceLine
 resampled(const ForceLine& line, double spacing)
 {
@@ -112,11 +122,7 @@ resampled(const ForceLine& line, double spacing)
   even.points.push_back(line.points.back());
   even.normals.push_back(line.normals.back());
   even.tensions.push_back(line.tensions.back());
-  for (std::size_t i = 1; i + 1 < even.points.size(); ++i) {
-    const Direction across = unitAcross(even.normals[i], directionAt(even, i));
-    if (!across.isZero())
-      even.normals[i] = across;
-  }
+  bringNormalsAcross(even);
   return even;
 }
 

@@ -35,27 +35,6 @@ sample(const BoundaryLoops& loops, std::size_t loop, double spacing)
   return curve;
 }
 
-/** The value that a share of all values stays below; infinite without values. */
-double
-quantile(std::vector<double> values, double share)
-{
-  if (values.empty())
-    return std::numeric_limits<double>::infinity();
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                          share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-std::vector<double>
-gapsAlong(const SourceCurve& curve, const GapFinder& gaps)
-{
-  std::vector<double> all;
-  for (const FieldSource& source : curve.sources)
-    all.push_back(gaps.gapAt(source.position, curve.island));
-  return all;
-}
-
 /** Sources one edge apart, closer where the gap to the next island is narrower than
  * that: a boundary's force on a point nearer than its sources has no direction. */
 SourceSet
@@ -158,7 +137,7 @@ queriesOf(std::size_t island,
         continue;
       FieldQuery query;
       query.position = source.position;
-      query.falloff = {curve.spacing, std::max(room * gap, 4.0 * curve.spacing), CHI};
+      query.falloff = sourceFalloff(curve.spacing, gap, CHI, room);
       base.queries.push_back(query);
       base.places.push_back(&source);
       base.facing.push_back(facing);

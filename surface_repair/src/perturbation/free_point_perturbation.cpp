@@ -61,17 +61,6 @@ arcLengths(const Positions& points)
   return arcs;
 }
 
-void
-followDirections(ForceLine& line)
-{
-  for (std::size_t k = 1; k + 1 < line.points.size(); ++k) {
-    const Direction along = (line.points[k + 1] - line.points[k - 1]).normalized();
-    const Eigen::Vector3d across = line.normals[k] - line.normals[k].dot(along) * along;
-    if (across.norm() > 1e-9)
-      line.normals[k] = across.normalized();
-  }
-}
-
 } // namespace
 
 double
@@ -120,7 +109,7 @@ perturbed(const ForceLine& line,
                        displacementAt(line, k, free_points, parameters) *
                        line.normals[k];
   }
-  followDirections(moved);
+  bringNormalsAcross(moved);
   moved.length = arcLengths(moved.points).back();
   return moved;
 }

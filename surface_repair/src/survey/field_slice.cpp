@@ -67,7 +67,7 @@ sliceField(const ModelSurvey& survey,
   query.falloff.far =
       parameters.far > 0.0
           ? parameters.far
-          : std::max(parameters.room * islands.mean_gap, 8.0 * slice.across.norm());
+          : std::max(parameters.room * islands.median_gap, 8.0 * slice.across.norm());
   query.falloff.exponent = parameters.falloff_exponent;
   std::vector<FieldQuery> queries;
   for (std::size_t row = 0; row < slice.rows; ++row)

@@ -80,16 +80,13 @@ traceFields(const SurveyParameters& parameters,
 {
   const IslandSources islands = islandSources(survey, parameters.field);
   survey.spacing = islands.sources.spacing;
-  const Surroundings surroundings =
-      makeSurroundings(survey, parameters.field, islands.mean_gap);
-  survey.between_islands =
-      surveyIslands(survey, parameters, islands, surroundings, context);
+  const SurveyGuides guides = makeGuides(survey, parameters.field, islands.median_gap);
+  survey.between_islands = surveyIslands(survey, parameters, islands, guides, context);
   survey.joined = joinIslands(survey, parameters, islands);
   for (std::size_t k = 0; k < survey.loops.size() && !context.cancelled(); ++k)
     if (isOpenHole(survey.classes[k]) &&
         survey.loops[k].vertices.size() > parameters.simple_edges)
-      survey.in_holes.push_back(
-          surveyHole(survey, k, parameters, surroundings, context));
+      survey.in_holes.push_back(surveyHole(survey, k, parameters, guides, context));
 }
 
 } // namespace

@@ -34,13 +34,13 @@ targetsOf(const SourceSet& sources, const BoundaryLoops& loops)
 IndicatorField
 makeField(const SourceSet& sources,
           const FieldParameters& parameters,
-          const Surroundings& surroundings)
+          const SurveyGuides& guides)
 {
   const bool full = parameters.mode == FieldMode::FULL;
   return IndicatorField(sources,
                         parameters.interpolation,
-                        full ? surroundings.free_points.get() : nullptr,
-                        full ? surroundings.surface.get() : nullptr);
+                        full ? guides.free_points.get() : nullptr,
+                        full ? guides.surface.get() : nullptr);
 }
 
 /** Median of the gaps of all sources; 0 when there is one island only. */
@@ -48,18 +48,12 @@ double
 medianGap(const SourceSet& sources)
 {
   const GapFinder gaps(sources);
-  std::vector<double> all;
+  std::vector<double> finite;
   for (const SourceCurve& curve : sources.curves)
-    for (const FieldSource& source : curve.sources) {
-      const double gap = gaps.gapAt(source.position, curve.island);
+    for (const double gap : gapsAlong(curve, gaps))
       if (std::isfinite(gap))
-        all.push_back(gap);
-    }
-  if (all.empty())
-    return 0.0;
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  return *middle;
+        finite.push_back(gap);
+  return finite.empty() ? 0.0 : quantile(std::move(finite), 0.5);
 }
 
 /** Trace from the strongest origins; what becomes a bridge is pulled by free points. */
@@ -67,7 +61,7 @@ void
 traceLines(const IndicatorField& field,
            const BoundaryEdges& targets,
            const SurveyParameters& parameters,
-           const Surroundings& surroundings,
+           const SurveyGuides& guides,
            const ccaa::LoopContext& context,
            SurveyedField& surveyed)
 {
@@ -76,15 +70,15 @@ traceLines(const IndicatorField& field,
        strongestOrigins(surveyed.origins, targets, parameters.line_spacing))
     origins.push_back(surveyed.origins[i].origin);
   const ForceLineTracker tracker(
-      field, targets, parameters.tracker, surroundings.surface.get());
+      field, targets, parameters.tracker, guides.surface.get());
   surveyed.lines = tracker.track(origins, context);
   PerturbationParameters perturbation = parameters.perturbation;
   perturbation.trust = parameters.field.trust; // k_t is one number (4.424, 4.6)
   for (std::size_t i = 0; i < surveyed.lines.size(); ++i) {
     ForceLine& line = surveyed.lines[i];
     line = resampled(line, origins[i].query.falloff.near);
-    if (line.end == LineEnd::BRIDGE && surroundings.free_points)
-      line = perturbed(line, *surroundings.free_points, perturbation);
+    if (line.end == LineEnd::BRIDGE && guides.free_points)
+      line = perturbed(line, *guides.free_points, perturbation);
   }
 }
 
@@ -101,47 +95,47 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
     all.back().island = survey.loops[k].island;
   }
   IslandSources islands;
-  islands.mean_gap = medianGap(gatherSources(std::move(all)));
+  islands.median_gap = medianGap(gatherSources(std::move(all)));
   const double reach =
-      parameters.far > 0.0 ? parameters.far : parameters.room * islands.mean_gap;
+      parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;
   islands.sources = sampleIslandSources(survey.loops, is_hole, reach, parameters.near);
   return islands;
 }
 
-Surroundings
-makeSurroundings(const ModelSurvey& survey,
-                 const FieldParameters& parameters,
-                 double mean_gap)
+SurveyGuides
+makeGuides(const ModelSurvey& survey,
+           const FieldParameters& parameters,
+           double median_gap)
 {
-  Surroundings surroundings;
-  surroundings.surface = std::make_unique<Shield>(survey.model);
+  SurveyGuides guides;
+  guides.surface = std::make_unique<Shield>(survey.model);
   const Positions& points = survey.model.free_points;
   if (points.empty() || !(parameters.trust > 0.0))
-    return surroundings;
+    return guides;
   const double spacing = parameters.free_point_near > 0.0 ? parameters.free_point_near
                                                           : meanSpacing(points);
-  Falloff falloff = freePointFalloff(spacing, mean_gap, parameters.free_point_exponent);
+  Falloff falloff =
+      freePointFalloff(spacing, median_gap, parameters.free_point_exponent);
   if (parameters.free_point_far > 0.0)
     falloff.far = parameters.free_point_far;
-  surroundings.free_points =
+  guides.free_points =
       std::make_unique<FreePointField>(points, falloff, parameters.trust);
-  return surroundings;
+  return guides;
 }
 
 SurveyedField
 surveyIslands(const ModelSurvey& survey,
               const SurveyParameters& parameters,
               const IslandSources& islands,
-              const Surroundings& surroundings,
+              const SurveyGuides& guides,
               const ccaa::LoopContext& context)
 {
   SurveyedField surveyed;
   const BoundaryEdges targets = targetsOf(islands.sources, survey.loops);
-  const IndicatorField field =
-      makeField(islands.sources, parameters.field, surroundings);
+  const IndicatorField field = makeField(islands.sources, parameters.field, guides);
   surveyed.origins =
       originsBetweenIslands(field, targets, reachOf(parameters.field), context);
-  traceLines(field, targets, parameters, surroundings, context, surveyed);
+  traceLines(field, targets, parameters, guides, context, surveyed);
   return surveyed;
 }
 
@@ -166,7 +160,7 @@ SurveyedField
 surveyHole(const ModelSurvey& survey,
            std::size_t loop,
            const SurveyParameters& parameters,
-           const Surroundings& surroundings,
+           const SurveyGuides& guides,
            const ccaa::LoopContext& context)
 {
   SurveyedField surveyed;
@@ -176,11 +170,11 @@ surveyHole(const ModelSurvey& survey,
   curve.loop = loop;
   const SourceSet sources = gatherSources({std::move(curve)});
   const BoundaryEdges targets = targetsOf(sources, survey.loops);
-  const IndicatorField field = makeField(sources, parameters.field, surroundings);
+  const IndicatorField field = makeField(sources, parameters.field, guides);
   const double threshold = parameters.hole_threshold * survey.loops[loop].length;
   surveyed.origins =
       originsInHole(field, targets, 0, threshold, reachOf(parameters.field), context);
-  traceLines(field, targets, parameters, surroundings, context, surveyed);
+  traceLines(field, targets, parameters, guides, context, surveyed);
   return surveyed;
 }
 

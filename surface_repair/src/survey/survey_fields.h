@@ -15,7 +15,7 @@ namespace repair {
 
 /** \brief What is built once for all fields of a survey; null where it is not needed.
  */
-struct Surroundings {
+struct SurveyGuides {
   std::unique_ptr<Shield> surface;
   std::unique_ptr<FreePointField> free_points;
 };
@@ -23,7 +23,7 @@ struct Surroundings {
 /** \brief The sources of step ICM3 -> ICM2, and the boundaries they stand for. */
 struct IslandSources {
   SourceSet sources;
-  double mean_gap = 0.0; /**< median distance to another island; 0: there is none */
+  double median_gap = 0.0; /**< median distance to another island; 0: there is none */
 };
 
 IslandSources
@@ -31,17 +31,17 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters);
 
 /** \brief Surface and free points as obstacles and guides (full mode needs both, the
  * tracker the surface, the perturbation the free points). */
-Surroundings
-makeSurroundings(const ModelSurvey& survey,
-                 const FieldParameters& parameters,
-                 double mean_gap);
+SurveyGuides
+makeGuides(const ModelSurvey& survey,
+           const FieldParameters& parameters,
+           double median_gap);
 
 /** \brief Lines between islands. */
 SurveyedField
 surveyIslands(const ModelSurvey& survey,
               const SurveyParameters& parameters,
               const IslandSources& islands,
-              const Surroundings& surroundings,
+              const SurveyGuides& guides,
               const ccaa::LoopContext& context);
 
 /** \brief Bridges among the lines between islands, and the contours they make. */
@@ -55,7 +55,7 @@ SurveyedField
 surveyHole(const ModelSurvey& survey,
            std::size_t loop,
            const SurveyParameters& parameters,
-           const Surroundings& surroundings,
+           const SurveyGuides& guides,
            const ccaa::LoopContext& context);
 
 } // namespace repair

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace pcl {
 namespace repair {
@@ -42,6 +43,15 @@ private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/** \brief The gaps at all sources of a curve, its own island silent. */
+std::vector<double>
+gapsAlong(const SourceCurve& curve, const GapFinder& gaps);
+
+/** \brief The value that a share (0 to below 1) of all values stays below; infinite
+ * without values. */
+double
+quantile(std::vector<double> values, double share);
 
 /** \brief q_1 for a place with a gap to cross (4.45): L_1 is the source spacing, L_2
  * the gap with room, at least 4 spacings. Nothing reaches anywhere across an infinite

@@ -50,5 +50,11 @@ struct ForceLine {
   double quality = 0.0; /**< mean |f| along the line (4.41) */
 };
 
+/** \brief Turn the inner normals of a line across it (its direction at a point is that
+ * of the chord of the neighbours) and bring them to unit length. One along the line
+ * stays as it is. */
+void
+bringNormalsAcross(ForceLine& line);
+
 } // namespace repair
 } // namespace pcl
