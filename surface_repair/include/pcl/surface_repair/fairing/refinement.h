@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: new vertices until a patch is as dense as what is around.
+
+#pragma once
+
+#include <pcl/surface_repair/darning/patch.h>
+
+namespace pcl {
+namespace repair {
+
+struct RefinementParameters {
+  /** \brief Edge length wanted, in those of the surface around: above 0. Default 1. */
+  double edge_length = 1.0;
+  /** \brief Greatest number of new vertices in a patch: beyond it triangles stay as
+   * large as they are then. Default 1 million. */
+  std::size_t greatest_number = 1000000;
+};
+
+/** \brief Split and flip edges until their lengths follow those of the model around
+ * (Liepa 2003): the wanted length at a vertex of the rim is the mean length of the
+ * model's edges there, within the patch it is interpolated.
+ *
+ * Edges on the border of the patch stay. No edge between two vertices of the rim is
+ * left within the patch if the model has that edge too. New vertices are appended;
+ * those that were there keep their numbers and places; a triangle keeps its hole (one
+ * of a flipped pair, either of theirs). */
+void
+refinePatch(const IncompleteModel& model,
+            const RefinementParameters& parameters,
+            Patch& patch);
+
+} // namespace repair
+} // namespace pcl

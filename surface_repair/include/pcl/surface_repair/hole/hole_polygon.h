@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a hole as a closed polygon of vertices, ready to be darned.
+
+#pragma once
+
+#include <pcl/surface_repair/boundary/boundary_loop.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The closed contour of one hole, the surface on the left. Its points are
+ * vertices of the model, and new ones on bridges. */
+struct HolePolygon {
+  BoundaryCurve curve; /**< normals: external, of the surface or the bridge along each
+                            edge */
+  std::vector<pcl::index_t> vertices; /**< one a point: below the number of the model's
+                                           vertices one of these, from there on a new
+                                           one */
+
+  std::size_t
+  size() const
+  {
+    return vertices.size();
+  }
+};
+
+} // namespace repair
+} // namespace pcl

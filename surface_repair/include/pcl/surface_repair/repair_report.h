@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what a repair found and did.
+
+#pragma once
+
+#include <pcl/surface_repair/boundary/classification.h>
+#include <pcl/surface_repair/icadm/icm_class.h>
+#include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/surface_repair/orientation/island_orientation.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+
+/** \brief An island of the input. */
+struct RepairedIsland {
+  std::size_t triangles = 0;
+  double area = 0.0; /**< squared units of the cloud */
+  bool closed = false;
+  bool one_sided = false; /**< left alone */
+  repair::IslandSide side;
+};
+
+/** \brief A boundary loop of the input. */
+struct RepairedLoop {
+  std::size_t island = 0;
+  std::size_t edges = 0;
+  double length = 0.0;       /**< units of the cloud */
+  pcl::index_t point = -1;   /**< a point of the cloud on it */
+  repair::LoopClass decided; /**< class, confidence and evidence */
+};
+
+/** \brief A bridge that was built. */
+struct RepairBridge {
+  pcl::index_t begin = -1; /**< supporting points: points of the cloud */
+  pcl::index_t end = -1;
+  std::size_t begin_island = 0;
+  std::size_t end_island = 0;
+  repair::Positions points; /**< as built, before fairing; ends included */
+  repair::Directions normals;
+  double quality = 0.0;     /**< mean tension (4.41) */
+  bool within_hole = false; /**< it divides a hole (4.5); else it joins islands */
+};
+
+/** \brief Why a hole was left open. */
+enum class OpenReason : std::uint8_t {
+  NONE,         /**< it is closed */
+  OUTER_BORDER, /**< no hole: the outer border of an open surface */
+  UNDECIDED,    /**< hole or border is not clear */
+  ONE_SIDED,    /**< its island has no two sides */
+  TOO_LARGE,    /**< more edges than the greatest number to be closed */
+  NO_DARN,      /**< no darning method closes it */
+  NOT_MANIFOLD, /**< closing it would make an edge of three triangles */
+  INTERSECTION  /**< closing it would run through the surface or another patch */
+};
+
+/** \brief A sentence part for messages, such as "its patch would run through the
+ * surface". */
+const char*
+describe(OpenReason reason);
+
+/** \brief Whether something that should be closed was left open for this reason: all
+ * but NONE and OUTER_BORDER. */
+bool
+isShortfall(OpenReason reason);
+
+/** \brief A hole, bounded by sections of boundaries and by bridges, and what became of
+ * it. */
+struct RepairedHole {
+  std::size_t edges = 0;
+  double length = 0.0;              /**< units of the cloud */
+  pcl::index_t point = -1;          /**< a point of the cloud on it */
+  std::vector<std::size_t> bridges; /**< that it passes, indices into the report's */
+  std::vector<std::size_t> islands; /**< that it touches, ascending */
+  OpenReason open = OpenReason::NONE;
+  std::string darning;       /**< name of the method, empty where it is open */
+  std::size_t triangles = 0; /**< new ones */
+  std::size_t tries = 0;     /**< darnings that were tried before */
+};
+
+/** \brief Where a triangle of the output comes from. */
+enum class TriangleOrigin : std::uint8_t {
+  INPUT,          /**< a triangle of the input */
+  FAN,            /**< thesis 4.7 */
+  MINIMUM_WEIGHT, /**< minimum-weight triangulation */
+  COMPLETION      /**< base algorithm, with free points as vertices */
+};
+
+const char*
+describe(TriangleOrigin origin);
+
+/** \brief What one run of ForceLineHoleRepair found and did. */
+struct RepairReport {
+  repair::ReadingReport reading;
+  std::size_t free_points = 0;
+  std::vector<RepairedIsland> islands;
+  std::vector<RepairedLoop> loops;
+  std::vector<RepairBridge> bridges;
+  std::vector<RepairedHole> holes; /**< all boundaries that were there after bridging */
+  repair::IcmCounts counts_before;
+  repair::IcmCounts counts_after;
+  repair::IcmClass class_before = repair::IcmClass::ICM1;
+  repair::IcmClass class_after = repair::IcmClass::ICM1;
+  std::size_t input_triangles = 0;
+  std::size_t new_triangles = 0;
+  std::size_t new_vertices = 0;
+  std::vector<TriangleOrigin> origins; /**< one a triangle of the output */
+  std::vector<std::size_t> hole_of;    /**< one a triangle of the output: index into
+                                            holes, repair::NONE for input triangles */
+  std::size_t shortfalls = 0;          /**< holes left open that should be closed */
+  std::vector<std::pair<std::string, double>> seconds; /**< of each step */
+  bool cancelled = false;
+
+  /** \brief All that should be closed is closed. */
+  bool
+  complete() const
+  {
+    return !cancelled && shortfalls == 0;
+  }
+};
+
+} // namespace pcl
