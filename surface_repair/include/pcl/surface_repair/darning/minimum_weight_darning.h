@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a hole closed by the triangulation of least weight.
+
+#pragma once
+
+#include <pcl/surface_repair/darning/darning_method.h>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The triangulation of the polygon itself that weighs least, found by dynamic
+ * programming (Barequet and Sharir 1995, Liepa 2003); no inner points.
+ *
+ * The weight is a sum over triangles and edges: size of the circumcircles, and length
+ * times a penalty of the fold, against the surface around as well. Where the best
+ * triangulation meets itself, one with another balance of the two is taken instead if
+ * it does not. No edge joins two points that are joined already, and no triangle is
+ * obstructed: if there is no such triangulation, the darn has a problem.
+ *
+ * Up to 160 points every diagonal is looked at. Longer polygons are triangulated at
+ * every second point first, and so on down to 160; then only diagonals near those of
+ * the coarser triangulation are looked at. Cost: see doc/concepts/darning.md. */
+class MinimumWeightDarning : public DarningMethod {
+public:
+  const char*
+  name() const override
+  {
+    return "minimum weight";
+  }
+
+  std::size_t
+  simpleEdges() const override
+  {
+    return 100;
+  }
+
+  Darn
+  close(const DarningTask& task) const override;
+};
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of the triangulation of least weight.
+
+#include <pcl/surface_ccaa/mesh/intersection.h>
+#include <pcl/surface_repair/darning/disc_check.h>
+#include <pcl/surface_repair/darning/minimum_weight_darning.h>
+
+#include <gtest/gtest.h>
+
+#include "darning_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using test::areaOf;
+using test::holeIn;
+using test::HoleShape;
+
+Darn
+darnOf(const DarningTask& task)
+{
+  return MinimumWeightDarning().close(task);
+}
+
+bool
+hasEdge(const Darn& darn, pcl::index_t a, pcl::index_t b)
+{
+  return std::any_of(darn.triangles.begin(), darn.triangles.end(), [&](Triangle t) {
+    return std::count(t.begin(), t.end(), a) == 1 &&
+           std::count(t.begin(), t.end(), b) == 1;
+  });
+}
+
+std::size_t
+meetings(const DarningTask& task, const Darn& darn)
+{
+  ccaa::RunControl control;
+  return ccaa::findSelfIntersections(darn.triangles, task.polygon.points, 1, control)
+      .pairs.size();
+}
+
+/** A hole along three quarters of a circle's circumference, two edges high. */
+DarningTask
+slitAlongTube(std::size_t along)
+{
+  DarningTask task;
+  const auto at = [&](std::size_t k, double z) {
+    const double angle =
+        1.5 * M_PI * static_cast<double>(k) / static_cast<double>(along);
+    return Position(std::cos(angle), std::sin(angle), z);
+  };
+  for (std::size_t k = 0; k < along; ++k)
+    task.polygon.points.push_back(at(k, 0.2));
+  for (std::size_t k = along; k > 0; --k)
+    task.polygon.points.push_back(at(k, 0.0));
+  task.polygon.points.push_back(at(0, 0.0));
+  task.polygon.points.insert(
+      task.polygon.points.begin() + static_cast<std::ptrdiff_t>(along), at(along, 0.2));
+  for (std::size_t k = 0; k < task.polygon.size(); ++k) {
+    Position middle = task.polygon.points[k] + 0.5 * task.polygon.edge(k);
+    middle.z() = 0.0;
+    task.polygon.normals.push_back(middle.normalized());
+  }
+  return task;
+}
+
+TEST(MinimumWeightDarning, IsADiscForAnyNumberOfEdges)
+{
+  for (const std::size_t edges : {3, 4, 5, 6, 17, 160, 161, 162, 333, 600, 2001}) {
+    const Darn darn = darnOf(holeIn({edges, test::saddleHeight, 0.02}));
+    EXPECT_TRUE(isDisc(darn, edges)) << edges;
+    EXPECT_TRUE(darn.inner.empty());
+  }
+}
+
+TEST(MinimumWeightDarning, FlatHoleIsCoveredOnce)
+{
+  for (const auto& [edges, roughness] :
+       {std::pair<std::size_t, double>{30, 0.2}, {150, 0.2}, {400, 0.02}}) {
+    const DarningTask task = holeIn({edges, HoleShape().height, roughness});
+    double doubled = 0.0; // of the polygon, clockwise
+    for (std::size_t k = 0; k < edges; ++k)
+      doubled -=
+          task.polygon.points[k].cross(task.polygon.points[task.polygon.next(k)]).z();
+    EXPECT_NEAR(0.5 * doubled, areaOf(task, darnOf(task)), 1e-9);
+  }
+}
+
+TEST(MinimumWeightDarning, CapsAndSaddlesDoNotMeetThemselves)
+{
+  for (const auto& height : {test::capHeight, test::saddleHeight})
+    for (const double roughness : {0.0, 0.05}) {
+      const DarningTask task = holeIn({120, height, roughness});
+      EXPECT_EQ(0U, meetings(task, darnOf(task)));
+    }
+}
+
+TEST(MinimumWeightDarning, SlitIsClosedAcrossNotOverTheTube)
+{
+  const DarningTask task = slitAlongTube(40);
+  const double exact = 1.5 * M_PI * 0.2;
+  EXPECT_NEAR(exact, areaOf(task, darnOf(task)), 0.02 * exact);
+}
+
+TEST(MinimumWeightDarning, FoldsAgainstTheSurfaceDecide)
+{
+  // Either diagonal folds by the same angle: a valley, or a ridge.
+  DarningTask task;
+  task.polygon.points = {{0, 0, 0}, {0, 1, 0.3}, {1, 1, 0}, {1, 0, 0.3}};
+  const Direction valley[2] = {{0.3, -0.3, 1}, {-0.3, 0.3, 1}};
+  const Direction ridge[2] = {{-0.3, -0.3, 1}, {0.3, 0.3, 1}};
+  task.polygon.normals = {valley[0], valley[0], valley[1], valley[1]};
+  EXPECT_TRUE(hasEdge(darnOf(task), 0, 2));
+  task.polygon.normals = {ridge[0], ridge[1], ridge[1], ridge[0]};
+  EXPECT_TRUE(hasEdge(darnOf(task), 1, 3));
+}
+
+TEST(MinimumWeightDarning, JoinedPointsGetNoSecondEdge)
+{
+  DarningTask task = holeIn({4});
+  task.polygon.points[1] *= 0.5; // the short diagonal is 1-3
+  task.polygon.points[3] *= 0.5;
+  ASSERT_TRUE(hasEdge(darnOf(task), 1, 3));
+  task.joined = [](std::size_t a, std::size_t b) {
+    return std::min(a, b) == 1 && std::max(a, b) == 3;
+  };
+  EXPECT_TRUE(hasEdge(darnOf(task), 0, 2));
+}
+
+TEST(MinimumWeightDarning, SaysWhenEveryDiagonalIsJoined)
+{
+  DarningTask task = holeIn({5});
+  task.joined = [](std::size_t, std::size_t) { return true; };
+  const Darn darn = darnOf(task);
+  EXPECT_FALSE(darn.closed());
+  EXPECT_TRUE(darn.triangles.empty());
+}
+
+TEST(MinimumWeightDarning, ObstructedTrianglesAreAvoided)
+{
+  for (const std::size_t edges : {40, 200}) {
+    DarningTask task = holeIn({edges});
+    task.obstructed = [&](const ccaa::Corners& c) {
+      return (c[0] - c[1]).norm() > 1.9 || (c[1] - c[2]).norm() > 1.9 ||
+             (c[2] - c[0]).norm() > 1.9;
+    };
+    const Darn darn = darnOf(task);
+    ASSERT_TRUE(isDisc(darn, edges));
+    for (const Triangle& t : darn.triangles)
+      EXPECT_FALSE(task.obstructed(ccaa::cornersOf(t, task.polygon.points)));
+  }
+}
+
+TEST(MinimumWeightDarning, ObstructionsAreAskedOnceForEachTriangleWhenNoneIsInTheWay)
+{
+  DarningTask task = holeIn({100, test::capHeight});
+  std::size_t asked = 0;
+  task.obstructed = [&](const ccaa::Corners&) {
+    ++asked;
+    return false;
+  };
+  darnOf(task);
+  EXPECT_EQ(98U, asked);
+}
+
+TEST(MinimumWeightDarning, ObstructionsSeeTheTriangleWoundLikeTheSurface)
+{
+  DarningTask task = holeIn({9});
+  bool upward = true;
+  task.obstructed = [&](const ccaa::Corners& corners) {
+    upward = upward && ccaa::areaNormal(corners).z() > 0.0;
+    return false;
+  };
+  darnOf(task);
+  EXPECT_TRUE(upward);
+}
+
+TEST(MinimumWeightDarning, DoesNotDependOnScaleOrPlace)
+{
+  const DarningTask task = holeIn({90, test::saddleHeight, 0.1});
+  DarningTask moved = task;
+  for (Position& p : moved.polygon.points)
+    p = 1024.0 * p;
+  EXPECT_EQ(darnOf(task).triangles, darnOf(moved).triangles);
+}
+
+TEST(MinimumWeightDarning, DegenerateHolesGiveADisc)
+{
+  for (const auto& point : std::vector<std::function<Position(double)>>{
+           [](double t) { return Position(t, 0, 0); },              // on a line
+           [](double t) { return Position(1e-300 * t, 0, 0); },     // nearly one place
+           [](double t) { return Position(std::cos(t), 1e-14, t); } // all but collinear
+       }) {
+    DarningTask task;
+    for (int k = 0; k < 20; ++k)
+      task.polygon.points.push_back(point(k));
+    task.polygon.normals.assign(20, Direction::UnitZ());
+    EXPECT_TRUE(isDisc(darnOf(task), 20));
+  }
+}
+
+TEST(MinimumWeightDarning, SpikeIsClosedByEars)
+{
+  DarningTask task = holeIn({40});
+  task.polygon.points[7] *= 30.0;
+  const Darn darn = darnOf(task);
+  EXPECT_TRUE(isDisc(darn, 40));
+  EXPECT_EQ(0U, meetings(task, darn));
+}
+
+TEST(MinimumWeightDarning, NormalsThatAreNotThereAreNotAsked)
+{
+  DarningTask task = holeIn({30, test::capHeight});
+  for (Direction& normal : task.polygon.normals)
+    normal.setConstant(std::nan(""));
+  EXPECT_TRUE(isDisc(darnOf(task), 30));
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
