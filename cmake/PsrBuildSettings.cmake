@@ -18,7 +18,10 @@ if(PSR_IS_TOP_LEVEL)
   find_program(PSR_CCACHE ccache)
   mark_as_advanced(PSR_CCACHE)
   if(PSR_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${PSR_CCACHE}")
+    # Without this ccache does not look at sources with a precompiled header.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+        "${PSR_CCACHE}")
   endif()
 endif()
 
