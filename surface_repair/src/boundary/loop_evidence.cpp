@@ -177,6 +177,30 @@ turningOf(const IncompleteModel& model, const BoundaryLoop& loop)
   return -lacking / (2.0 * M_PI);
 }
 
+double
+turningOf(const BoundaryCurve& curve)
+{
+  double left = 0.0;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    const std::size_t next = curve.next(k);
+    const Eigen::Vector3d before = curve.edge(k);
+    const Eigen::Vector3d after = curve.edge(next);
+    const Direction normal = (curve.normals[k] + curve.normals[next]).normalized();
+    left += std::atan2(normal.dot(before.cross(after)), before.dot(after));
+  }
+  return -left / (2.0 * M_PI);
+}
+
+LoopEvidence
+evidenceOf(const BoundaryCurve& curve, double area)
+{
+  LoopEvidence evidence;
+  evidence.integral = boundaryIntegral(curve);
+  evidence.turning = turningOf(curve);
+  evidence.area_ratio = areaRatio(area, leastSurface(curve));
+  return evidence;
+}
+
 AreaBounds
 leastSurface(const BoundaryCurve& curve)
 {

@@ -22,6 +22,15 @@ collectEvidence(const IncompleteModel& model,
 double
 turningOf(const IncompleteModel& model, const BoundaryLoop& loop);
 
+/** \brief The same for any closed curve, by its own tangents and normals. */
+double
+turningOf(const BoundaryCurve& curve);
+
+/** \brief The evidence for a curve that bounds a surface of so much area, other
+ * boundaries closed: of D, turning and area only. */
+LoopEvidence
+evidenceOf(const BoundaryCurve& curve, double area);
+
 /** \brief Between which the least surface that closes a curve has its area. */
 struct AreaBounds {
   double lower = 0.0; /**< length of the vector area */

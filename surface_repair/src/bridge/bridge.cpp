@@ -65,7 +65,43 @@ endsAreApart(const Bridge& bridge, const BoundaryEdges& boundaries, double apart
                                boundaries.arcAt(bridge.end)) >= apart;
 }
 
+BoundaryPoint
+nearestVertex(const BoundaryPoint& point, const BoundaryEdges& boundaries)
+{
+  const BoundaryCurve& curve = boundaries.curves()[point.curve].curve;
+  const std::size_t vertex = point.share < 0.5 ? point.edge : curve.next(point.edge);
+  return {point.curve, vertex, 0.0, curve.points[vertex]};
+}
+
+/** Shares of the way at the points, 0 to 1. */
+std::vector<double>
+sharesAlong(const Positions& points)
+{
+  std::vector<double> shares{0.0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    shares.push_back(shares.back() + (points[i] - points[i - 1]).norm());
+  const double length = shares.back();
+  for (double& share : shares)
+    share = length > 0.0 ? share / length : 0.0;
+  return shares;
+}
+
 } // namespace
+
+Bridge
+supportedByVertices(Bridge bridge, const BoundaryEdges& boundaries)
+{
+  bridge.begin = nearestVertex(bridge.begin, boundaries);
+  bridge.end = nearestVertex(bridge.end, boundaries);
+  const Eigen::Vector3d at_begin = bridge.begin.position - bridge.points.front();
+  const Eigen::Vector3d at_end = bridge.end.position - bridge.points.back();
+  const std::vector<double> shares = sharesAlong(bridge.points);
+  for (std::size_t i = 1; i + 1 < bridge.points.size(); ++i)
+    bridge.points[i] += (1.0 - shares[i]) * at_begin + shares[i] * at_end;
+  bridge.points.front() = bridge.begin.position;
+  bridge.points.back() = bridge.end.position;
+  return bridge;
+}
 
 Bridge
 bridgeAlong(const ForceLine& line)
@@ -88,7 +124,7 @@ selectBridges(const std::vector<ForceLine>& lines,
   for (const std::size_t i : order) {
     if (lines[i].end != LineEnd::BRIDGE)
       continue;
-    Bridge bridge = bridgeAlong(lines[i]);
+    Bridge bridge = supportedByVertices(bridgeAlong(lines[i]), boundaries);
     const double apart = std::max(spacing.least, spacing.share * lines[i].length);
     if (!taken.hasRoomFor(bridge.begin, apart) ||
         !taken.hasRoomFor(bridge.end, apart) ||

@@ -60,10 +60,14 @@ findSides(const SurveyParameters& parameters,
 }
 
 void
-classify(const SurveyParameters& parameters, ModelSurvey& survey)
+classify(const SurveyParameters& parameters,
+         const ccaa::LoopContext& context,
+         ModelSurvey& survey)
 {
-  survey.classes =
-      classifyBoundaries(survey.model, survey.loops, parameters.classification);
+  survey.classes = classifyBoundaries(
+      survey.model, survey.loops, parameters.classification, context);
+  if (context.cancelled())
+    return;
   std::vector<std::size_t> hole_edges;
   for (std::size_t k = 0; k < survey.loops.size(); ++k)
     if (isOpenHole(survey.classes[k]))
@@ -73,6 +77,13 @@ classify(const SurveyParameters& parameters, ModelSurvey& survey)
   survey.icm_class = classOf(survey.counts);
 }
 
+bool
+isComplex(const ModelSurvey& survey, std::size_t loop, std::size_t simple_edges)
+{
+  return isOpenHole(survey.classes[loop]) &&
+         survey.loops[loop].vertices.size() > simple_edges;
+}
+
 void
 traceFields(const SurveyParameters& parameters,
             const ccaa::LoopContext& context,
@@ -80,13 +91,39 @@ traceFields(const SurveyParameters& parameters,
 {
   const IslandSources islands = islandSources(survey, parameters.field);
   survey.spacing = islands.sources.spacing;
-  const SurveyGuides guides = makeGuides(survey, parameters.field, islands.median_gap);
-  survey.between_islands = surveyIslands(survey, parameters, islands, guides, context);
-  survey.joined = joinIslands(survey, parameters, islands);
-  for (std::size_t k = 0; k < survey.loops.size() && !context.cancelled(); ++k)
-    if (isOpenHole(survey.classes[k]) &&
-        survey.loops[k].vertices.size() > parameters.simple_edges)
-      survey.in_holes.push_back(surveyHole(survey, k, parameters, guides, context));
+  survey.guides = makeGuides(survey, parameters.field, islands.median_gap);
+  if (parameters.trace_between_islands)
+    joinIslands(islands, parameters, context, survey);
+  for (std::size_t k = 0;
+       k < survey.loops.size() && parameters.trace_in_holes && !context.cancelled();
+       ++k)
+    if (isComplex(survey, k, parameters.simple_edges))
+      survey.in_holes.push_back(surveyHole(survey, k, parameters, context));
+}
+
+/** Whether there is anything that lines could run between. */
+bool
+hasFields(const SurveyParameters& parameters, const ModelSurvey& survey)
+{
+  return parameters.trace_in_holes ||
+         (parameters.trace_between_islands && survey.model.islands.size() > 1);
+}
+
+/** All that follows once the islands are wound as they should be. */
+void
+surveyWound(const SurveyParameters& parameters,
+            ccaa::LoopContext context,
+            StageClock& clock,
+            ModelSurvey& survey)
+{
+  context.stage = "classification";
+  classify(parameters, context, survey);
+  clock.finish("classification");
+  context.stage = "force lines";
+  if (!context.cancelled() && hasFields(parameters, survey))
+    traceFields(parameters, context, survey);
+  clock.finish("force lines");
+  survey.cancelled = context.cancelled();
 }
 
 } // namespace
@@ -110,13 +147,20 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
   stage.stage = "orientation";
   findSides(parameters, stage, survey);
   clock.finish("orientation");
-  classify(parameters, survey);
-  clock.finish("classification");
-  stage.stage = "force lines";
-  if (!context.cancelled())
-    traceFields(parameters, stage, survey);
-  clock.finish("force lines");
-  survey.cancelled = context.cancelled();
+  surveyWound(parameters, context, clock, survey);
+  return survey;
+}
+
+ModelSurvey
+surveyModel(IncompleteModel model,
+            const SurveyParameters& parameters,
+            const ccaa::LoopContext& context)
+{
+  ModelSurvey survey;
+  StageClock clock(survey);
+  survey.model = std::move(model);
+  survey.loops = extractBoundaries(survey.model);
+  surveyWound(parameters, context, clock, survey);
   return survey;
 }
 

@@ -15,6 +15,21 @@ namespace repair {
 
 namespace {
 
+/** Median of the gaps of all sources; 0 when there is one island only. */
+double
+medianGap(const SourceSet& sources)
+{
+  const GapFinder gaps(sources);
+  std::vector<double> finite;
+  for (const SourceCurve& curve : sources.curves)
+    for (const double gap : gapsAlong(curve, gaps))
+      if (std::isfinite(gap))
+        finite.push_back(gap);
+  return finite.empty() ? 0.0 : quantile(std::move(finite), 0.5);
+}
+
+} // namespace
+
 Reach
 reachOf(const FieldParameters& parameters)
 {
@@ -43,46 +58,24 @@ makeField(const SourceSet& sources,
                         full ? guides.surface.get() : nullptr);
 }
 
-/** Median of the gaps of all sources; 0 when there is one island only. */
-double
-medianGap(const SourceSet& sources)
-{
-  const GapFinder gaps(sources);
-  std::vector<double> finite;
-  for (const SourceCurve& curve : sources.curves)
-    for (const double gap : gapsAlong(curve, gaps))
-      if (std::isfinite(gap))
-        finite.push_back(gap);
-  return finite.empty() ? 0.0 : quantile(std::move(finite), 0.5);
-}
-
-/** Trace from the strongest origins; what becomes a bridge is pulled by free points. */
-void
-traceLines(const IndicatorField& field,
-           const BoundaryEdges& targets,
+std::vector<ForceLine>
+traceLines(const LineField& place,
+           const std::vector<LineOrigin>& origins,
            const SurveyParameters& parameters,
-           const SurveyGuides& guides,
-           const ccaa::LoopContext& context,
-           SurveyedField& surveyed)
+           const ccaa::LoopContext& context)
 {
-  std::vector<LineOrigin> origins;
-  for (const std::size_t i :
-       strongestOrigins(surveyed.origins, targets, parameters.line_spacing))
-    origins.push_back(surveyed.origins[i].origin);
   const ForceLineTracker tracker(
-      field, targets, parameters.tracker, guides.surface.get());
-  surveyed.lines = tracker.track(origins, context);
+      place.field, place.targets, parameters.tracker, place.guides.surface.get());
+  std::vector<ForceLine> lines = tracker.track(origins, context);
   PerturbationParameters perturbation = parameters.perturbation;
   perturbation.trust = parameters.field.trust; // k_t is one number (4.424, 4.6)
-  for (std::size_t i = 0; i < surveyed.lines.size(); ++i) {
-    ForceLine& line = surveyed.lines[i];
-    line = resampled(line, origins[i].query.falloff.near);
-    if (line.end == LineEnd::BRIDGE && guides.free_points)
-      line = perturbed(line, *guides.free_points, perturbation);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i] = resampled(lines[i], origins[i].query.falloff.near);
+    if (lines[i].end == LineEnd::BRIDGE && place.guides.free_points)
+      lines[i] = perturbed(lines[i], *place.guides.free_points, perturbation);
   }
+  return lines;
 }
-
-} // namespace
 
 IslandSources
 islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
@@ -102,13 +95,13 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
   return islands;
 }
 
-SurveyGuides
+std::shared_ptr<const SurveyGuides>
 makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
            double median_gap)
 {
-  SurveyGuides guides;
-  guides.surface = std::make_unique<Shield>(survey.model);
+  auto guides = std::make_shared<SurveyGuides>();
+  guides->surface = std::make_unique<Shield>(survey.model);
   const Positions& points = survey.model.free_points;
   if (points.empty() || !(parameters.trust > 0.0))
     return guides;
@@ -118,51 +111,18 @@ makeGuides(const ModelSurvey& survey,
       freePointFalloff(spacing, median_gap, parameters.free_point_exponent);
   if (parameters.free_point_far > 0.0)
     falloff.far = parameters.free_point_far;
-  guides.free_points =
+  guides->free_points =
       std::make_unique<FreePointField>(points, falloff, parameters.trust);
   return guides;
-}
-
-SurveyedField
-surveyIslands(const ModelSurvey& survey,
-              const SurveyParameters& parameters,
-              const IslandSources& islands,
-              const SurveyGuides& guides,
-              const ccaa::LoopContext& context)
-{
-  SurveyedField surveyed;
-  const BoundaryEdges targets = targetsOf(islands.sources, survey.loops);
-  const IndicatorField field = makeField(islands.sources, parameters.field, guides);
-  surveyed.origins =
-      originsBetweenIslands(field, targets, reachOf(parameters.field), context);
-  traceLines(field, targets, parameters, guides, context, surveyed);
-  return surveyed;
-}
-
-SurveyedBridges
-joinIslands(const ModelSurvey& survey,
-            const SurveyParameters& parameters,
-            const IslandSources& islands)
-{
-  SurveyedBridges joined;
-  for (const SourceCurve& curve : islands.sources.curves)
-    joined.loops.push_back(curve.loop);
-  const BoundaryEdges boundaries = targetsOf(islands.sources, survey.loops);
-  joined.bridges =
-      selectBridges(survey.between_islands.lines,
-                    boundaries,
-                    {parameters.bridge_spacing, 2.0 * islands.sources.spacing});
-  joined.holes = extractContours(boundaries, joined.bridges);
-  return joined;
 }
 
 SurveyedField
 surveyHole(const ModelSurvey& survey,
            std::size_t loop,
            const SurveyParameters& parameters,
-           const SurveyGuides& guides,
            const ccaa::LoopContext& context)
 {
+  const SurveyGuides& guides = *survey.guides;
   SurveyedField surveyed;
   surveyed.hole = loop;
   SourceCurve curve = sampleSources(survey.loops[loop].curve, parameters.field.near);
@@ -174,7 +134,11 @@ surveyHole(const ModelSurvey& survey,
   const double threshold = parameters.hole_threshold * survey.loops[loop].length;
   surveyed.origins =
       originsInHole(field, targets, 0, threshold, reachOf(parameters.field), context);
-  traceLines(field, targets, parameters, guides, context, surveyed);
+  std::vector<LineOrigin> origins;
+  for (const std::size_t i :
+       strongestOrigins(surveyed.origins, targets, parameters.line_spacing))
+    origins.push_back(surveyed.origins[i].origin);
+  surveyed.lines = traceLines({field, targets, guides}, origins, parameters, context);
   return surveyed;
 }
 

@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <pcl/surface_repair/field/free_point_field.h>
-#include <pcl/surface_repair/field/shielding.h>
 #include <pcl/surface_repair/model_survey.h>
 
 #include <memory>
@@ -12,13 +10,6 @@
 
 namespace pcl {
 namespace repair {
-
-/** \brief What is built once for all fields of a survey; null where it is not needed.
- */
-struct SurveyGuides {
-  std::unique_ptr<Shield> surface;
-  std::unique_ptr<FreePointField> free_points;
-};
 
 /** \brief The sources of step ICM3 -> ICM2, and the boundaries they stand for. */
 struct IslandSources {
@@ -31,31 +22,52 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters);
 
 /** \brief Surface and free points as obstacles and guides (full mode needs both, the
  * tracker the surface, the perturbation the free points). */
-SurveyGuides
+std::shared_ptr<const SurveyGuides>
 makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
            double median_gap);
 
-/** \brief Lines between islands. */
-SurveyedField
-surveyIslands(const ModelSurvey& survey,
-              const SurveyParameters& parameters,
-              const IslandSources& islands,
-              const SurveyGuides& guides,
-              const ccaa::LoopContext& context);
+Reach
+reachOf(const FieldParameters& parameters);
 
-/** \brief Bridges among the lines between islands, and the contours they make. */
-SurveyedBridges
-joinIslands(const ModelSurvey& survey,
+/** \brief The boundaries that a set of sources stands for. */
+BoundaryEdges
+targetsOf(const SourceSet& sources, const BoundaryLoops& loops);
+
+/** \brief The field in the mode that is asked for. */
+IndicatorField
+makeField(const SourceSet& sources,
+          const FieldParameters& parameters,
+          const SurveyGuides& guides);
+
+/** \brief Where lines run, and between what. */
+struct LineField {
+  const IndicatorField& field;
+  const BoundaryEdges& targets;
+  const SurveyGuides& guides;
+};
+
+/** \brief Trace lines and resample them; free points pull those that arrived. */
+std::vector<ForceLine>
+traceLines(const LineField& place,
+           const std::vector<LineOrigin>& origins,
+           const SurveyParameters& parameters,
+           const ccaa::LoopContext& context);
+
+/** \brief Lines between islands, bridges among them, and the contours they make:
+ * fills in `between_islands` and `joined` of the survey. Where an island has lost the
+ * only bridge it had (C4.47-3), more lines are traced there. */
+void
+joinIslands(const IslandSources& islands,
             const SurveyParameters& parameters,
-            const IslandSources& islands);
+            const ccaa::LoopContext& context,
+            ModelSurvey& survey);
 
 /** \brief Lines across one hole. */
 SurveyedField
 surveyHole(const ModelSurvey& survey,
            std::size_t loop,
            const SurveyParameters& parameters,
-           const SurveyGuides& guides,
            const ccaa::LoopContext& context);
 
 } // namespace repair

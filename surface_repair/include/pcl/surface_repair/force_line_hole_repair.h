@@ -15,6 +15,9 @@
 #include <string>
 
 namespace pcl {
+namespace repair {
+struct RepairedModel;
+}
 
 /** \brief Repairs an incomplete model: joins its islands by bridges along force lines
  * and closes the holes between them (thesis, Chapter 4).
@@ -105,10 +108,21 @@ protected:
   }
 
 private:
+  bool
+  checkParameters() const;
+  bool
+  run();
+  void
+  write(pcl::PolygonMesh& output);
+  void
+  reportOutOfMemory(const char* method) const;
+
   pcl::PCLPointCloud2::ConstPtr free_points_;
   SearchPtr search_;
   repair::RepairParameters parameters_;
   RepairReport report_;
+  std::shared_ptr<repair::RepairedModel>
+      repaired_; /**< only between initCompute() and its end */
 };
 
 } // namespace pcl

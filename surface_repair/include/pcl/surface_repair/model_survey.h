@@ -5,6 +5,8 @@
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/boundary/classification.h>
+#include <pcl/surface_repair/field/free_point_field.h>
+#include <pcl/surface_repair/field/shielding.h>
 #include <pcl/surface_repair/force_line/line_origins.h>
 #include <pcl/surface_repair/hole/hole_contour.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
@@ -16,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +55,8 @@ struct SurveyParameters {
   double bridge_spacing = 0.5;  /**< least arc length between bridges, in lengths of the
                                      bridge */
   double line_spacing = 0.25;   /**< least arc length between origins, in gaps */
+  bool trace_between_islands = true; /**< lines and bridges of step ICM3 -> ICM2 */
+  bool trace_in_holes = true;        /**< lines within each complex hole */
 };
 
 /** \brief Force lines of one step of the method: between islands, or within one hole.
@@ -72,6 +77,13 @@ struct SurveyedBridges {
   ContourExtraction holes;
 };
 
+/** \brief What lines are led by and what they may not run through, built once for all
+ * fields; null where it is not needed. */
+struct SurveyGuides {
+  std::unique_ptr<const Shield> surface;
+  std::unique_ptr<const FreePointField> free_points;
+};
+
 /** \brief What surveyModel() found. */
 struct ModelSurvey {
   IncompleteModel model; /**< islands wound outward as far as that could be told */
@@ -84,7 +96,8 @@ struct ModelSurvey {
   double spacing = 0.0;          /**< mean source spacing, units of the cloud */
   SurveyedField between_islands; /**< step ICM3 -> ICM2 */
   SurveyedBridges joined;
-  std::vector<SurveyedField> in_holes; /**< step ICM2 -> ICM1: complex holes */
+  std::vector<SurveyedField> in_holes;        /**< step ICM2 -> ICM1: complex holes */
+  std::shared_ptr<const SurveyGuides> guides; /**< null where nothing was traced */
   std::vector<std::pair<std::string, double>> seconds; /**< of each stage */
   bool cancelled = false;
 };
@@ -105,6 +118,13 @@ struct FieldSlice {
 ModelSurvey
 surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
             const pcl::PCLPointCloud2* free_points,
+            const SurveyParameters& parameters,
+            const ccaa::LoopContext& context);
+
+/** \brief The same for a model that has been read, whose islands are wound as they
+ * should be. \return as above; what belongs to reading and sides stays empty */
+ModelSurvey
+surveyModel(IncompleteModel model,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context);
 

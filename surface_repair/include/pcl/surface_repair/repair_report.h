@@ -50,6 +50,8 @@ struct RepairBridge {
 enum class OpenReason : std::uint8_t {
   NONE,         /**< it is closed */
   OUTER_BORDER, /**< no hole: the outer border of an open surface */
+  TUBE_MOUTH,   /**< one of the two mouths of a tube, open like the other one */
+  NOT_JOINED,   /**< rim of an island that no bridge joins to another one */
   UNDECIDED,    /**< hole or border is not clear */
   ONE_SIDED,    /**< its island has no two sides */
   TOO_LARGE,    /**< more edges than the greatest number to be closed */
@@ -64,7 +66,7 @@ const char*
 describe(OpenReason reason);
 
 /** \brief Whether something that should be closed was left open for this reason: all
- * but NONE and OUTER_BORDER. */
+ * but NONE, OUTER_BORDER and TUBE_MOUTH. */
 bool
 isShortfall(OpenReason reason);
 

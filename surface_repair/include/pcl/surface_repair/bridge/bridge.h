@@ -27,6 +27,12 @@ struct Bridge {
 Bridge
 bridgeAlong(const ForceLine& line);
 
+/** \brief The bridge with its ends moved to the nearest vertices of the boundaries:
+ * triangles of A are never split. Its other points go along, the less the further away
+ * they are. */
+Bridge
+supportedByVertices(Bridge bridge, const BoundaryEdges& boundaries);
+
 /** \brief How near supporting points of a boundary may be to each other (C4.47-2). A
  * boundary that is too short for six of them gets a sixth of its length. */
 struct SupportSpacing {
@@ -34,11 +40,11 @@ struct SupportSpacing {
   double least = 0.0; /**< least arc length in any case, units of the cloud, above 0 */
 };
 
-/** \brief Choose bridges among force lines: those that reached a boundary, the best
- * first, each with room on both of its boundaries. The best has the highest quality by
- * the square of its length: |f| grows with L_2, and L_2 with the gap, so that quality
- * alone would prefer wide gaps. Equal ones go by index. \param[in] boundaries the
- * curves that the lines' ends refer to */
+/** \brief Choose bridges among force lines, supported by vertices: those that reached a
+ * boundary, the best first, each with room on both of its boundaries. The best has the
+ * highest quality by the square of its length: |f| grows with L_2, and L_2 with the
+ * gap, so that quality alone would prefer wide gaps. Equal ones go by index. \param[in]
+ * boundaries the curves that the lines' ends refer to */
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/surface_repair/boundary/boundary_loop.h>
+#include <pcl/surface_repair/hole/hole_contour.h>
 
 #include <cstddef>
 #include <vector>
@@ -26,6 +27,25 @@ struct HolePolygon {
     return vertices.size();
   }
 };
+
+/** \brief The vertices that contours run over. */
+struct ContourVertices {
+  std::vector<std::vector<pcl::index_t>> of_curve; /**< model vertices of the points */
+  std::vector<pcl::index_t> first_inner; /**< of each bridge: number of the vertex that
+                                              its second point is; the others follow */
+};
+
+/** \brief The polygon of a contour whose supporting points are all vertices (see
+ * supportedByVertices()). */
+HolePolygon
+polygonOf(const HoleContour& contour,
+          const BoundaryEdges& boundaries,
+          const std::vector<Bridge>& bridges,
+          const ContourVertices& vertices);
+
+/** \brief The polygon of a boundary loop. */
+HolePolygon
+polygonOf(const BoundaryLoop& loop);
 
 } // namespace repair
 } // namespace pcl

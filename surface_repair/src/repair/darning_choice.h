@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which darning method closes a hole.
+
+#pragma once
+
+#include <pcl/surface_repair/darning/darning_method.h>
+#include <pcl/surface_repair/field/free_point_field.h>
+#include <pcl/surface_repair/repair_parameters.h>
+
+#include <memory>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The method of a choice; of AUTOMATIC the one for holes without free points.
+ */
+std::unique_ptr<const DarningMethod>
+methodFor(DarningChoice choice);
+
+struct ChosenDarn {
+  Darn darn;          /**< free points are numbered as in the field */
+  const char* method; /**< name of the method that made it */
+};
+
+/** \brief Close a hole by the method of a choice, and by MINIMUM_WEIGHT where that one
+ * cannot. \param[in] task without free points \param[in] free_points all there are, or
+ * null */
+ChosenDarn
+darn(DarningTask task, DarningChoice choice, const FreePointField* free_points);
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which boundaries are to be closed, and which together.
+
+#include "hole_list.h"
+
+#include "../boundary/loop_evidence.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Disjoint sets, each known by its lowest member. */
+class Groups {
+public:
+  explicit Groups(std::size_t count) : parent_(count)
+  {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+
+  std::size_t
+  find(std::size_t member)
+  {
+    while (parent_[member] != member)
+      member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+
+  void
+  join(std::size_t a, std::size_t b)
+  {
+    const std::size_t first = find(a);
+    const std::size_t second = find(b);
+    parent_[std::max(first, second)] = std::min(first, second);
+  }
+
+private:
+  std::vector<std::size_t> parent_;
+};
+
+BoundaryEdges
+boundariesOf(const ModelSurvey& survey)
+{
+  std::vector<TargetCurve> curves;
+  for (const std::size_t loop : survey.joined.loops)
+    curves.push_back({survey.loops[loop].curve, survey.loops[loop].island});
+  return BoundaryEdges(std::move(curves));
+}
+
+ContourVertices
+verticesOf(const ModelSurvey& survey)
+{
+  ContourVertices vertices;
+  for (const std::size_t loop : survey.joined.loops)
+    vertices.of_curve.push_back(survey.loops[loop].vertices);
+  auto next = static_cast<pcl::index_t>(survey.model.positions.size());
+  for (const Bridge& bridge : survey.joined.bridges) {
+    vertices.first_inner.push_back(next);
+    next += static_cast<pcl::index_t>(bridge.points.size() - 2);
+  }
+  return vertices;
+}
+
+/** The area of all islands that bridges join to each one. */
+std::vector<double>
+joinedAreas(const ModelSurvey& survey)
+{
+  const SurveyedBridges& joined = survey.joined;
+  const auto island = [&](const BoundaryPoint& end) {
+    return survey.loops[joined.loops[end.curve]].island;
+  };
+  Groups groups(survey.model.islands.size());
+  for (const HoleContour& contour : joined.holes.contours)
+    for (const ContourStep& step : contour.steps)
+      if (step.bridge != NONE)
+        groups.join(island(joined.bridges[step.bridge].begin),
+                    island(joined.bridges[step.bridge].end));
+  std::vector<double> sums(survey.model.islands.size(), 0.0);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    sums[groups.find(i)] += survey.model.islands[i].area;
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    areas.push_back(sums[groups.find(i)]);
+  return areas;
+}
+
+OpenReason
+reasonForLoop(const ModelSurvey& survey, std::size_t loop)
+{
+  if (survey.model.islands[survey.loops[loop].island].one_sided)
+    return OpenReason::ONE_SIDED;
+  switch (survey.classes[loop].boundary_class) {
+  case BoundaryClass::HOLE:
+    return OpenReason::NONE;
+  case BoundaryClass::ISLAND_RIM:
+    return OpenReason::NOT_JOINED;
+  case BoundaryClass::OUTER_BORDER:
+    return OpenReason::OUTER_BORDER;
+  case BoundaryClass::UNDECIDED:
+    break;
+  }
+  return survey.classes[loop].evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH
+                                                     : OpenReason::UNDECIDED;
+}
+
+/** D4.1-1 and what goes with it, for a contour. */
+OpenReason
+reasonForContour(const HolePolygon& polygon, double area)
+{
+  return evidenceOf(polygon.curve, area).score() < 0.0 ? OpenReason::OUTER_BORDER
+                                                       : OpenReason::NONE;
+}
+
+class Listing {
+public:
+  Listing(const ModelSurvey& survey, const DarningParameters& parameters)
+  : survey_(survey), parameters_(parameters)
+  {}
+
+  HoleList
+  run()
+  {
+    addContours();
+    addLoops();
+    joinRegions();
+    return std::move(list_);
+  }
+
+private:
+  void
+  addContours();
+  void
+  addLoops();
+  void
+  add(OpenHole hole);
+  void
+  joinRegions();
+
+  const ModelSurvey& survey_;
+  const DarningParameters& parameters_;
+  std::vector<bool> is_listed_; /**< of a loop: it is part of a contour */
+  HoleList list_;
+};
+
+void
+Listing::add(OpenHole hole)
+{
+  if (hole.open == OpenReason::NONE && parameters_.greatest_hole > 0 &&
+      hole.polygon.size() > parameters_.greatest_hole)
+    hole.open = OpenReason::TOO_LARGE;
+  list_.holes.push_back(std::move(hole));
+}
+
+void
+Listing::addContours()
+{
+  is_listed_.assign(survey_.loops.size(), false);
+  const SurveyedBridges& joined = survey_.joined;
+  if (joined.bridges.empty())
+    return;
+  const BoundaryEdges boundaries = boundariesOf(survey_);
+  const ContourVertices vertices = verticesOf(survey_);
+  const std::vector<double> areas = joinedAreas(survey_);
+  for (const Bridge& bridge : joined.bridges)
+    list_.bridge_vertices += bridge.points.size() - 2;
+  for (const HoleContour& contour : joined.holes.contours) {
+    const std::size_t loop = joined.loops[contour.steps.front().section.from.curve];
+    OpenHole hole;
+    if (contour.steps.front().bridge == NONE)
+      continue;
+    for (const ContourStep& step : contour.steps) {
+      hole.bridges.push_back(step.bridge);
+      is_listed_[joined.loops[step.section.from.curve]] = true;
+    }
+    hole.polygon = polygonOf(contour, boundaries, joined.bridges, vertices);
+    hole.open = reasonForContour(hole.polygon, areas[survey_.loops[loop].island]);
+    add(std::move(hole));
+  }
+}
+
+void
+Listing::addLoops()
+{
+  for (std::size_t loop = 0; loop < survey_.loops.size(); ++loop)
+    if (!is_listed_[loop])
+      add({polygonOf(survey_.loops[loop]), {}, reasonForLoop(survey_, loop)});
+}
+
+void
+Listing::joinRegions()
+{
+  Groups groups(list_.holes.size());
+  std::map<std::size_t, std::size_t> hole_at; // bridge -> first hole that passes it
+  for (std::size_t h = 0; h < list_.holes.size(); ++h)
+    if (list_.holes[h].open == OpenReason::NONE)
+      for (const std::size_t bridge : list_.holes[h].bridges)
+        groups.join(h, hole_at.emplace(bridge, h).first->second);
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for (std::size_t h = 0; h < list_.holes.size(); ++h)
+    if (list_.holes[h].open == OpenReason::NONE)
+      members[groups.find(h)].push_back(h);
+  for (auto& [first, holes] : members)
+    list_.regions.push_back(std::move(holes));
+}
+
+} // namespace
+
+HoleList
+listHoles(const ModelSurvey& survey, const DarningParameters& parameters)
+{
+  return Listing(survey, parameters).run();
+}
+
+} // namespace repair
+} // namespace pcl

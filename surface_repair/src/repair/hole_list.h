@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which boundaries are to be closed, and which together.
+
+#pragma once
+
+#include <pcl/surface_repair/model_survey.h>
+#include <pcl/surface_repair/repair_parameters.h>
+#include <pcl/surface_repair/repair_report.h>
+
+#include "region_closing.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief A boundary that is left, be it a loop or a contour over bridges. */
+struct OpenHole {
+  HolePolygon polygon;
+  std::vector<std::size_t> bridges;   /**< of the survey, that it passes */
+  OpenReason open = OpenReason::NONE; /**< why it is not to be closed; else NONE */
+};
+
+/** \brief All boundaries of a survey after bridging, and the regions to be closed. */
+struct HoleList {
+  std::vector<OpenHole> holes;
+  std::vector<std::vector<std::size_t>> regions; /**< holes that bridges connect,
+                                                      of those to be closed */
+  std::size_t bridge_vertices = 0;               /**< inner points of all bridges */
+};
+
+/** \brief List loops and contours. A contour over bridges is to be closed unless it
+ * bounds the joined surface from outside, which its own D, turning and the area of the
+ * islands that it joins tell (4.1); a loop by its class. */
+HoleList
+listHoles(const ModelSurvey& survey, const DarningParameters& parameters);
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: darns of neighbouring holes as one patch.
+
+#include "patch_assembly.h"
+
+#include <pcl/surface_repair/icadm/model_assembly.h>
+
+#include <algorithm>
+#include <map>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Numbers the vertices of a patch: those of the model first. */
+class PatchNumbering {
+public:
+  PatchNumbering(const std::vector<DarnedPart>& parts, std::size_t model_vertices)
+  {
+    for (const DarnedPart& part : parts)
+      for (std::size_t k = 0; k < part.polygon.size(); ++k)
+        position_of_.emplace(part.polygon.vertices[k], part.polygon.curve.points[k]);
+    for (const auto& [vertex, position] : position_of_) {
+      number_of_.emplace(vertex, static_cast<pcl::index_t>(patch_.positions.size()));
+      patch_.positions.push_back(position);
+      if (static_cast<std::size_t>(vertex) < model_vertices)
+        patch_.rim.push_back(vertex);
+    }
+    patch_.free_point.assign(patch_.positions.size(), NONE);
+  }
+
+  void
+  add(const DarnedPart& part)
+  {
+    const std::size_t edges = part.polygon.size();
+    const std::size_t first_inner = patch_.positions.size();
+    for (const Triangle& triangle : part.darn.triangles) {
+      Triangle numbered{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto corner = static_cast<std::size_t>(triangle[c]);
+        numbered[c] = corner < edges
+                          ? number_of_.at(part.polygon.vertices[corner])
+                          : static_cast<pcl::index_t>(first_inner + corner - edges);
+      }
+      patch_.triangles.push_back(numbered);
+      patch_.hole.push_back(part.hole);
+    }
+    const Darn& darn = part.darn;
+    patch_.positions.insert(
+        patch_.positions.end(), darn.inner.begin(), darn.inner.end());
+    patch_.free_point.insert(
+        patch_.free_point.end(), darn.free_point.begin(), darn.free_point.end());
+  }
+
+  Patch
+  finish()
+  {
+    return std::move(patch_);
+  }
+
+private:
+  std::map<pcl::index_t, Position> position_of_; /**< ascending: the model's first */
+  std::map<pcl::index_t, pcl::index_t> number_of_;
+  Patch patch_;
+};
+
+/** The triangles of a model at the rim of a patch, in the numbers of the patch where
+ * it has the vertex, others after these. */
+Triangles
+trianglesAround(const IncompleteModel& model, const Patch& patch)
+{
+  std::map<pcl::index_t, pcl::index_t> number_of;
+  std::vector<pcl::index_t> around;
+  for (std::size_t v = 0; v < patch.rim.size(); ++v) {
+    number_of.emplace(patch.rim[v], static_cast<pcl::index_t>(v));
+    around.insert(around.end(),
+                  model.adjacency.begin(patch.rim[v]),
+                  model.adjacency.end(patch.rim[v]));
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  auto next = static_cast<pcl::index_t>(patch.positions.size());
+  Triangles triangles;
+  for (const pcl::index_t t : around) {
+    Triangle triangle = model.triangles[static_cast<std::size_t>(t)];
+    for (pcl::index_t& corner : triangle) {
+      const auto [entry, is_new] = number_of.emplace(corner, next);
+      next += is_new ? 1 : 0;
+      corner = entry->second;
+    }
+    triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+} // namespace
+
+Patch
+assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices)
+{
+  PatchNumbering numbering(parts, model_vertices);
+  for (const DarnedPart& part : parts)
+    numbering.add(part);
+  return numbering.finish();
+}
+
+bool
+fitsModel(const IncompleteModel& model, const Patch& patch)
+{
+  Triangles together = trianglesAround(model, patch);
+  pcl::index_t vertices = static_cast<pcl::index_t>(patch.positions.size());
+  for (const Triangle& triangle : together)
+    vertices =
+        std::max(vertices, *std::max_element(triangle.begin(), triangle.end()) + 1);
+  together.insert(together.end(), patch.triangles.begin(), patch.triangles.end());
+  ccaa::TriangleAdjacency adjacency;
+  adjacency.build(together, static_cast<std::size_t>(vertices));
+  for (pcl::index_t v = 0; v < static_cast<pcl::index_t>(patch.positions.size()); ++v)
+    if (adjacency.fan(v) == ccaa::Fan::SEVERAL ||
+        adjacency.fan(v) == ccaa::Fan::OVERFULL)
+      return false;
+  return adjacency.overfullEdges().empty() && isConsistentlyWound(together, adjacency);
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: darns of neighbouring holes as one patch.
+
+#pragma once
+
+#include <pcl/surface_repair/darning/darning_method.h>
+#include <pcl/surface_repair/darning/patch.h>
+#include <pcl/surface_repair/hole/hole_polygon.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief A hole, or a part of one that was divided, with its darn. */
+struct DarnedPart {
+  HolePolygon polygon;
+  Darn darn;            /**< its free points as in the model */
+  std::size_t hole = 0; /**< which one it is of */
+};
+
+/** \brief Put darns together; parts meet at the vertices that they share.
+ * \param[in] model_vertices number of vertices of the model */
+Patch
+assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices);
+
+/** \brief Whether model and patch together are a manifold, wound alike, at all vertices
+ * of the patch. */
+bool
+fitsModel(const IncompleteModel& model, const Patch& patch);
+
+} // namespace repair
+} // namespace pcl

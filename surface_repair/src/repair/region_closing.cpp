@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: holes that bridges connect are closed together.
+
+#include "region_closing.h"
+
+#include "darning_choice.h"
+#include "patch_assembly.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** How careful a hole is closed: each level after the one before has failed. */
+enum class Care : std::uint8_t {
+  NORMAL,
+  AVOIDING,  /**< the darn may not run through anything */
+  UNRELAXED, /**< and keeps its places; only for a hole that is alone */
+  BARE,      /**< and gets no new vertices */
+  GIVEN_UP
+};
+
+/** An edge between two vertices, the lower one first. */
+using VertexPair = std::pair<pcl::index_t, pcl::index_t>;
+
+VertexPair
+pairOf(pcl::index_t a, pcl::index_t b)
+{
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/** Edges that a darn must not have once more. */
+class TakenEdges {
+public:
+  explicit TakenEdges(const IncompleteModel& model) : model_(model) {}
+
+  void
+  addPolygon(const HolePolygon& polygon)
+  {
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      edges_.insert(
+          pairOf(polygon.vertices[k], polygon.vertices[polygon.curve.next(k)]));
+  }
+
+  /** The inner edges of a darn between points of its polygon. */
+  void
+  addDarn(const HolePolygon& polygon, const Darn& darn)
+  {
+    const auto vertex = [&](pcl::index_t corner) {
+      return polygon.vertices[static_cast<std::size_t>(corner)];
+    };
+    const auto on_polygon = [&](pcl::index_t corner) {
+      return static_cast<std::size_t>(corner) < polygon.size();
+    };
+    for (const Triangle& t : darn.triangles)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (on_polygon(t[c]) && on_polygon(t[(c + 1) % 3]))
+          edges_.insert(pairOf(vertex(t[c]), vertex(t[(c + 1) % 3])));
+  }
+
+  bool
+  contain(pcl::index_t a, pcl::index_t b) const
+  {
+    return edges_.count(pairOf(a, b)) > 0 || isInModel(a, b);
+  }
+
+private:
+  bool
+  isInModel(pcl::index_t a, pcl::index_t b) const
+  {
+    const auto vertices = static_cast<pcl::index_t>(model_.positions.size());
+    if (a >= vertices || b >= vertices)
+      return false;
+    return std::any_of(
+        model_.adjacency.begin(a), model_.adjacency.end(a), [&](pcl::index_t triangle) {
+          const Triangle& t = model_.triangles[static_cast<std::size_t>(triangle)];
+          return std::find(t.begin(), t.end(), b) != t.end();
+        });
+  }
+
+  const IncompleteModel& model_;
+  std::set<VertexPair> edges_;
+};
+
+class RegionClosing {
+public:
+  RegionClosing(const ClosingPlace& place,
+                const Region& region,
+                const SurfaceObstacle& obstacle,
+                const ccaa::LoopContext& context)
+  : place_(place)
+  , region_(region)
+  , obstacle_(obstacle)
+  , context_(context)
+  , care_(region.holes.size(), Care::NORMAL)
+  {
+    result_.holes.resize(region.holes.size());
+  }
+
+  ClosedRegion
+  run();
+
+private:
+  void
+  divide();
+  void
+  darnAll();
+  void
+  shapePatch();
+  void
+  roundPositions();
+  bool
+  isSound();
+  bool
+  isRelaxed() const;
+  bool
+  isRefined() const;
+  void
+  raiseCare(std::size_t hole, OpenReason reason);
+  DarningTask
+  taskFor(const HolePolygon& polygon, const TakenEdges& taken, Care care) const;
+
+  const ClosingPlace& place_;
+  const Region& region_;
+  const SurfaceObstacle& obstacle_;
+  const ccaa::LoopContext& context_;
+  std::vector<Care> care_;        /**< of each hole */
+  std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
+  ClosedRegion result_;
+};
+
+std::size_t
+simpleEdges(const DarningParameters& parameters)
+{
+  return parameters.simple_edges > 0 ? parameters.simple_edges
+                                     : methodFor(parameters.choice)->simpleEdges();
+}
+
+/** ICM2 -> ICM1 (4.5). */
+void
+RegionClosing::divide()
+{
+  SurveyParameters parameters = place_.parameters.survey;
+  parameters.simple_edges = simpleEdges(place_.parameters.darning);
+  const SubdivisionGuides guides{place_.guides.free_points.get(),
+                                 place_.guides.surface.get()};
+  std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
+  for (std::size_t h = 0; h < region_.holes.size(); ++h) {
+    DividedHole divided = divideHole(region_.holes[h],
+                                     static_cast<pcl::index_t>(next),
+                                     parameters,
+                                     guides,
+                                     context_);
+    next += divided.new_vertices.size();
+    for (HolePolygon& polygon : divided.holes)
+      parts_.push_back({std::move(polygon), {}, h});
+    result_.holes[h].bridges = std::move(divided.bridges);
+  }
+}
+
+DarningTask
+RegionClosing::taskFor(const HolePolygon& polygon,
+                       const TakenEdges& taken,
+                       Care care) const
+{
+  DarningTask task;
+  task.polygon = polygon.curve;
+  task.joined = [&polygon, &taken](std::size_t a, std::size_t b) {
+    return taken.contain(polygon.vertices[a], polygon.vertices[b]);
+  };
+  if (care >= Care::AVOIDING)
+    task.obstructed = [this](const ccaa::Corners& corners) {
+      return obstacle_.meets(corners);
+    };
+  return task;
+}
+
+void
+RegionClosing::darnAll()
+{
+  TakenEdges taken(place_.model);
+  for (const DarnedPart& part : parts_)
+    taken.addPolygon(part.polygon);
+  for (DarnedPart& part : parts_) {
+    part.darn = {};
+    if (care_[part.hole] == Care::GIVEN_UP)
+      continue;
+    const DarningTask task = taskFor(part.polygon, taken, care_[part.hole]);
+    ChosenDarn chosen =
+        darn(task, place_.parameters.darning.choice, place_.guides.free_points.get());
+    if (!chosen.darn.closed()) {
+      care_[part.hole] = Care::GIVEN_UP;
+      result_.holes[part.hole].open = OpenReason::NO_DARN;
+      continue;
+    }
+    taken.addDarn(part.polygon, chosen.darn);
+    result_.holes[part.hole].darning = chosen.method;
+    part.darn = std::move(chosen.darn);
+  }
+}
+
+bool
+RegionClosing::isRelaxed() const
+{
+  return std::none_of(care_.begin(), care_.end(), [](Care care) {
+    return care == Care::UNRELAXED || care == Care::BARE;
+  });
+}
+
+bool
+RegionClosing::isRefined() const
+{
+  return std::find(care_.begin(), care_.end(), Care::BARE) == care_.end();
+}
+
+/** Places that the cloud can hold: what is tested is what will be written. */
+void
+RegionClosing::roundPositions()
+{
+  if (!place_.float_positions)
+    return;
+  Positions& positions = result_.patch.positions;
+  for (std::size_t v = result_.patch.rim.size(); v < positions.size(); ++v)
+    positions[v] = positions[v].cast<float>().cast<double>();
+}
+
+void
+RegionClosing::shapePatch()
+{
+  std::vector<DarnedPart> closed;
+  for (const DarnedPart& part : parts_)
+    if (care_[part.hole] != Care::GIVEN_UP)
+      closed.push_back(part);
+  result_.patch = assemblePatch(closed, place_.model.positions.size());
+  const RepairParameters& parameters = place_.parameters;
+  if (parameters.refine && isRefined()) {
+    refinePatch(place_.model, parameters.refinement, result_.patch);
+    RelaxationParameters relaxation = parameters.relaxation;
+    relaxation.trust = parameters.survey.field.trust;
+    if (parameters.relax && isRelaxed())
+      relaxPatch(place_.model, place_.model.free_points, relaxation, result_.patch);
+  }
+  roundPositions();
+}
+
+/** A hole among others is left for later, when it is alone. */
+void
+RegionClosing::raiseCare(std::size_t hole, OpenReason reason)
+{
+  if (care_[hole] == Care::GIVEN_UP)
+    return;
+  ++result_.holes[hole].tries;
+  care_[hole] = static_cast<Care>(static_cast<std::uint8_t>(care_[hole]) + 1);
+  if (region_.holes.size() > 1 && care_[hole] > Care::AVOIDING)
+    care_[hole] = Care::GIVEN_UP;
+  if (care_[hole] == Care::GIVEN_UP)
+    result_.holes[hole].open = reason;
+}
+
+/** \return false when a hole had to be closed in another way */
+bool
+RegionClosing::isSound()
+{
+  const Patch& patch = result_.patch;
+  std::set<std::size_t> obstructed;
+  for (const std::size_t triangle : obstructedTriangles(patch, obstacle_))
+    obstructed.insert(patch.hole[triangle]);
+  for (const std::size_t hole : obstructed)
+    raiseCare(hole, OpenReason::INTERSECTION);
+  if (!obstructed.empty())
+    return false;
+  if (fitsModel(place_.model, patch))
+    return true;
+  for (std::size_t hole = 0; hole < care_.size(); ++hole)
+    raiseCare(hole, OpenReason::NOT_MANIFOLD);
+  return false;
+}
+
+ClosedRegion
+RegionClosing::run()
+{
+  divide();
+  do {
+    darnAll();
+    shapePatch();
+  }
+  while (!context_.cancelled() && !isSound());
+  for (HoleOutcome& hole : result_.holes)
+    if (hole.open != OpenReason::NONE)
+      hole.darning.clear();
+  return std::move(result_);
+}
+
+} // namespace
+
+ClosedRegion
+closeRegion(const ClosingPlace& place,
+            const Region& region,
+            const SurfaceObstacle& obstacle,
+            const ccaa::LoopContext& context)
+{
+  return RegionClosing(place, region, obstacle, context).run();
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: holes that bridges connect are closed together.
+
+#pragma once
+
+#include <pcl/surface_repair/hole/hole_polygon.h>
+#include <pcl/surface_repair/repair_parameters.h>
+#include <pcl/surface_repair/repair_report.h>
+#include <pcl/surface_repair/subdivision/hole_subdivision.h>
+
+#include "surface_obstacle.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief What regions are closed in. All of it must outlive the closing. */
+struct ClosingPlace {
+  const IncompleteModel& model;
+  const SurveyGuides& guides;
+  const RepairParameters& parameters;
+  bool float_positions = true; /**< new vertices get places that a float can hold */
+};
+
+/** \brief Holes to be closed together: bridges run between them. */
+struct Region {
+  std::vector<HolePolygon> holes;
+  std::size_t bridge_vertices = 0; /**< new vertices on bridges of all regions: numbers
+                                        of others begin after these */
+};
+
+/** \brief What became of one hole of a region. */
+struct HoleOutcome {
+  OpenReason open = OpenReason::NONE;
+  std::string darning;                 /**< name of the method that closed it */
+  std::size_t tries = 0;               /**< that failed before */
+  std::vector<DividingBridge> bridges; /**< that divided it */
+};
+
+struct ClosedRegion {
+  Patch patch; /**< its holes are numbered as in the region */
+  std::vector<HoleOutcome> holes;
+};
+
+/** \brief Divide, darn, refine and relax, and try again in other ways where the result
+ * would run through something; what cannot be closed is left out. Nothing is kept that
+ * does not fit the model or that meets the obstacle. */
+ClosedRegion
+closeRegion(const ClosingPlace& place,
+            const Region& region,
+            const SurfaceObstacle& obstacle,
+            const ccaa::LoopContext& context);
+
+} // namespace repair
+} // namespace pcl

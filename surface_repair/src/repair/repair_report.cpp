@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what a repair found and did.
+
+#include <pcl/surface_repair/repair_report.h>
+
+namespace pcl {
+
+const char*
+describe(OpenReason reason)
+{
+  switch (reason) {
+  case OpenReason::NONE:
+    return "it is closed";
+  case OpenReason::OUTER_BORDER:
+    return "it is the outer border of an open surface";
+  case OpenReason::TUBE_MOUTH:
+    return "it is the mouth of an open tube";
+  case OpenReason::NOT_JOINED:
+    return "no bridge joins its island to another one";
+  case OpenReason::UNDECIDED:
+    return "it is not clear whether it is a hole or a border";
+  case OpenReason::ONE_SIDED:
+    return "its island has no two sides";
+  case OpenReason::TOO_LARGE:
+    return "it has more edges than are to be closed";
+  case OpenReason::NO_DARN:
+    return "no darning method closes it";
+  case OpenReason::NOT_MANIFOLD:
+    return "closing it would give an edge three triangles";
+  case OpenReason::INTERSECTION:
+    return "closing it would run through the surface";
+  }
+  return "";
+}
+
+bool
+isShortfall(OpenReason reason)
+{
+  return reason != OpenReason::NONE && reason != OpenReason::OUTER_BORDER &&
+         reason != OpenReason::TUBE_MOUTH;
+}
+
+const char*
+describe(TriangleOrigin origin)
+{
+  switch (origin) {
+  case TriangleOrigin::INPUT:
+    return "input";
+  case TriangleOrigin::FAN:
+    return "fan";
+  case TriangleOrigin::MINIMUM_WEIGHT:
+    return "minimum weight";
+  case TriangleOrigin::COMPLETION:
+    return "completion";
+  }
+  return "";
+}
+
+} // namespace pcl

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: one repair, from the mesh as it comes to the triangles that
+// are new.
+
+#include "repair_run.h"
+
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_repair/icadm/model_assembly.h>
+
+#include "hole_list.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Times that what came out is looked at again. What one pass leaves open because of
+ * its neighbours, the next one finds alone. */
+constexpr int MOST_PASSES = 5;
+
+TriangleOrigin
+originOf(const std::string& darning)
+{
+  for (const TriangleOrigin origin : {TriangleOrigin::FAN, TriangleOrigin::COMPLETION})
+    if (darning == describe(origin))
+      return origin;
+  return TriangleOrigin::MINIMUM_WEIGHT;
+}
+
+/** Where a region is built: its boundary with room around it. */
+ccaa::Box
+placeOf(const std::vector<HolePolygon>& holes)
+{
+  ccaa::Box box;
+  for (const HolePolygon& hole : holes)
+    for (const Position& point : hole.curve.points)
+      box.extend(point);
+  const Eigen::Vector3d room = Eigen::Vector3d::Constant(box.diagonal().norm());
+  return {box.min() - room, box.max() + room};
+}
+
+bool
+hasFloatPositions(const pcl::PCLPointCloud2& cloud)
+{
+  return std::any_of(cloud.fields.begin(), cloud.fields.end(), [](const auto& field) {
+    return field.name == "x" && field.datatype == pcl::PCLPointField::FLOAT32;
+  });
+}
+
+class RepairRun {
+public:
+  RepairRun(const RepairParameters& parameters,
+            const ccaa::LoopContext& context,
+            RepairReport& report)
+  : parameters_(parameters), context_(context), report_(report)
+  {
+    parameters_.survey.trace_in_holes = false;
+    parameters_.survey.trace_between_islands = parameters.join_islands;
+  }
+
+  RepairedModel
+  run(const pcl::PolygonMesh::ConstPtr& mesh, const pcl::PCLPointCloud2* free_points);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void
+  noteInput();
+  bool
+  closeHoles();
+  void
+  accept(const HoleList& list,
+         const std::vector<std::size_t>& holes,
+         ClosedRegion closed,
+         SurfaceObstacle& obstacle);
+  void
+  addPatch(const Patch& patch, const std::vector<std::size_t>& reported);
+  std::size_t
+  report(const OpenHole& hole, const HoleOutcome& outcome);
+  void
+  reportBridges(const OpenHole& hole, const HoleOutcome& outcome, RepairedHole& entry);
+  std::size_t
+  bridgeEntry(std::size_t bridge);
+  void
+  resurvey();
+  void
+  reportLeftOpen();
+  OpenReason
+  reasonFor(const OpenHole& hole) const;
+  pcl::index_t
+  pointOf(pcl::index_t vertex) const;
+  void
+  countSeconds(const char* step, Clock::time_point since);
+
+  RepairParameters parameters_;
+  ccaa::LoopContext context_;
+  RepairReport& report_;
+  ModelSurvey survey_;
+  bool float_positions_ = true;
+  RepairedModel result_;
+  std::vector<std::size_t>
+      entry_of_bridge_;            /**< of this pass's bridges, in the report */
+  std::vector<OpenReason> failed_; /**< of each vertex: why a hole there stayed open */
+  std::vector<bool> used_;         /**< of each free point: it is a vertex now */
+  Triangles triangles_;            /**< of the model that is to come */
+  Positions positions_;
+  std::vector<pcl::index_t> point_of_vertex_;
+};
+
+void
+RepairRun::countSeconds(const char* step, Clock::time_point since)
+{
+  const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
+  auto& all = report_.seconds;
+  const auto entry = std::find_if(
+      all.begin(), all.end(), [&](const auto& e) { return e.first == step; });
+  if (entry == all.end())
+    all.emplace_back(step, seconds);
+  else
+    entry->second += seconds;
+}
+
+void
+RepairRun::noteInput()
+{
+  const IncompleteModel& model = survey_.model;
+  result_.input_vertices = model.positions.size();
+  result_.input_triangles = model.triangles.size();
+  report_.input_triangles = model.triangles.size();
+  report_.free_points = model.free_points.size();
+  report_.counts_before = survey_.counts;
+  report_.class_before = survey_.icm_class;
+  for (std::size_t i = 0; i < model.islands.size(); ++i) {
+    const Island& island = model.islands[i];
+    report_.islands.push_back({island.triangles,
+                               island.area,
+                               island.closed,
+                               island.one_sided,
+                               survey_.sides[i]});
+  }
+  for (std::size_t k = 0; k < survey_.loops.size(); ++k) {
+    const BoundaryLoop& loop = survey_.loops[k];
+    report_.loops.push_back({loop.island,
+                             loop.vertices.size(),
+                             loop.length,
+                             pointOf(loop.vertices.front()),
+                             survey_.classes[k]});
+  }
+  report_.origins.assign(model.triangles.size(), TriangleOrigin::INPUT);
+  report_.hole_of.assign(model.triangles.size(), NONE);
+}
+
+pcl::index_t
+RepairRun::pointOf(pcl::index_t vertex) const
+{
+  const auto& points = survey_.model.point_of_vertex;
+  const auto place = static_cast<std::size_t>(vertex);
+  return place < points.size() ? points[place] : pcl::UNAVAILABLE;
+}
+
+/** One pass. \return whether anything was closed */
+bool
+RepairRun::closeHoles()
+{
+  const HoleList list = listHoles(survey_, parameters_.darning);
+  std::vector<Region> regions;
+  std::vector<ccaa::Box> places;
+  for (const std::vector<std::size_t>& holes : list.regions) {
+    Region region;
+    region.bridge_vertices = list.bridge_vertices;
+    for (const std::size_t hole : holes)
+      region.holes.push_back(list.holes[hole].polygon);
+    places.push_back(placeOf(region.holes));
+    regions.push_back(std::move(region));
+  }
+  SurfaceObstacle obstacle(survey_.model, places);
+  triangles_ = survey_.model.triangles;
+  positions_ = survey_.model.positions;
+  point_of_vertex_ = survey_.model.point_of_vertex;
+  entry_of_bridge_.assign(survey_.joined.bridges.size(), NONE);
+  failed_.assign(positions_.size(), OpenReason::NONE);
+  used_.assign(survey_.model.free_points.size(), false);
+  const SurveyGuides none;
+  const ClosingPlace place{survey_.model,
+                           survey_.guides ? *survey_.guides : none,
+                           parameters_,
+                           float_positions_};
+  for (std::size_t r = 0; r < regions.size() && !context_.cancelled(); ++r) {
+    accept(list,
+           list.regions[r],
+           closeRegion(place, regions[r], obstacle, context_),
+           obstacle);
+    if (context_.control != nullptr)
+      context_.control->report(
+          "closing", static_cast<double>(r + 1) / static_cast<double>(regions.size()));
+  }
+  return triangles_.size() > survey_.model.triangles.size();
+}
+
+void
+RepairRun::accept(const HoleList& list,
+                  const std::vector<std::size_t>& holes,
+                  ClosedRegion closed,
+                  SurfaceObstacle& obstacle)
+{
+  std::vector<std::size_t> reported(holes.size(), NONE);
+  std::vector<std::size_t> triangles(holes.size(), 0);
+  for (const std::size_t hole : closed.patch.hole)
+    ++triangles[hole];
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const OpenHole& hole = list.holes[holes[i]];
+    if (closed.holes[i].open == OpenReason::NONE) {
+      reported[i] = report(hole, closed.holes[i]);
+      report_.holes[reported[i]].triangles = triangles[i];
+      continue;
+    }
+    for (const pcl::index_t vertex : hole.polygon.vertices)
+      if (static_cast<std::size_t>(vertex) < failed_.size())
+        failed_[static_cast<std::size_t>(vertex)] = closed.holes[i].open;
+  }
+  obstacle.add(closed.patch.positions, closed.patch.triangles);
+  addPatch(closed.patch, reported);
+}
+
+void
+RepairRun::addPatch(const Patch& patch, const std::vector<std::size_t>& reported)
+{
+  std::vector<pcl::index_t> number = patch.rim;
+  for (std::size_t v = patch.rim.size(); v < patch.positions.size(); ++v) {
+    number.push_back(static_cast<pcl::index_t>(positions_.size()));
+    positions_.push_back(patch.positions[v]);
+    const std::size_t free_point = patch.free_point[v];
+    if (free_point != NONE)
+      used_[free_point] = true;
+    point_of_vertex_.push_back(free_point == NONE
+                                   ? pcl::UNAVAILABLE
+                                   : survey_.model.point_of_free_point[free_point]);
+  }
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    Triangle triangle = patch.triangles[t];
+    for (pcl::index_t& corner : triangle)
+      corner = number[static_cast<std::size_t>(corner)];
+    triangles_.push_back(triangle);
+    const std::size_t hole = reported[patch.hole[t]];
+    report_.hole_of.push_back(hole);
+    report_.origins.push_back(originOf(report_.holes[hole].darning));
+  }
+}
+
+std::size_t
+RepairRun::report(const OpenHole& hole, const HoleOutcome& outcome)
+{
+  RepairedHole entry;
+  entry.edges = hole.polygon.size();
+  entry.length = lengthOf(hole.polygon.curve);
+  entry.open = outcome.open;
+  entry.darning = outcome.darning;
+  entry.tries = outcome.tries;
+  for (const pcl::index_t vertex : hole.polygon.vertices) {
+    if (static_cast<std::size_t>(vertex) >= survey_.model.positions.size())
+      continue;
+    if (entry.point == pcl::UNAVAILABLE)
+      entry.point = pointOf(vertex);
+    const pcl::index_t triangle = *survey_.model.adjacency.begin(vertex);
+    entry.islands.push_back(
+        survey_.model.island_of[static_cast<std::size_t>(triangle)]);
+  }
+  std::sort(entry.islands.begin(), entry.islands.end());
+  entry.islands.erase(std::unique(entry.islands.begin(), entry.islands.end()),
+                      entry.islands.end());
+  reportBridges(hole, outcome, entry);
+  report_.holes.push_back(std::move(entry));
+  return report_.holes.size() - 1;
+}
+
+void
+RepairRun::reportBridges(const OpenHole& hole,
+                         const HoleOutcome& outcome,
+                         RepairedHole& entry)
+{
+  for (const std::size_t bridge : hole.bridges)
+    entry.bridges.push_back(bridgeEntry(bridge));
+  for (const DividingBridge& bridge : outcome.bridges) {
+    RepairBridge built;
+    built.begin = pointOf(bridge.vertices.front());
+    built.end = pointOf(bridge.vertices.back());
+    built.begin_island = built.end_island =
+        entry.islands.empty() ? NONE : entry.islands.front();
+    built.points = bridge.points;
+    built.normals = bridge.normals;
+    built.quality = bridge.quality;
+    built.within_hole = true;
+    entry.bridges.push_back(report_.bridges.size());
+    report_.bridges.push_back(std::move(built));
+  }
+}
+
+/** The place of a bridge between islands in the report; two holes pass each. */
+std::size_t
+RepairRun::bridgeEntry(std::size_t bridge)
+{
+  std::size_t& entry = entry_of_bridge_[bridge];
+  if (entry != NONE)
+    return entry;
+  const Bridge& built = survey_.joined.bridges[bridge];
+  const auto loop = [&](const BoundaryPoint& end) -> const BoundaryLoop& {
+    return survey_.loops[survey_.joined.loops[end.curve]];
+  };
+  entry = report_.bridges.size();
+  report_.bridges.push_back({pointOf(loop(built.begin).vertices[built.begin.edge]),
+                             pointOf(loop(built.end).vertices[built.end.edge]),
+                             loop(built.begin).island,
+                             loop(built.end).island,
+                             built.points,
+                             built.normals,
+                             built.quality,
+                             false});
+  return entry;
+}
+
+/** The model with all patches, and what is to be told about it. */
+void
+RepairRun::resurvey()
+{
+  IncompleteModel model =
+      assembleModel(std::move(triangles_), std::move(positions_), context_);
+  model.point_of_vertex = std::move(point_of_vertex_);
+  const IncompleteModel& before = survey_.model;
+  for (std::size_t i = 0; i < used_.size(); ++i)
+    if (!used_[i]) {
+      model.free_points.push_back(before.free_points[i]);
+      model.point_of_free_point.push_back(before.point_of_free_point[i]);
+    }
+  std::vector<OpenReason> failed = std::move(failed_);
+  failed.resize(model.positions.size(), OpenReason::NONE);
+  survey_ = surveyModel(std::move(model), parameters_.survey, context_);
+  failed_ = std::move(failed);
+}
+
+/** What the last try said, or else what speaks against one. */
+OpenReason
+RepairRun::reasonFor(const OpenHole& hole) const
+{
+  if (hole.open != OpenReason::NONE)
+    return hole.open;
+  for (const pcl::index_t vertex : hole.polygon.vertices) {
+    const auto place = static_cast<std::size_t>(vertex);
+    if (place < failed_.size() && failed_[place] != OpenReason::NONE)
+      return failed_[place];
+  }
+  return OpenReason::NO_DARN;
+}
+
+void
+RepairRun::reportLeftOpen()
+{
+  report_.counts_after = survey_.counts;
+  report_.class_after = survey_.icm_class;
+  survey_.joined = {}; // bridges that led to nothing
+  for (const OpenHole& hole : listHoles(survey_, parameters_.darning).holes) {
+    HoleOutcome outcome;
+    outcome.open = reasonFor(hole);
+    report(hole, outcome);
+    report_.shortfalls += isShortfall(outcome.open) ? 1 : 0;
+  }
+}
+
+RepairedModel
+RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
+               const pcl::PCLPointCloud2* free_points)
+{
+  survey_ = surveyModel(mesh, free_points, parameters_.survey, context_);
+  report_.reading = survey_.reading;
+  if (!survey_.reading.problem.empty() || survey_.cancelled)
+    return {};
+  for (const auto& [step, seconds] : survey_.seconds)
+    report_.seconds.emplace_back(step, seconds);
+  float_positions_ = hasFloatPositions(mesh->cloud);
+  noteInput();
+  for (int pass = 0; pass < MOST_PASSES && !context_.cancelled(); ++pass) {
+    const auto start = Clock::now();
+    const bool closed_any = closeHoles();
+    countSeconds("closing", start);
+    if (!closed_any || context_.cancelled())
+      break;
+    const auto closed = Clock::now();
+    resurvey();
+    countSeconds("looking again", closed);
+  }
+  if (context_.cancelled())
+    return {};
+  reportLeftOpen();
+  report_.new_triangles = survey_.model.triangles.size() - result_.input_triangles;
+  result_.model = std::move(survey_.model);
+  return std::move(result_);
+}
+
+} // namespace
+
+RepairedModel
+runRepair(const pcl::PolygonMesh::ConstPtr& mesh,
+          const pcl::PCLPointCloud2* free_points,
+          const RepairParameters& parameters,
+          const ccaa::LoopContext& context,
+          RepairReport& report)
+{
+  report = RepairReport();
+  RepairedModel repaired =
+      RepairRun(parameters, context, report).run(mesh, free_points);
+  report.cancelled = context.cancelled();
+  return repaired;
+}
+
+} // namespace repair
+} // namespace pcl

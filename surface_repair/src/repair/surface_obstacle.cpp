@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what new triangles must not run through.
+
+#include "surface_obstacle.h"
+
+#include <pcl/surface_ccaa/mesh/intersection.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+ccaa::BoxTree
+treeOver(const std::vector<ccaa::Corners>& triangles)
+{
+  std::vector<ccaa::Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const ccaa::Corners& corners : triangles)
+    boxes.push_back(ccaa::boxOf(corners));
+  return ccaa::BoxTree(boxes);
+}
+
+/** Which boxes meet any of the places. */
+class NearPlaces {
+public:
+  explicit NearPlaces(const std::vector<ccaa::Box>& places) : tree_(places)
+  {
+    for (const ccaa::Box& place : places)
+      all_.extend(place);
+  }
+
+  bool
+  contain(const ccaa::Box& box) const
+  {
+    if (!all_.intersects(box))
+      return false;
+    bool found = false;
+    tree_.forEachMeeting(box, [&](pcl::index_t) { found = true; });
+    return found;
+  }
+
+private:
+  ccaa::Box all_;
+  ccaa::BoxTree tree_;
+};
+
+} // namespace
+
+SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
+                                 const std::vector<ccaa::Box>& places)
+{
+  const NearPlaces near_places(places);
+  std::vector<ccaa::Corners> near_triangles;
+  for (const Triangle& triangle : model.triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
+    if (near_places.contain(ccaa::boxOf(corners)) && !ccaa::isCollinear(corners))
+      near_triangles.push_back(corners);
+  }
+  addLayer(std::move(near_triangles));
+}
+
+void
+SurfaceObstacle::add(const Positions& positions, const Triangles& triangles)
+{
+  std::vector<ccaa::Corners> layer;
+  for (const Triangle& triangle : triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, positions);
+    if (!ccaa::isCollinear(corners))
+      layer.push_back(corners);
+  }
+  addLayer(std::move(layer));
+}
+
+void
+SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles)
+{
+  Layer layer;
+  for (const ccaa::Corners& corners : triangles)
+    layer.box.extend(ccaa::boxOf(corners));
+  layer.tree = treeOver(triangles);
+  layer.triangles = std::move(triangles);
+  layers_.push_back(std::move(layer));
+}
+
+bool
+SurfaceObstacle::meets(const ccaa::Corners& corners) const
+{
+  if (ccaa::isCollinear(corners))
+    return false;
+  const ccaa::Box box = ccaa::boxOf(corners);
+  bool found = false;
+  for (const Layer& layer : layers_)
+    if (!found && layer.box.intersects(box))
+      layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
+        found = found || ccaa::trianglesMeet(
+                             corners, layer.triangles[static_cast<std::size_t>(i)]);
+      });
+  return found;
+}
+
+std::vector<std::size_t>
+obstructedTriangles(const Patch& patch, const SurfaceObstacle& obstacle)
+{
+  std::vector<ccaa::Corners> triangles;
+  for (const Triangle& triangle : patch.triangles)
+    triangles.push_back(ccaa::cornersOf(triangle, patch.positions));
+  const ccaa::BoxTree tree = treeOver(triangles);
+  std::vector<bool> obstructed(triangles.size(), false);
+  std::vector<std::size_t> found;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (ccaa::isCollinear(triangles[t]))
+      continue;
+    if (obstacle.meets(triangles[t]))
+      obstructed[t] = true;
+    tree.forEachMeeting(ccaa::boxOf(triangles[t]), [&](pcl::index_t i) {
+      const auto other = static_cast<std::size_t>(i);
+      if (other > t && !(obstructed[t] && obstructed[other]) &&
+          !ccaa::isCollinear(triangles[other]) &&
+          ccaa::trianglesMeet(triangles[t], triangles[other]))
+        obstructed[t] = obstructed[other] = true;
+    });
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (obstructed[t])
+      found.push_back(t);
+  return found;
+}
+
+} // namespace repair
+} // namespace pcl

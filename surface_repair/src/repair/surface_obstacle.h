@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what new triangles must not run through.
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+#include <pcl/surface_repair/darning/patch.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The surface near the places where something is built, and what was built
+ * there before. Const methods may be called from several threads. */
+class SurfaceObstacle {
+public:
+  /** \brief Take the triangles of a model that come near to places. Cost: 20 ns a
+   * triangle of the model, and a tree over those that are taken. */
+  SurfaceObstacle(const IncompleteModel& model, const std::vector<ccaa::Box>& places);
+
+  /** \brief Triangles that are there from now on, too. */
+  void
+  add(const Positions& positions, const Triangles& triangles);
+
+  /** \brief Whether a triangle meets one that is there where it should not (see
+   * ccaa::trianglesMeet()). Exact. One without an area meets nothing. */
+  bool
+  meets(const ccaa::Corners& corners) const;
+
+private:
+  /** Triangles that came together. */
+  struct Layer {
+    ccaa::Box box;
+    std::vector<ccaa::Corners> triangles;
+    ccaa::BoxTree tree;
+  };
+
+  void
+  addLayer(std::vector<ccaa::Corners> triangles);
+
+  std::vector<Layer> layers_;
+};
+
+/** \brief Triangles of a patch that run through the surface or through each other,
+ * ascending. */
+std::vector<std::size_t>
+obstructedTriangles(const Patch& patch, const SurfaceObstacle& obstacle);
+
+} // namespace repair
+} // namespace pcl
