@@ -3,10 +3,13 @@
 // size.
 #include "float_tree.h"
 
+#include <pcl/search/kdtree.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -26,11 +29,14 @@ toPoint(const Position& position)
 
 } // namespace
 
-FloatTree::FloatTree(const Positions& positions)
-: size_(static_cast<pcl::index_t>(positions.size()))
+FloatTree::FloatTree(const Positions& positions,
+                     pcl::search::Search<pcl::PointXYZ>::Ptr search)
+: tree_(std::move(search)), size_(static_cast<pcl::index_t>(positions.size()))
 {
-  if (positions.empty())
+  if (positions.empty()) {
+    tree_.reset();
     return;
+  }
   Eigen::AlignedBox3d box;
   for (const Position& position : positions)
     box.extend(position);
@@ -41,8 +47,8 @@ FloatTree::FloatTree(const Positions& positions)
   cloud->reserve(positions.size());
   for (const Position& position : positions)
     cloud->push_back(toPoint(toFrame(position)));
-  const bool sorted = false;
-  tree_ = std::make_shared<pcl::KdTreeFLANN<pcl::PointXYZ>>(sorted);
+  if (!tree_)
+    tree_ = pcl::make_shared<pcl::search::KdTree<pcl::PointXYZ>>(false);
   tree_->setInputCloud(cloud);
 }
 

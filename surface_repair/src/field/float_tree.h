@@ -3,7 +3,7 @@
 // size.
 #pragma once
 
-#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/search/search.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
 #include <pcl/point_types.h>
 
@@ -19,7 +19,10 @@ namespace repair {
 class FloatTree {
 public:
   FloatTree() = default;
-  explicit FloatTree(const Positions& positions);
+
+  /** \param[in] search gets the positions as its input; null: search::KdTree */
+  explicit FloatTree(const Positions& positions,
+                     pcl::search::Search<pcl::PointXYZ>::Ptr search = nullptr);
 
   /** \brief All positions within a radius, and perhaps a few more, ascending. */
   void
@@ -34,7 +37,7 @@ private:
 
   Position origin_ = Position::Zero();
   double scale_ = 1.0;
-  std::shared_ptr<pcl::KdTreeFLANN<pcl::PointXYZ>> tree_; /**< none: no position */
+  pcl::search::Search<pcl::PointXYZ>::Ptr tree_; /**< none: no position */
   pcl::index_t size_ = 0;
 };
 

@@ -28,13 +28,16 @@ struct FreePointField::Implementation {
   TensionGrid grid;
 };
 
-FreePointField::FreePointField(Positions points, const Falloff& falloff, double trust)
+FreePointField::FreePointField(Positions points,
+                               const Falloff& falloff,
+                               double trust,
+                               pcl::search::Search<pcl::PointXYZ>::Ptr search)
 : implementation_(std::make_unique<Implementation>())
 {
   implementation_->points = std::move(points);
   implementation_->falloff = falloff;
   implementation_->tension = trustedTension(trust);
-  implementation_->tree = FloatTree(implementation_->points);
+  implementation_->tree = FloatTree(implementation_->points, std::move(search));
   implementation_->grid =
       TensionGrid(implementation_->points, falloff, implementation_->tension);
 }

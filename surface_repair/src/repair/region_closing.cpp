@@ -7,6 +7,7 @@
 #include "patch_assembly.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -15,14 +16,22 @@ namespace repair {
 
 namespace {
 
-/** How careful a hole is closed: each level after the one before has failed. */
-enum class Care : std::uint8_t {
-  NORMAL,
-  AVOIDING,  /**< the darn may not run through anything */
-  UNRELAXED, /**< and keeps its places; only for a hole that is alone */
-  BARE,      /**< and gets no new vertices */
-  GIVEN_UP
+/** How a hole is closed. */
+struct Care {
+  bool avoiding; /**< the darn may not run through anything */
+  bool relaxed;
+  bool refined;
 };
+
+/** One after the other, each when the one before has failed. */
+constexpr std::array<Care, 5> CARES = {{{false, true, true},
+                                        {true, true, true},
+                                        {false, false, true},
+                                        {true, false, true},
+                                        {true, false, false}}};
+/** So many of them for a hole that has others in its region: later it is alone. */
+constexpr std::size_t CARES_AMONG_OTHERS = 2;
+constexpr std::size_t GIVEN_UP = CARES.size();
 
 /** An edge between two vertices, the lower one first. */
 using VertexPair = std::pair<pcl::index_t, pcl::index_t>;
@@ -96,7 +105,7 @@ public:
   , region_(region)
   , obstacle_(obstacle)
   , context_(context)
-  , care_(region.holes.size(), Care::NORMAL)
+  , care_(region.holes.size(), 0)
   {
     result_.holes.resize(region.holes.size());
   }
@@ -116,19 +125,17 @@ private:
   bool
   isSound();
   bool
-  isRelaxed() const;
-  bool
-  isRefined() const;
+  all(bool Care::*wanted) const;
   void
   raiseCare(std::size_t hole, OpenReason reason);
   DarningTask
-  taskFor(const HolePolygon& polygon, const TakenEdges& taken, Care care) const;
+  taskFor(const HolePolygon& polygon, const TakenEdges& taken, bool avoiding) const;
 
   const ClosingPlace& place_;
   const Region& region_;
   const SurfaceObstacle& obstacle_;
   const ccaa::LoopContext& context_;
-  std::vector<Care> care_;        /**< of each hole */
+  std::vector<std::size_t> care_; /**< of each hole: place in CARES */
   std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
   ClosedRegion result_;
 };
@@ -165,14 +172,14 @@ RegionClosing::divide()
 DarningTask
 RegionClosing::taskFor(const HolePolygon& polygon,
                        const TakenEdges& taken,
-                       Care care) const
+                       bool avoiding) const
 {
   DarningTask task;
   task.polygon = polygon.curve;
   task.joined = [&polygon, &taken](std::size_t a, std::size_t b) {
     return taken.contain(polygon.vertices[a], polygon.vertices[b]);
   };
-  if (care >= Care::AVOIDING)
+  if (avoiding)
     task.obstructed = [this](const ccaa::Corners& corners) {
       return obstacle_.meets(corners);
     };
@@ -187,34 +194,33 @@ RegionClosing::darnAll()
     taken.addPolygon(part.polygon);
   for (DarnedPart& part : parts_) {
     part.darn = {};
-    if (care_[part.hole] == Care::GIVEN_UP)
+    std::size_t& care = care_[part.hole];
+    if (care == GIVEN_UP)
       continue;
-    const DarningTask task = taskFor(part.polygon, taken, care_[part.hole]);
-    ChosenDarn chosen =
-        darn(task, place_.parameters.darning.choice, place_.guides.free_points.get());
+    HoleOutcome& outcome = result_.holes[part.hole];
+    const bool avoiding = CARES[care].avoiding;
+    ChosenDarn chosen = darn(taskFor(part.polygon, taken, avoiding),
+                             place_.parameters.darning.choice,
+                             place_.guides.free_points.get());
     if (!chosen.darn.closed()) {
-      care_[part.hole] = Care::GIVEN_UP;
-      result_.holes[part.hole].open = OpenReason::NO_DARN;
+      ++outcome.tries;
+      care = GIVEN_UP;
+      outcome.open = avoiding ? OpenReason::INTERSECTION : OpenReason::NO_DARN;
       continue;
     }
     taken.addDarn(part.polygon, chosen.darn);
-    result_.holes[part.hole].darning = chosen.method;
+    outcome.darning = chosen.method;
     part.darn = std::move(chosen.darn);
   }
 }
 
+/** Whether all holes that are still to be closed want something. */
 bool
-RegionClosing::isRelaxed() const
+RegionClosing::all(bool Care::*wanted) const
 {
-  return std::none_of(care_.begin(), care_.end(), [](Care care) {
-    return care == Care::UNRELAXED || care == Care::BARE;
+  return std::all_of(care_.begin(), care_.end(), [&](std::size_t care) {
+    return care == GIVEN_UP || CARES[care].*wanted;
   });
-}
-
-bool
-RegionClosing::isRefined() const
-{
-  return std::find(care_.begin(), care_.end(), Care::BARE) == care_.end();
 }
 
 /** Places that the cloud can hold: what is tested is what will be written. */
@@ -233,31 +239,30 @@ RegionClosing::shapePatch()
 {
   std::vector<DarnedPart> closed;
   for (const DarnedPart& part : parts_)
-    if (care_[part.hole] != Care::GIVEN_UP)
+    if (care_[part.hole] != GIVEN_UP)
       closed.push_back(part);
   result_.patch = assemblePatch(closed, place_.model.positions.size());
   const RepairParameters& parameters = place_.parameters;
-  if (parameters.refine && isRefined()) {
+  if (parameters.refine && all(&Care::refined)) {
     refinePatch(place_.model, parameters.refinement, result_.patch);
     RelaxationParameters relaxation = parameters.relaxation;
     relaxation.trust = parameters.survey.field.trust;
-    if (parameters.relax && isRelaxed())
+    if (parameters.relax && all(&Care::relaxed))
       relaxPatch(place_.model, place_.model.free_points, relaxation, result_.patch);
   }
   roundPositions();
 }
 
-/** A hole among others is left for later, when it is alone. */
 void
 RegionClosing::raiseCare(std::size_t hole, OpenReason reason)
 {
-  if (care_[hole] == Care::GIVEN_UP)
+  if (care_[hole] == GIVEN_UP)
     return;
   ++result_.holes[hole].tries;
-  care_[hole] = static_cast<Care>(static_cast<std::uint8_t>(care_[hole]) + 1);
-  if (region_.holes.size() > 1 && care_[hole] > Care::AVOIDING)
-    care_[hole] = Care::GIVEN_UP;
-  if (care_[hole] == Care::GIVEN_UP)
+  ++care_[hole];
+  if (region_.holes.size() > 1 && care_[hole] >= CARES_AMONG_OTHERS)
+    care_[hole] = GIVEN_UP;
+  if (care_[hole] == GIVEN_UP)
     result_.holes[hole].open = reason;
 }
 

@@ -51,6 +51,12 @@ hasFloatPositions(const pcl::PCLPointCloud2& cloud)
   });
 }
 
+/** Why a hole stayed open. */
+struct Failure {
+  OpenReason open = OpenReason::NONE;
+  std::size_t tries = 0;
+};
+
 class RepairRun {
 public:
   RepairRun(const RepairParameters& parameters,
@@ -89,8 +95,8 @@ private:
   resurvey();
   void
   reportLeftOpen();
-  OpenReason
-  reasonFor(const OpenHole& hole) const;
+  HoleOutcome
+  lastOutcome(const OpenHole& hole) const;
   pcl::index_t
   pointOf(pcl::index_t vertex) const;
   void
@@ -103,10 +109,10 @@ private:
   bool float_positions_ = true;
   RepairedModel result_;
   std::vector<std::size_t>
-      entry_of_bridge_;            /**< of this pass's bridges, in the report */
-  std::vector<OpenReason> failed_; /**< of each vertex: why a hole there stayed open */
-  std::vector<bool> used_;         /**< of each free point: it is a vertex now */
-  Triangles triangles_;            /**< of the model that is to come */
+      entry_of_bridge_;         /**< of this pass's bridges, in the report */
+  std::vector<Failure> failed_; /**< of each vertex: of a hole there */
+  std::vector<bool> used_;      /**< of each free point: it is a vertex now */
+  Triangles triangles_;         /**< of the model that is to come */
   Positions positions_;
   std::vector<pcl::index_t> point_of_vertex_;
 };
@@ -182,7 +188,7 @@ RepairRun::closeHoles()
   positions_ = survey_.model.positions;
   point_of_vertex_ = survey_.model.point_of_vertex;
   entry_of_bridge_.assign(survey_.joined.bridges.size(), NONE);
-  failed_.assign(positions_.size(), OpenReason::NONE);
+  failed_.assign(positions_.size(), Failure());
   used_.assign(survey_.model.free_points.size(), false);
   const SurveyGuides none;
   const ClosingPlace place{survey_.model,
@@ -220,7 +226,8 @@ RepairRun::accept(const HoleList& list,
     }
     for (const pcl::index_t vertex : hole.polygon.vertices)
       if (static_cast<std::size_t>(vertex) < failed_.size())
-        failed_[static_cast<std::size_t>(vertex)] = closed.holes[i].open;
+        failed_[static_cast<std::size_t>(vertex)] = {closed.holes[i].open,
+                                                     closed.holes[i].tries};
   }
   obstacle.add(closed.patch.positions, closed.patch.triangles);
   addPatch(closed.patch, reported);
@@ -335,24 +342,30 @@ RepairRun::resurvey()
       model.free_points.push_back(before.free_points[i]);
       model.point_of_free_point.push_back(before.point_of_free_point[i]);
     }
-  std::vector<OpenReason> failed = std::move(failed_);
-  failed.resize(model.positions.size(), OpenReason::NONE);
+  std::vector<Failure> failed = std::move(failed_);
+  failed.resize(model.positions.size());
   survey_ = surveyModel(std::move(model), parameters_.survey, context_);
   failed_ = std::move(failed);
 }
 
 /** What the last try said, or else what speaks against one. */
-OpenReason
-RepairRun::reasonFor(const OpenHole& hole) const
+HoleOutcome
+RepairRun::lastOutcome(const OpenHole& hole) const
 {
+  HoleOutcome outcome;
+  outcome.open = hole.open;
   if (hole.open != OpenReason::NONE)
-    return hole.open;
+    return outcome;
+  outcome.open = OpenReason::NO_DARN;
   for (const pcl::index_t vertex : hole.polygon.vertices) {
     const auto place = static_cast<std::size_t>(vertex);
-    if (place < failed_.size() && failed_[place] != OpenReason::NONE)
-      return failed_[place];
+    if (place >= failed_.size() || failed_[place].open == OpenReason::NONE)
+      continue;
+    outcome.open = failed_[place].open;
+    outcome.tries = failed_[place].tries;
+    break;
   }
-  return OpenReason::NO_DARN;
+  return outcome;
 }
 
 void
@@ -362,8 +375,7 @@ RepairRun::reportLeftOpen()
   report_.class_after = survey_.icm_class;
   survey_.joined = {}; // bridges that led to nothing
   for (const OpenHole& hole : listHoles(survey_, parameters_.darning).holes) {
-    HoleOutcome outcome;
-    outcome.open = reasonFor(hole);
+    const HoleOutcome outcome = lastOutcome(hole);
     report(hole, outcome);
     report_.shortfalls += isShortfall(outcome.open) ? 1 : 0;
   }

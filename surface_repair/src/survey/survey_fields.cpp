@@ -111,8 +111,8 @@ makeGuides(const ModelSurvey& survey,
       freePointFalloff(spacing, median_gap, parameters.free_point_exponent);
   if (parameters.free_point_far > 0.0)
     falloff.far = parameters.free_point_far;
-  guides->free_points =
-      std::make_unique<FreePointField>(points, falloff, parameters.trust);
+  guides->free_points = std::make_unique<FreePointField>(
+      points, falloff, parameters.trust, parameters.search);
   return guides;
 }
 

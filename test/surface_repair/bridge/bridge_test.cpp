@@ -67,8 +67,8 @@ TEST(BridgeSelection, ShorterLineComesFirst)
   const Islands caps = twoCaps();
   std::vector<ForceLine> lines = linesOf(caps);
   lines[20].length = 0.1;
-  EXPECT_EQ(lines[20].points,
-            selectBridges(lines, caps.targets, {0.0, 0.4}).front().points);
+  EXPECT_EQ(lines[20].quality,
+            selectBridges(lines, caps.targets, {0.0, 0.4}).front().quality);
 }
 
 TEST(BridgeSelection, LineThatDidNotArriveIsNoBridge)
@@ -95,6 +95,34 @@ TEST(BridgeSelection, RoomIsUsedUp)
       selectBridges(linesOf(caps), caps.targets, {0.0, 0.4}).size();
   // Between gaps of twice the distance another one would have fitted.
   EXPECT_GE(static_cast<double>(chosen), caps.targets.lengthOf(0) / (2.0 * 0.4 + 0.2));
+}
+
+TEST(BridgeSelection, BridgesEndAtVertices)
+{
+  const Islands caps = twoCaps();
+  for (const Bridge& bridge : selectBridges(linesOf(caps), caps.targets, {0.0, 0.4}))
+    for (const BoundaryPoint* end : {&bridge.begin, &bridge.end}) {
+      EXPECT_EQ(0.0, end->share);
+      EXPECT_EQ(caps.targets.curves()[end->curve].curve.points[end->edge],
+                end->position);
+    }
+}
+
+TEST(SupportedBridge, InnerPointsGoAlongLessTheFurtherTheyAre)
+{
+  const Islands caps = twoCaps();
+  Bridge bridge;
+  bridge.begin = caps.targets.pointAt(0, 0.02);
+  bridge.end = caps.targets.pointAt(1, 0.0);
+  for (const double share : {0.0, 0.25, 0.5, 1.0})
+    bridge.points.push_back((1.0 - share) * bridge.begin.position +
+                            share * bridge.end.position);
+  const Bridge moved = supportedByVertices(bridge, caps.targets);
+  const Eigen::Vector3d shift = moved.points.front() - bridge.points.front();
+  ASSERT_GT(shift.norm(), 0.0);
+  EXPECT_NEAR(0.0, (moved.points[1] - bridge.points[1] - 0.75 * shift).norm(), 1e-12);
+  EXPECT_NEAR(0.0, (moved.points[2] - bridge.points[2] - 0.5 * shift).norm(), 1e-12);
+  EXPECT_EQ(bridge.points.back(), moved.points.back());
 }
 
 TEST(BridgeSelection, BridgeHasTheLineOfItsForceLine)

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include <pcl/search/search.h>
 #include <pcl/surface_repair/field/falloff.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
+#include <pcl/point_types.h>
 
 #include <cstddef>
 #include <memory>
@@ -19,8 +21,13 @@ class FreePointField {
 public:
   /** \brief \param[in] points finite
    * \param[in] falloff R_1, R_2 and gamma
-   * \param[in] trust k_t of every point, in [0, 1) */
-  FreePointField(Positions points, const Falloff& falloff, double trust);
+   * \param[in] trust k_t of every point, in [0, 1)
+   * \param[in] search for the points around a place; null: search::KdTree. Its input
+   * cloud becomes the points in a frame of their own. */
+  FreePointField(Positions points,
+                 const Falloff& falloff,
+                 double trust,
+                 pcl::search::Search<pcl::PointXYZ>::Ptr search = nullptr);
   ~FreePointField();
 
   const Positions&
