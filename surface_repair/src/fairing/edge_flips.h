@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: flips until the triangles of a patch are Delaunay-like.
+
+#pragma once
+
+#include "patch_edges.h"
+
+namespace pcl {
+namespace repair {
+
+/** \brief Flip edges whose opposite angles add up to more than a half turn, where that
+ * folds nothing over and the new edge is neither in the patch nor in the model.
+ *
+ * Ends after at most ten flips an edge; ties by number. */
+void
+flipToDelaunay(const Patch& patch, PatchEdges& edges);
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which free points draw a patch, where and how strongly.
+
+#include "free_point_pulls.h"
+
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+#include <pcl/surface_ccaa/mesh/corners.h>
+
+#include <Eigen/Geometry>
+
+#include "triangle_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Weight of a point of trust one half, in 1 / edge length squared. */
+constexpr double FULL_WEIGHT = 3.0;
+/** Neighbours that a point is compared with. */
+constexpr std::size_t FEWEST_NEIGHBOURS = 4;
+/** A point stands out from here on, in scales of its neighbours. */
+constexpr double OUTSTANDING = 3.0;
+/** Differences from the neighbours up to here are noise at most, in edge lengths. */
+constexpr double LEAST_SCALE = 0.1;
+
+std::vector<ccaa::Corners>
+patchCorners(const JoinedSurface& surface)
+{
+  std::vector<ccaa::Corners> corners;
+  corners.reserve(surface.patch_triangles);
+  for (std::size_t t = 0; t < surface.patch_triangles; ++t)
+    corners.push_back(ccaa::cornersOf(surface.triangles[t], surface.positions));
+  return corners;
+}
+
+double
+meanEdge(const std::vector<ccaa::Corners>& triangles)
+{
+  double sum = 0.0;
+  for (const ccaa::Corners& corners : triangles)
+    for (std::size_t c = 0; c < 3; ++c)
+      sum += (corners[(c + 1) % 3] - corners[c]).norm();
+  return triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(triangles.size()));
+}
+
+double
+medianOf(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** A point attached to the patch. */
+struct Attached {
+  Pull pull;
+  double offset = 0.0; /**< from the patch, above 0 outside */
+  double edge = 0.0;   /**< mean edge of the triangle */
+};
+
+/** Compares the offsets of points close together. */
+class Neighbourhoods {
+public:
+  explicit Neighbourhoods(const std::vector<Attached>& attached) : attached_(attached)
+  {
+    std::vector<ccaa::Box> boxes;
+    for (const Attached& one : attached) {
+      boxes.emplace_back(one.pull.target);
+      all_.extend(one.pull.target);
+    }
+    tree_ = ccaa::BoxTree(boxes);
+    spacing_ = all_.diagonal().norm() / std::sqrt(static_cast<double>(boxes.size()));
+  }
+
+  /** How far a point stands out; 0 to 1: not at all. */
+  double
+  outstanding(std::size_t index)
+  {
+    gather(index);
+    const Attached& own = attached_[index];
+    if (offsets_.size() < FEWEST_NEIGHBOURS)
+      return std::abs(own.offset) / (OUTSTANDING * own.edge);
+    const double middle = medianOf(offsets_);
+    for (double& offset : offsets_)
+      offset = std::abs(offset - middle);
+    const double scale = std::max(1.4826 * medianOf(offsets_), LEAST_SCALE * own.edge);
+    return std::abs(own.offset - middle) / (OUTSTANDING * scale);
+  }
+
+private:
+  void
+  gather(std::size_t index)
+  {
+    const Position& centre = attached_[index].pull.target;
+    const double widest = all_.diagonal().norm();
+    double radius = std::max(spacing_, attached_[index].edge);
+    do {
+      offsets_.clear();
+      const Position reach = Position::Constant(radius);
+      tree_.forEachMeeting({centre - reach, centre + reach}, [&](pcl::index_t other) {
+        if (static_cast<std::size_t>(other) != index)
+          offsets_.push_back(attached_[static_cast<std::size_t>(other)].offset);
+      });
+      radius *= 1.5;
+    }
+    while (offsets_.size() < FEWEST_NEIGHBOURS && radius < 0.5 * widest);
+  }
+
+  const std::vector<Attached>& attached_;
+  ccaa::Box all_;
+  ccaa::BoxTree tree_;
+  double spacing_ = 0.0;
+  std::vector<double> offsets_;
+};
+
+} // namespace
+
+FreePointPulls::FreePointPulls(const IncompleteModel& model,
+                               const Positions& free_points,
+                               const RelaxationParameters& parameters,
+                               const JoinedSurface& surface)
+: trust_(parameters.trust / (1.0 - parameters.trust)), reach_(parameters.reach)
+{
+  if (!(parameters.trust > 0.0) || free_points.empty())
+    return;
+  ccaa::Box around;
+  for (std::size_t v = 0; v < surface.patch_vertices; ++v)
+    around.extend(surface.positions[v]);
+  // The patch may grow into the box by its own size, which is 1.
+  const Position margin = Position::Constant(0.5);
+  around = ccaa::Box(around.min() - margin, around.max() + margin);
+  for (const Position& point : free_points) {
+    const Position place = (point - surface.centre) / surface.size;
+    if (around.contains(place))
+      points_.push_back(place);
+  }
+  if (!points_.empty())
+    gatherModel(model, surface, around);
+}
+
+void
+FreePointPulls::gatherModel(const IncompleteModel& model,
+                            const JoinedSurface& surface,
+                            const ccaa::Box& around)
+{
+  const ccaa::Box in_cloud(surface.centre + surface.size * around.min(),
+                           surface.centre + surface.size * around.max());
+  for (const Triangle& triangle : model.triangles) {
+    ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
+    if (!in_cloud.intersects(ccaa::boxOf(corners)))
+      continue;
+    for (Position& corner : corners)
+      corner = (corner - surface.centre) / surface.size;
+    model_triangles_.push_back(corners);
+  }
+}
+
+std::vector<Pull>
+FreePointPulls::attach(const JoinedSurface& surface) const
+{
+  if (points_.empty())
+    return {};
+  const std::vector<ccaa::Corners> corners = patchCorners(surface);
+  const double reach = reach_ * meanEdge(corners);
+  const TriangleSearch patch(corners), model(model_triangles_);
+  std::vector<Attached> attached;
+  for (const Position& point : points_) {
+    const TrianglePlace place = patch.nearest(point, reach);
+    if (!place.found() || model.nearest(point, place.distance).found())
+      continue;
+    const ccaa::Corners& there = corners[place.triangle];
+    const Position foot = place.barycentric[0] * there[0] +
+                          place.barycentric[1] * there[1] +
+                          place.barycentric[2] * there[2];
+    Attached one;
+    one.pull = {place.triangle, place.barycentric, point, 0.0};
+    one.offset =
+        std::copysign(place.distance, (point - foot).dot(ccaa::areaNormal(there)));
+    one.edge = meanEdge({there});
+    attached.push_back(one);
+  }
+  Neighbourhoods neighbourhoods(attached);
+  std::vector<Pull> pulls;
+  for (std::size_t i = 0; i < attached.size(); ++i) {
+    const double t = neighbourhoods.outstanding(i);
+    const double robust = 1.0 / ((1.0 + t * t) * (1.0 + t * t));
+    Pull pull = attached[i].pull;
+    pull.weight = robust * trust_ * FULL_WEIGHT / (attached[i].edge * attached[i].edge);
+    pulls.push_back(pull);
+  }
+  return pulls;
+}
+
+} // namespace repair
+} // namespace pcl

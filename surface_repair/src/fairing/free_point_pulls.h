@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which free points draw a patch, where and how strongly.
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+#include <pcl/surface_repair/fairing/relaxation.h>
+
+#include "fairing_system.h"
+#include "joined_surface.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The free points around a patch, in the frame of the joined surface, and the
+ * model's triangles among them. */
+class FreePointPulls {
+public:
+  FreePointPulls(const IncompleteModel& model,
+                 const Positions& free_points,
+                 const RelaxationParameters& parameters,
+                 const JoinedSurface& surface);
+
+  bool
+  empty() const
+  {
+    return points_.empty();
+  }
+
+  /** \brief Attach each point to the nearest place of the patch as it is now.
+   *
+   * No say has a point beyond the reach, or one that the model is nearer to. Weights
+   * are k_t / (1 - k_t) in bending energies of an edge; a point that stands out from
+   * its neighbours, or alone, has less (after Geman and McClure 1987). */
+  std::vector<Pull>
+  attach(const JoinedSurface& surface) const;
+
+private:
+  void
+  gatherModel(const IncompleteModel& model,
+              const JoinedSurface& surface,
+              const ccaa::Box& around);
+
+  Positions points_;
+  std::vector<ccaa::Corners> model_triangles_;
+  double trust_;
+  double reach_; /**< in edge lengths */
+};
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: new vertices spread evenly within the surface of a patch.
+
+#include "vertex_spacing.h"
+
+#include <pcl/surface_ccaa/mesh/corners.h>
+
+#include <Eigen/Geometry>
+
+#include "vertex_triangles.h"
+
+#include <cmath>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+constexpr double LEAST_TURN = 0.3; /**< cosine between a triangle's normals */
+
+class Spacing {
+public:
+  Spacing(const std::vector<double>& lengths, Patch& patch)
+  : lengths_(lengths), patch_(patch), around_(patch.triangles, patch.positions.size())
+  {}
+
+  void
+  moveVertex(std::size_t vertex)
+  {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+    double weights = 0.0;
+    for (const auto* t = around_.begin(vertex); t != around_.end(vertex); ++t) {
+      const ccaa::Corners corners =
+          ccaa::cornersOf(patch_.triangles[*t], patch_.positions);
+      const Eigen::Vector3d area = ccaa::areaNormal(corners);
+      const double weight = area.norm() * density(*t);
+      normal += area;
+      moment += weight * ((corners[0] + corners[1] + corners[2]) / 3.0);
+      weights += weight;
+    }
+    if (!(weights > 0.0) || !(normal.norm() > 0.0))
+      return;
+    normal.normalize();
+    const Eigen::Vector3d offset = moment / weights - patch_.positions[vertex];
+    moveUnlessTurned(vertex, offset - offset.dot(normal) * normal);
+  }
+
+private:
+  /** Centroids in this density are spaced like the wanted lengths. */
+  double
+  density(std::size_t triangle) const
+  {
+    double length = 0.0;
+    for (const pcl::index_t corner : patch_.triangles[triangle])
+      length += lengths_[static_cast<std::size_t>(corner)] / 3.0;
+    const double relative = length / lengths_[0];
+    return 1.0 / (relative * relative * relative * relative);
+  }
+
+  void
+  moveUnlessTurned(std::size_t vertex, const Eigen::Vector3d& step)
+  {
+    const Position before = patch_.positions[vertex];
+    std::vector<Eigen::Vector3d>& normals = normals_;
+    normals.clear();
+    for (const auto* t = around_.begin(vertex); t != around_.end(vertex); ++t)
+      normals.push_back(normalOf(*t));
+    patch_.positions[vertex] = before + step;
+    std::size_t i = 0;
+    for (const auto* t = around_.begin(vertex); t != around_.end(vertex); ++t, ++i)
+      if (normalOf(*t).dot(normals[i]) < LEAST_TURN) {
+        patch_.positions[vertex] = before;
+        return;
+      }
+  }
+
+  Eigen::Vector3d
+  normalOf(std::size_t triangle) const
+  {
+    return ccaa::unitNormal(
+        ccaa::cornersOf(patch_.triangles[triangle], patch_.positions));
+  }
+
+  const std::vector<double>& lengths_;
+  Patch& patch_;
+  VertexTriangles around_;
+  std::vector<Eigen::Vector3d> normals_;
+};
+
+} // namespace
+
+void
+spaceVertices(std::size_t first, const std::vector<double>& lengths, Patch& patch)
+{
+  Spacing spacing(lengths, patch);
+  for (std::size_t vertex = first; vertex < patch.positions.size(); ++vertex)
+    spacing.moveVertex(vertex);
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: new vertices spread evenly within the surface of a patch.
+
+#pragma once
+
+#include <pcl/surface_repair/darning/patch.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Move vertices within their tangent planes towards the centroids of their
+ * triangles, one after the other, where no triangle turns over by it.
+ *
+ * \param[in] first the vertices from this one on may move
+ * \param[in] lengths wanted at the vertices: where they are short triangles weigh more
+ */
+void
+spaceVertices(std::size_t first, const std::vector<double>& lengths, Patch& patch);
+
+} // namespace repair
+} // namespace pcl
