@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: repairs of this room's tests and what each has to keep.
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/mesh/intersection.h>
+#include <pcl/surface_repair/force_line_hole_repair.h>
+
+#include <gtest/gtest.h>
+
+#include "support/mesh_asserts.h"
+#include "support/repair_shapes.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace pcl {
+namespace repair {
+namespace test {
+
+using namespace ccaa::test;
+
+/** \brief A repair that was made. */
+struct Repaired {
+  pcl::PolygonMesh input;
+  pcl::PolygonMesh output;
+  RepairReport report;
+
+  Triangles
+  triangles() const
+  {
+    return toTriangles(output.polygons);
+  }
+};
+
+inline Repaired
+repaired(const pcl::PolygonMesh& input,
+         const Positions& free_points = {},
+         const RepairParameters& parameters = {},
+         unsigned int threads = 1)
+{
+  Repaired result;
+  result.input = input;
+  ForceLineHoleRepair repair;
+  repair.setInputMesh(pcl::make_shared<pcl::PolygonMesh>(input));
+  repair.setParameters(parameters);
+  repair.setNumberOfThreads(threads);
+  if (!free_points.empty())
+    repair.setFreePoints(
+        pcl::make_shared<pcl::PCLPointCloud2>(toPolygonMesh({free_points, {}}).cloud));
+  repair.process(result.output);
+  result.report = repair.getReport();
+  return result;
+}
+
+inline Repaired
+repaired(const Shape& shape, const RepairParameters& parameters = {})
+{
+  return repaired(toPolygonMesh(shape), {}, parameters);
+}
+
+inline std::size_t
+pointsOf(const pcl::PolygonMesh& mesh)
+{
+  return static_cast<std::size_t>(mesh.cloud.width) * mesh.cloud.height;
+}
+
+/** \brief The points of the input come first, byte for byte, in the same layout. */
+inline ::testing::AssertionResult
+keepsPoints(const Repaired& result)
+{
+  const auto& before = result.input.cloud;
+  const auto& after = result.output.cloud;
+  if (before.point_step != after.point_step || before.fields != after.fields)
+    return ::testing::AssertionFailure() << "another layout";
+  const std::size_t bytes = pointsOf(result.input) * before.point_step;
+  if (after.data.size() < bytes ||
+      !std::equal(before.data.begin(),
+                  before.data.begin() + static_cast<std::ptrdiff_t>(bytes),
+                  after.data.begin()))
+    return ::testing::AssertionFailure() << "other bytes";
+  return ::testing::AssertionSuccess();
+}
+
+inline std::size_t
+countIntersections(const pcl::PolygonMesh& mesh)
+{
+  ccaa::RunControl control;
+  return ccaa::findSelfIntersections(
+             toTriangles(mesh.polygons), ccaa::positionView(mesh.cloud), 1, control)
+      .pairs.size();
+}
+
+/** \brief No two triangles meet that did not before. */
+inline ::testing::AssertionResult
+addsNoIntersection(const Repaired& result)
+{
+  const std::size_t before = countIntersections(result.input);
+  const std::size_t after = countIntersections(result.output);
+  if (after <= before)
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << after - before << " pairs of triangles";
+}
+
+/** \brief The numbers of the report and the lists of it agree with the mesh. */
+inline ::testing::AssertionResult
+hasConsistentReport(const Repaired& result)
+{
+  const RepairReport& report = result.report;
+  const std::size_t triangles = result.output.polygons.size();
+  const auto fail = [](const char* what) {
+    return ::testing::AssertionFailure() << what;
+  };
+  if (report.origins.size() != triangles || report.hole_of.size() != triangles)
+    return fail("provenance of another number of triangles");
+  if (report.input_triangles + report.new_triangles != triangles)
+    return fail("number of triangles");
+  if (pointsOf(result.input) + report.new_vertices != pointsOf(result.output))
+    return fail("number of vertices");
+  std::vector<std::size_t> made(report.holes.size(), 0);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const bool is_input = report.origins[t] == TriangleOrigin::INPUT;
+    if (is_input != (report.hole_of[t] == NONE))
+      return fail("a triangle of the input in a hole, or a new one in none");
+    if (!is_input && ++made.at(report.hole_of[t]) == 0)
+      return fail("no such hole");
+  }
+  std::size_t shortfalls = 0;
+  for (std::size_t h = 0; h < report.holes.size(); ++h) {
+    shortfalls += isShortfall(report.holes[h].open) ? 1 : 0;
+    if (made[h] != report.holes[h].triangles)
+      return fail("triangles of a hole");
+    if ((report.holes[h].open == OpenReason::NONE) != (made[h] > 0))
+      return fail("a closed hole without triangles, or an open one with some");
+  }
+  return shortfalls == report.shortfalls ? ::testing::AssertionSuccess()
+                                         : fail("number of shortfalls");
+}
+
+/** \brief Whatever becomes of the holes: manifold, nothing lost, nothing worse. */
+inline void
+expectNothingWorse(const Repaired& result, const Triangles& wound)
+{
+  const Triangles triangles = result.triangles();
+  EXPECT_TRUE(isIcadm(triangles, pointsOf(result.output)));
+  EXPECT_TRUE(isSubsetOf(wound, triangles));
+  EXPECT_TRUE(keepsPoints(result));
+  EXPECT_TRUE(addsNoIntersection(result));
+  EXPECT_TRUE(hasConsistentReport(result));
+}
+
+} // namespace test
+} // namespace repair
+} // namespace pcl
