@@ -15,8 +15,7 @@ namespace ccaa {
 namespace test {
 
 /** \brief A damaged surface with the truth about its repair. */
-struct RepairCase {
-  std::string name;      /**< letters and digits */
+struct DamagedModel {
   Shape damaged;         /**< an ICADM; its islands may be wound inward */
   Triangles wound;       /**< its triangles, wound as they have to be afterwards */
   Topology whole;        /**< of the repaired surface */
