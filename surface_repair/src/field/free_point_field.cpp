@@ -31,7 +31,7 @@ struct FreePointField::Implementation {
 FreePointField::FreePointField(Positions points,
                                const Falloff& falloff,
                                double trust,
-                               pcl::search::Search<pcl::PointXYZ>::Ptr search)
+                               PointSearchPtr search)
 : implementation_(std::make_unique<Implementation>())
 {
   implementation_->points = std::move(points);

@@ -6,6 +6,7 @@
 #include <pcl/surface_repair/icadm/model_reading.h>
 
 #include "filtered_reading.h"
+#include "point_fans.h"
 
 #include <cstdint>
 #include <limits>
@@ -101,8 +102,7 @@ private:
                     input_.point_of_vertex.size(),
                     context_.threads,
                     context_.control);
-    if (context_.cancelled() ||
-        (isManifold(adjacency) && isConsistentlyWound(input_.triangles, adjacency)))
+    if (context_.cancelled() || splitFans(adjacency))
       return;
     FilteredTriangles filtered = filterTriangles(input_, mesh_.cloud, context_);
     result_.report.filtered = true;
@@ -111,6 +111,31 @@ private:
     input_ = std::move(filtered.mesh);
     if (input_.triangles.empty())
       result_.report.problem = "the umbrella filter left no triangle";
+  }
+
+  /** \brief Give each fan of a point a vertex of its own. \return false where that is
+   * not all that the mesh lacks */
+  bool
+  splitFans(ccaa::TriangleAdjacency& adjacency)
+  {
+    if (!adjacency.overfullEdges().empty() ||
+        !isConsistentlyWound(input_.triangles, adjacency))
+      return false;
+    if (isManifold(adjacency))
+      return true;
+    PointFans split = separateFans(input_.triangles, adjacency);
+    adjacency.build(split.triangles,
+                    input_.point_of_vertex.size() + split.vertices.size(),
+                    context_.threads,
+                    context_.control);
+    if (context_.cancelled() || !isManifold(adjacency))
+      return false;
+    input_.triangles = std::move(split.triangles);
+    for (const pcl::index_t vertex : split.vertices)
+      input_.point_of_vertex.push_back(
+          input_.point_of_vertex[static_cast<std::size_t>(vertex)]);
+    result_.report.separated_fans = split.vertices.size();
+    return true;
   }
 
   void

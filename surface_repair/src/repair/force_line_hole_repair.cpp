@@ -79,19 +79,18 @@ ForceLineHoleRepair::write(pcl::PolygonMesh& output)
   if (!repaired_ || report_.cancelled)
     return;
   auto next = static_cast<pcl::index_t>(ccaa::pointCount(output.cloud));
-  const std::vector<ccaa::NewVertex> vertices = newVertices(*repaired_);
-  const ccaa::CloudProblem problem = ccaa::appendVertices(output.cloud, vertices);
+  const repair::AddedVertices added = addedVertices(*repaired_);
+  const ccaa::CloudProblem problem = ccaa::appendVertices(output.cloud, added.vertices);
   if (problem != ccaa::CloudProblem::NONE) {
     PCL_ERROR("[pcl::%s::performProcessing] cannot append vertices: %s (%zu)\n",
               getClassName().c_str(),
               ccaa::describe(problem),
-              vertices.size());
+              added.vertices.size());
     return;
   }
-  report_.new_vertices = vertices.size();
-  for (pcl::index_t& point : repaired_->model.point_of_vertex)
-    if (point == pcl::UNAVAILABLE)
-      point = next++;
+  report_.new_vertices = added.vertices.size();
+  for (const std::size_t vertex : added.numbers)
+    repaired_->model.point_of_vertex[vertex] = next++;
   ccaa::LoopContext context;
   context.threads = ccaa::resolveThreads(threads_);
   ccaa::writePolygons(repaired_->model.triangles,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace pcl {
 namespace repair {
@@ -101,17 +102,25 @@ private:
 
 } // namespace
 
-std::vector<ccaa::NewVertex>
-newVertices(const RepairedModel& repaired)
+AddedVertices
+addedVertices(const RepairedModel& repaired)
 {
   Inheritance inheritance(repaired);
-  std::vector<ccaa::NewVertex> vertices;
+  AddedVertices added;
   const IncompleteModel& model = repaired.model;
-  for (std::size_t v = repaired.input_vertices; v < model.positions.size(); ++v)
-    if (model.point_of_vertex[v] == pcl::UNAVAILABLE)
-      vertices.push_back(
+  std::unordered_set<pcl::index_t> taken;
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+    const pcl::index_t point = model.point_of_vertex[v];
+    if (point != pcl::UNAVAILABLE && taken.insert(point).second)
+      continue;
+    added.numbers.push_back(v);
+    if (point == pcl::UNAVAILABLE)
+      added.vertices.push_back(
           {model.positions[v], inheritance.sourcesOf(model.positions[v])});
-  return vertices;
+    else // another fan of the same point: the two may not be one vertex
+      added.vertices.push_back({model.positions[v], {{point, 1.0}}});
+  }
+  return added;
 }
 
 } // namespace repair

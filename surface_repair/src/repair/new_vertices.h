@@ -12,10 +12,16 @@
 namespace pcl {
 namespace repair {
 
-/** \brief The vertices that have no point of the cloud yet, in their order. Each
+/** \brief What is to be appended to the cloud. */
+struct AddedVertices {
+  std::vector<std::size_t> numbers;      /**< of the model's vertices, ascending */
+  std::vector<ccaa::NewVertex> vertices; /**< one each */
+};
+
+/** \brief The vertices that have no point of the cloud, or none of their own. A new one
  * inherits from input vertices at the boundary of its patch, the nearer the more. */
-std::vector<ccaa::NewVertex>
-newVertices(const RepairedModel& repaired);
+AddedVertices
+addedVertices(const RepairedModel& repaired);
 
 } // namespace repair
 } // namespace pcl

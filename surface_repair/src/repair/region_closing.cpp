@@ -177,7 +177,8 @@ RegionClosing::taskFor(const HolePolygon& polygon,
   DarningTask task;
   task.polygon = polygon.curve;
   task.joined = [&polygon, &taken](std::size_t a, std::size_t b) {
-    return taken.contain(polygon.vertices[a], polygon.vertices[b]);
+    return polygon.curve.points[a] == polygon.curve.points[b] ||
+           taken.contain(polygon.vertices[a], polygon.vertices[b]);
   };
   if (avoiding)
     task.obstructed = [this](const ccaa::Corners& corners) {

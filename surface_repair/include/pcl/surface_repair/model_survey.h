@@ -43,7 +43,7 @@ struct FieldParameters {
   double free_point_exponent = 1.0; /**< gamma, above 0 */
   double trust = 0.5;               /**< k_t of the free points, in [0, 1) */
   /** \brief For the neighbourhoods of free points; null: search::KdTree. */
-  pcl::search::Search<pcl::PointXYZ>::Ptr search = nullptr;
+  PointSearchPtr search;
 };
 
 struct SurveyParameters {

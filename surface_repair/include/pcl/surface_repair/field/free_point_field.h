@@ -3,17 +3,24 @@
 
 #pragma once
 
-#include <pcl/search/search.h>
 #include <pcl/surface_repair/field/falloff.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
-#include <pcl/point_types.h>
+#include <pcl/memory.h>
 
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace pcl {
+struct PointXYZ;
+namespace search {
+template <typename PointT>
+class Search;
+}
 namespace repair {
+
+/** \brief Any search of PCL. Its header takes long to compile, hence not here. */
+using PointSearchPtr = pcl::shared_ptr<pcl::search::Search<pcl::PointXYZ>>;
 
 /** \brief The scalar field G of the free points (4.424, 4.45) and lengths measured in
  * it. Built once; const methods may be called from several threads. */
@@ -27,7 +34,7 @@ public:
   FreePointField(Positions points,
                  const Falloff& falloff,
                  double trust,
-                 pcl::search::Search<pcl::PointXYZ>::Ptr search = nullptr);
+                 PointSearchPtr search = nullptr);
   ~FreePointField();
 
   const Positions&

@@ -45,8 +45,9 @@ struct Island {
  * an island alike, and free points.
  *
  * Vertices are the points that carry a triangle, numbered by first appearance in the
- * triangles; point_of_vertex leads back to the cloud. Positions are double precision in
- * the frame and the units of the cloud.
+ * triangles; point_of_vertex leads back to the cloud. A point with several fans has a
+ * vertex for each, those beside the first after all others. Positions are double
+ * precision in the frame and the units of the cloud.
  */
 struct IncompleteModel {
   Positions positions; /**< of the vertices */

@@ -21,6 +21,8 @@ namespace repair {
 struct ReadingReport {
   std::size_t input_polygons = 0;
   std::size_t invalid_polygons = 0; /**< index out of range, repeated or not finite */
+  std::size_t separated_fans = 0; /**< that got a vertex of their own: fans of one point
+                                       beside its first one */
   bool filtered = false; /**< it was no ICADM: UmbrellaFilter brought it there */
   UmbrellaReport filter; /**< only if filtered */
   std::size_t reversed_triangles = 0;
@@ -34,11 +36,11 @@ struct ReadModel {
 };
 
 /** \brief Read a mesh. Manifold, consistently wound input is taken as it is, triangle
- * for triangle; anything else (bow-ties, three on an edge, mixed winding) goes through
- * UmbrellaFilter first, without its rule on small regions.
- * \param[in] free_points a separate cloud of free points, or null
- * \return with report.problem set when the cloud is unreadable, there is no triangle,
- * or the run was cancelled */
+ * for triangle. Where fans touch in a point only (bow-ties), each gets a vertex of its
+ * own, so that no triangle is lost. Anything else (three on an edge, mixed winding)
+ * goes through UmbrellaFilter first, without its rule on small regions. \param[in]
+ * free_points a separate cloud of free points, or null \return with report.problem set
+ * when the cloud is unreadable, there is no triangle, or the run was cancelled */
 ReadModel
 readModel(const pcl::PolygonMesh::ConstPtr& mesh,
           const pcl::PCLPointCloud2* free_points,
