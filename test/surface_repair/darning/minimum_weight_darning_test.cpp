@@ -73,7 +73,7 @@ slitAlongTube(std::size_t along)
 TEST(MinimumWeightDarning, IsADiscForAnyNumberOfEdges)
 {
   for (const std::size_t edges : {3, 4, 5, 6, 17, 160, 161, 162, 333, 600, 2001}) {
-    const Darn darn = darnOf(holeIn({edges, test::saddleHeight, 0.02}));
+    const Darn darn = darnOf(holeIn({edges, test::saddleHeight, 0.002}));
     EXPECT_TRUE(isDisc(darn, edges)) << edges;
     EXPECT_TRUE(darn.inner.empty());
   }

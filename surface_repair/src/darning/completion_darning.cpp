@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a hole closed by the base algorithm with its free points.
+
+#include <pcl/surface_repair/darning/completion_darning.h>
+#include <pcl/surface_repair/darning/disc_check.h>
+#include <pcl/surface_repair/darning/minimum_weight_darning.h>
+
+#include "collared_completion.h"
+#include "partial_darn.h"
+#include "sample_choice.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** How often triangles are taken away again to get rid of spikes, or to make room where
+ * the rest cannot be closed. */
+constexpr std::size_t ROUNDS = 8;
+
+/** Corners of triangles: below the polygon's size its points, then the samples. */
+using Corner = pcl::index_t;
+
+/** Whether a triangle of the base algorithm may be kept at all. */
+bool
+isAllowed(const Triangle& triangle, const DarningTask& task, const Positions& points)
+{
+  const std::size_t n = task.polygon.size();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto a = static_cast<std::size_t>(triangle[i]);
+    const auto b = static_cast<std::size_t>(triangle[(i + 1) % 3]);
+    const bool neighbours =
+        a < n && b < n && (task.polygon.next(a) == b || task.polygon.next(b) == a);
+    if (a < n && b < n && !neighbours && task.joined && task.joined(a, b))
+      return false;
+  }
+  return !task.obstructed || !task.obstructed(ccaa::cornersOf(triangle, points));
+}
+
+/** Close what is open by least weight. \param[out] stuck vertices of the loops that
+ * cannot be closed */
+Triangles
+finished(const PartialDarn& partial, std::set<Corner>& stuck)
+{
+  Triangles all = partial.triangles();
+  for (const std::vector<Corner>& loop : partial.openLoops()) {
+    const Darn rest = MinimumWeightDarning().close(partial.taskFor(loop));
+    if (!rest.closed())
+      stuck.insert(loop.begin(), loop.end());
+    for (Triangle triangle : rest.triangles) {
+      for (Corner& corner : triangle)
+        corner = loop[static_cast<std::size_t>(corner)];
+      all.push_back(triangle);
+    }
+  }
+  return all;
+}
+
+Triangles
+withoutThoseAt(const std::set<Corner>& corners, Triangles triangles)
+{
+  const auto touches = [&](const Triangle& t) {
+    return std::any_of(
+        t.begin(), t.end(), [&](Corner corner) { return corners.count(corner) > 0; });
+  };
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), touches),
+                  triangles.end());
+  return triangles;
+}
+
+/** The darn of some triangles: inner points are the samples that they use. */
+Darn
+darnOf(Triangles triangles,
+       const DarningTask& task,
+       const std::vector<std::size_t>& samples)
+{
+  Darn darn;
+  const std::size_t n = task.polygon.size();
+  std::vector<pcl::index_t> number(samples.size(), -1);
+  for (Triangle& triangle : triangles)
+    for (pcl::index_t& corner : triangle) {
+      if (static_cast<std::size_t>(corner) < n)
+        continue;
+      const std::size_t sample = static_cast<std::size_t>(corner) - n;
+      if (number[sample] < 0) {
+        number[sample] = static_cast<pcl::index_t>(n + darn.inner.size());
+        darn.inner.push_back(task.free_points[samples[sample]]);
+        darn.free_point.push_back(samples[sample]);
+      }
+      corner = number[sample];
+    }
+  darn.triangles = std::move(triangles);
+  return darn;
+}
+
+Triangles
+allowedTriangles(const DarningTask& task,
+                 const std::vector<std::size_t>& samples,
+                 const Positions& points)
+{
+  Triangles inside = completeWithin(task, samples);
+  inside.erase(
+      std::remove_if(inside.begin(),
+                     inside.end(),
+                     [&](const Triangle& t) { return !isAllowed(t, task, points); }),
+      inside.end());
+  return inside;
+}
+
+/** With a problem when it comes to nothing. */
+Darn
+closeWith(const DarningTask& task, const std::vector<std::size_t>& samples)
+{
+  Darn failed;
+  failed.problem = "the free points do not lead to a disc";
+  const std::size_t n = task.polygon.size();
+  Positions points = task.polygon.points;
+  for (const std::size_t i : samples)
+    points.push_back(task.free_points[i]);
+  Triangles triangles = allowedTriangles(task, samples, points);
+  for (std::size_t round = 0; round < ROUNDS && !triangles.empty(); ++round) {
+    const PartialDarn partial(task, triangles, points);
+    std::set<Corner> bad;
+    triangles = finished(partial, bad);
+    if (bad.empty()) {
+      Darn darn = darnOf(triangles, task, samples);
+      if (!isDisc(darn, n))
+        return failed;
+      bad = spikesOf(triangles, points, n);
+      if (bad.empty())
+        return darn;
+    }
+    triangles = withoutThoseAt(bad, std::move(triangles));
+  }
+  return failed;
+}
+
+} // namespace
+
+Darn
+CompletionDarning::close(const DarningTask& task) const
+{
+  if (task.polygon.size() >= 3) {
+    const std::vector<std::size_t> samples = usableSamples(task);
+    Darn darn = samples.empty() ? Darn() : closeWith(task, samples);
+    if (!samples.empty() && darn.closed())
+      return darn;
+  }
+  return MinimumWeightDarning().close(task);
+}
+
+} // namespace repair
+} // namespace pcl
