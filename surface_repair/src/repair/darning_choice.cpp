@@ -114,6 +114,13 @@ methodFor(DarningChoice choice)
   return std::make_unique<MinimumWeightDarning>();
 }
 
+std::size_t
+simpleEdges(const DarningParameters& parameters)
+{
+  return parameters.simple_edges > 0 ? parameters.simple_edges
+                                     : methodFor(parameters.choice)->simpleEdges();
+}
+
 ChosenDarn
 darn(DarningTask task, DarningChoice choice, const FreePointField* free_points)
 {

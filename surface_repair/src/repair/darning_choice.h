@@ -7,6 +7,7 @@
 #include <pcl/surface_repair/field/free_point_field.h>
 #include <pcl/surface_repair/repair_parameters.h>
 
+#include <cstddef>
 #include <memory>
 
 namespace pcl {
@@ -16,6 +17,10 @@ namespace repair {
  */
 std::unique_ptr<const DarningMethod>
 methodFor(DarningChoice choice);
+
+/** \brief Edges up to which a hole is simple (D4.1-3). */
+std::size_t
+simpleEdges(const DarningParameters& parameters);
 
 struct ChosenDarn {
   Darn darn;          /**< free points are numbered as in the field */

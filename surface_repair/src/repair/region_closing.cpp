@@ -140,26 +140,17 @@ private:
   ClosedRegion result_;
 };
 
-std::size_t
-simpleEdges(const DarningParameters& parameters)
-{
-  return parameters.simple_edges > 0 ? parameters.simple_edges
-                                     : methodFor(parameters.choice)->simpleEdges();
-}
-
 /** ICM2 -> ICM1 (4.5). */
 void
 RegionClosing::divide()
 {
-  SurveyParameters parameters = place_.parameters.survey;
-  parameters.simple_edges = simpleEdges(place_.parameters.darning);
   const SubdivisionGuides guides{place_.guides.free_points.get(),
                                  place_.guides.surface.get()};
   std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
     DividedHole divided = divideHole(region_.holes[h],
                                      static_cast<pcl::index_t>(next),
-                                     parameters,
+                                     place_.parameters.survey,
                                      guides,
                                      context_);
     next += divided.new_vertices.size();

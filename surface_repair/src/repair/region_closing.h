@@ -20,7 +20,7 @@ namespace repair {
 struct ClosingPlace {
   const IncompleteModel& model;
   const SurveyGuides& guides;
-  const RepairParameters& parameters;
+  const RepairParameters& parameters; /**< those of the survey tell what is simple */
   bool float_positions = true; /**< new vertices get places that a float can hold */
 };
 

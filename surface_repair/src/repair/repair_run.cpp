@@ -7,6 +7,7 @@
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
+#include "darning_choice.h"
 #include "hole_list.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ public:
             RepairReport& report)
   : parameters_(parameters), context_(context), report_(report)
   {
+    parameters_.survey.simple_edges = simpleEdges(parameters.darning);
     parameters_.survey.trace_in_holes = false;
     parameters_.survey.trace_between_islands = parameters.join_islands;
   }

@@ -84,6 +84,16 @@ isComplex(const ModelSurvey& survey, std::size_t loop, std::size_t simple_edges)
          survey.loops[loop].vertices.size() > simple_edges;
 }
 
+/** Whether lines could run between the sources: there are two sides of a gap. */
+bool
+hasGap(const SourceSet& sources)
+{
+  return std::any_of(
+      sources.curves.begin(), sources.curves.end(), [&](const SourceCurve& curve) {
+        return curve.island != sources.curves.front().island;
+      });
+}
+
 void
 traceFields(const SurveyParameters& parameters,
             const ccaa::LoopContext& context,
@@ -91,22 +101,18 @@ traceFields(const SurveyParameters& parameters,
 {
   const IslandSources islands = islandSources(survey, parameters.field);
   survey.spacing = islands.sources.spacing;
-  survey.guides = makeGuides(survey, parameters.field, islands.median_gap);
-  if (parameters.trace_between_islands)
-    joinIslands(islands, parameters, context, survey);
-  for (std::size_t k = 0;
-       k < survey.loops.size() && parameters.trace_in_holes && !context.cancelled();
-       ++k)
+  const bool between = parameters.trace_between_islands && hasGap(islands.sources);
+  std::vector<std::size_t> complex_holes;
+  for (std::size_t k = 0; k < survey.loops.size(); ++k)
     if (isComplex(survey, k, parameters.simple_edges))
-      survey.in_holes.push_back(surveyHole(survey, k, parameters, context));
-}
-
-/** Whether there is anything that lines could run between. */
-bool
-hasFields(const SurveyParameters& parameters, const ModelSurvey& survey)
-{
-  return parameters.trace_in_holes ||
-         (parameters.trace_between_islands && survey.model.islands.size() > 1);
+      complex_holes.push_back(k);
+  survey.guides = makeGuides(
+      survey, parameters.field, islands.median_gap, between || !complex_holes.empty());
+  if (between)
+    joinIslands(islands, parameters, context, survey);
+  for (const std::size_t hole : complex_holes)
+    if (parameters.trace_in_holes && !context.cancelled())
+      survey.in_holes.push_back(surveyHole(survey, hole, parameters, context));
 }
 
 /** All that follows once the islands are wound as they should be. */
@@ -120,7 +126,7 @@ surveyWound(const SurveyParameters& parameters,
   classify(parameters, context, survey);
   clock.finish("classification");
   context.stage = "force lines";
-  if (!context.cancelled() && hasFields(parameters, survey))
+  if (!context.cancelled() && !survey.loops.empty())
     traceFields(parameters, context, survey);
   clock.finish("force lines");
   survey.cancelled = context.cancelled();

@@ -6,6 +6,8 @@
 #include <pcl/surface_repair/field/reach.h>
 #include <pcl/surface_repair/field/source_sampling.h>
 
+#include "../boundary/opposed_loops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -26,6 +28,19 @@ medianGap(const SourceSet& sources)
       if (std::isfinite(gap))
         finite.push_back(gap);
   return finite.empty() ? 0.0 : quantile(std::move(finite), 0.5);
+}
+
+/** The island that a loop stands for. Two opposed loops of one island are two sides of
+ * a gap, as if each had an island of its own. */
+std::size_t
+sideOf(std::size_t loop,
+       const ModelSurvey& survey,
+       const std::vector<std::size_t>& opposed)
+{
+  const std::size_t island = survey.loops[loop].island;
+  if (opposed[loop] == NONE || survey.loops[opposed[loop]].island != island)
+    return island;
+  return survey.model.islands.size() + loop;
 }
 
 } // namespace
@@ -80,28 +95,34 @@ traceLines(const LineField& place,
 IslandSources
 islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
 {
+  const std::vector<std::size_t> opposed = opposedLoops(survey.loops);
   std::vector<bool> is_hole;
   std::vector<SourceCurve> all;
   for (std::size_t k = 0; k < survey.loops.size(); ++k) {
-    is_hole.push_back(survey.classes[k].boundary_class == BoundaryClass::HOLE);
+    is_hole.push_back(survey.classes[k].boundary_class == BoundaryClass::HOLE &&
+                      opposed[k] == NONE);
     all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
-    all.back().island = survey.loops[k].island;
+    all.back().island = sideOf(k, survey, opposed);
   }
   IslandSources islands;
   islands.median_gap = medianGap(gatherSources(std::move(all)));
   const double reach =
       parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;
   islands.sources = sampleIslandSources(survey.loops, is_hole, reach, parameters.near);
+  for (SourceCurve& curve : islands.sources.curves)
+    curve.island = sideOf(curve.loop, survey, opposed);
   return islands;
 }
 
 std::shared_ptr<const SurveyGuides>
 makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
-           double median_gap)
+           double median_gap,
+           bool with_surface)
 {
   auto guides = std::make_shared<SurveyGuides>();
-  guides->surface = std::make_unique<Shield>(survey.model);
+  if (with_surface)
+    guides->surface = std::make_unique<Shield>(survey.model);
   const Positions& points = survey.model.free_points;
   if (points.empty() || !(parameters.trust > 0.0))
     return guides;

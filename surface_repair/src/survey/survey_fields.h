@@ -21,11 +21,13 @@ IslandSources
 islandSources(const ModelSurvey& survey, const FieldParameters& parameters);
 
 /** \brief Surface and free points as obstacles and guides (full mode needs both, the
- * tracker the surface, the perturbation the free points). */
+ * tracker the surface, the perturbation the free points).
+ * \param[in] with_surface false leaves it out: its tree takes long */
 std::shared_ptr<const SurveyGuides>
 makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
-           double median_gap);
+           double median_gap,
+           bool with_surface);
 
 Reach
 reachOf(const FieldParameters& parameters);

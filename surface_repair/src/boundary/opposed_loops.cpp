@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: loops that are the two ends of one gap.
+
+#include "opposed_loops.h"
+
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+
+#include "smooth_conormals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+constexpr std::size_t MOST_POINTS = 48;
+/** Cosine of half the opening of a view. */
+constexpr double IN_VIEW = 0.5;
+/** Share of a loop's points that must see the other one. */
+constexpr double LEAST_SHARE = 0.5;
+/** Widest gap in lengths of the loop: a little more than the diameter of a round one.
+ */
+constexpr double WIDEST = 0.4;
+
+/** Some points of a loop and where they look. */
+struct LookingLoop {
+  Positions points;
+  Directions conormals;
+  double length = 0.0;
+  ccaa::Box box;
+};
+
+LookingLoop
+lookAlong(const BoundaryLoop& loop)
+{
+  LookingLoop looking;
+  looking.length = loop.length;
+  const BoundaryCurve& curve = loop.curve;
+  const Directions conormals = smoothConormals(curve, 0.0);
+  const std::size_t count = std::min(curve.size(), MOST_POINTS);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = i * curve.size() / count;
+    looking.points.push_back(curve.points[k]);
+    looking.conormals.push_back(conormals[k]);
+    looking.box.extend(curve.points[k]);
+  }
+  return looking;
+}
+
+/** Distance to the nearest point of a loop that is seen from a place and looks back;
+ * infinite where there is none. */
+double
+nearestSeen(const Position& from, const Direction& conormal, const LookingLoop& loop)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Eigen::Vector3d view = loop.points[i] - from;
+    const double distance = view.norm();
+    if (distance < nearest && conormal.dot(view) > IN_VIEW * distance &&
+        loop.conormals[i].dot(view) < -IN_VIEW * distance)
+      nearest = distance;
+  }
+  return nearest;
+}
+
+class Opposition {
+public:
+  explicit Opposition(const BoundaryLoops& loops)
+  {
+    std::vector<ccaa::Box> boxes;
+    for (const BoundaryLoop& loop : loops) {
+      loops_.push_back(lookAlong(loop));
+      boxes.push_back(loops_.back().box);
+    }
+    tree_ = ccaa::BoxTree(boxes);
+  }
+
+  /** The loop that most points of one see first, or NONE. */
+  std::size_t
+  seenFrom(std::size_t loop) const
+  {
+    const LookingLoop& own = loops_[loop];
+    const double widest = WIDEST * own.length;
+    std::vector<std::size_t> others{loop};
+    const Eigen::Vector3d room = Eigen::Vector3d::Constant(widest);
+    tree_.forEachMeeting(ccaa::Box(own.box.min() - room, own.box.max() + room),
+                         [&](pcl::index_t i) {
+                           if (static_cast<std::size_t>(i) != loop)
+                             others.push_back(static_cast<std::size_t>(i));
+                         });
+    std::sort(others.begin() + 1, others.end());
+    std::map<std::size_t, std::size_t> seeing; // points, by the loop they see
+    for (std::size_t i = 0; i < own.points.size(); ++i) {
+      double nearest = widest;
+      std::size_t seen = NONE;
+      for (const std::size_t other : others) {
+        const double distance =
+            nearestSeen(own.points[i], own.conormals[i], loops_[other]);
+        if (distance < nearest) {
+          nearest = distance;
+          seen = other;
+        }
+      }
+      ++seeing[seen];
+    }
+    for (const auto& [other, points] : seeing)
+      if (other != NONE && other != loop &&
+          static_cast<double>(points) >
+              LEAST_SHARE * static_cast<double>(own.points.size()))
+        return other;
+    return NONE;
+  }
+
+private:
+  std::vector<LookingLoop> loops_;
+  ccaa::BoxTree tree_;
+};
+
+} // namespace
+
+std::vector<std::size_t>
+opposedLoops(const BoundaryLoops& loops)
+{
+  const Opposition opposition(loops);
+  std::vector<std::size_t> seen;
+  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+    seen.push_back(opposition.seenFrom(loop));
+  std::vector<std::size_t> opposed(loops.size(), NONE);
+  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+    if (seen[loop] != NONE && seen[seen[loop]] == loop)
+      opposed[loop] = seen[loop];
+  return opposed;
+}
+
+} // namespace repair
+} // namespace pcl

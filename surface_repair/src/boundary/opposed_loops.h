@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: loops that are the two ends of one gap.
+
+#pragma once
+
+#include <pcl/surface_repair/boundary/boundary_loop.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief For each loop the one that it looks at and that looks back at it, NONE where
+ * there is none: the ends of a limb or a handle that was cut through. By their course
+ * and by the size of their islands both may pass for holes, each to be closed by
+ * itself.
+ *
+ * Most points of each loop, along their conormals, must meet the other loop before any
+ * other and before their own loop's other side, no further away than a gap in a limb of
+ * this girth is likely to be. Loops of one island may be opposed to each other, too.
+ * Cost: some thousand operations for each pair of loops that lie near to each other. */
+std::vector<std::size_t>
+opposedLoops(const BoundaryLoops& loops);
+
+} // namespace repair
+} // namespace pcl
