@@ -3,8 +3,9 @@
 
 #include "partial_darn.h"
 
+#include <pcl/surface_ccaa/mesh/intersection.h>
+
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace pcl {
@@ -21,6 +22,10 @@ PartialDarn::PartialDarn(const DarningTask& task,
     readEdges();
   }
   while (dropPinches());
+  std::vector<ccaa::Box> boxes;
+  for (const Triangle& triangle : triangles_)
+    boxes.push_back(ccaa::boxOf(ccaa::cornersOf(triangle, points_)));
+  tree_ = ccaa::BoxTree(boxes);
 }
 
 void
@@ -161,8 +166,24 @@ PartialDarn::taskFor(const std::vector<pcl::index_t>& loop) const
   task.joined = [this, loop](std::size_t a, std::size_t b) {
     return areJoined(loop[a], loop[b]);
   };
-  task.obstructed = task_.obstructed;
+  task.obstructed = [this](const ccaa::Corners& corners) {
+    return meetsTriangles(corners) || (task_.obstructed && task_.obstructed(corners));
+  };
   return task;
+}
+
+bool
+PartialDarn::meetsTriangles(const ccaa::Corners& corners) const
+{
+  if (ccaa::isCollinear(corners))
+    return false;
+  bool meets = false;
+  tree_.forEachMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
+    const ccaa::Corners ours =
+        ccaa::cornersOf(triangles_[static_cast<std::size_t>(i)], points_);
+    meets = meets || (!ccaa::isCollinear(ours) && ccaa::trianglesMeet(corners, ours));
+  });
+  return meets;
 }
 
 } // namespace repair

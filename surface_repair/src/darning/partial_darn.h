@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/box_tree.h>
 #include <pcl/surface_repair/darning/darning_method.h>
 
 #include <array>
@@ -35,7 +36,8 @@ public:
   std::vector<std::vector<pcl::index_t>>
   openLoops() const;
 
-  /** \brief The task to close one of them. What this was made from must outlive it. */
+  /** \brief The task to close one of them, where our triangles are in the way as well.
+   * This, and what it was made from, must outlive it. */
   DarningTask
   taskFor(const std::vector<pcl::index_t>& loop) const;
 
@@ -56,11 +58,14 @@ private:
   normalAlong(const HalfEdge& edge) const;
   bool
   areJoined(pcl::index_t a, pcl::index_t b) const;
+  bool
+  meetsTriangles(const ccaa::Corners& corners) const;
 
   const DarningTask& task_;
   const Positions& points_;
   Triangles triangles_;
   std::map<HalfEdge, std::size_t> triangle_at_; /**< that runs through the edge so */
+  ccaa::BoxTree tree_;                          /**< of the triangles */
 };
 
 } // namespace repair
