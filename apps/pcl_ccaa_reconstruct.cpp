@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that turns a point cloud into a correct mesh.
 #include "common/cli.h"
+#include "common/hole_report.h"
 #include "common/model_io.h"
 #include "common/position_check.h"
 #include "common/reconstruct_options.h"
@@ -91,6 +92,10 @@ judge(const app::ReconstructResult& result)
         std::to_string(result.filter.one_sided_components) +
             " regions are one-sided (like a Moebius band) and could not be oriented",
         result.model.warnings};
+  if (result.repair && !result.repair->complete())
+    return {app::INCOMPLETE,
+            app::tellShortfalls(*result.repair, result.model.mesh),
+            result.model.warnings};
   return {app::DONE, "", result.model.warnings};
 }
 
@@ -111,11 +116,14 @@ reconstruct(const app::Arguments& arguments)
   result.memory_before = app::currentMemoryBytes();
   if (bar.show("start", 0))
     status = app::runReconstruction(settings, bar, result);
+  if (status.ok() && bar.show("normals", 0))
+    app::addNormals(result);
+  if (status.ok() && settings.repair && bar.show("repair", 0))
+    status = app::repairResult(settings, bar, result);
   if (!bar.show("writing", 0))
     return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
   if (!status.ok())
     return app::Outcome::badInput(status);
-  app::addNormals(result);
   if (result.chain.skipped_points > 0)
     result.model.warnings.push_back(
         std::to_string(result.chain.skipped_points) +

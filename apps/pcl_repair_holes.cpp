@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: program that shows what an incomplete model lacks.
+// Part of PclSurfaceRepair: program that repairs an incomplete model, or shows what it
+// lacks.
 #include <pcl/surface_ccaa/threads.h>
 
+#include "common/bridge_layer.h"
 #include "common/cli.h"
 #include "common/cloud_normals.h"
+#include "common/hole_report.h"
 #include "common/inspection_files.h"
+#include "common/mesh_writers.h"
 #include "common/model_io.h"
 #include "common/progress.h"
 #include "common/repair_options.h"
 #include "common/repair_report.h"
+#include "common/repair_run.h"
 #include "common/report.h"
 #include "render/display.h"
 #include "render/inspection_pictures.h"
@@ -23,8 +28,11 @@ namespace {
 /** Points of the slice through the field along its longer side. */
 constexpr std::size_t SLICE_COLUMNS = 400;
 
-/** \brief What was found, in all the forms it is handed out. */
+/** \brief What was found and done, in all the forms it is handed out. */
 struct Result {
+  app::Model model; /**< as it was read; repaired when that is asked for */
+  app::Model free_points;
+  pcl::RepairReport repair;
   pcl::repair::ModelSurvey survey;
   pcl::repair::FieldSlice slice;
   std::vector<app::InspectionLayer> layers;
@@ -37,16 +45,22 @@ makeCommandLine()
 {
   app::CommandLine line(
       {"pcl_repair_holes",
-       "INPUT_MESH --inspect DIR [options]",
-       "Finds what a mesh lacks: tells holes from the rims of islands and from the\n"
-       "outer border, which side of each island is outside, and how force lines join\n"
-       "what belongs together. Points without a triangle are free points, samples of\n"
-       "the missing regions. Any mesh will do: faults are taken out on reading.\n\n"
+       "INPUT_MESH [OUTPUT_MESH] [options]",
+       "Repairs a mesh: turns its islands outside out, joins them by bridges along\n"
+       "force lines and closes the holes, smoothly and in the density of what is\n"
+       "around. All points and triangles of the mesh are kept, with all fields. "
+       "Points\n"
+       "without a triangle are free points, samples of the missing regions. With\n"
+       "--inspect it shows what is missing. Any mesh will do: faults are taken out on\n"
+       "reading.\n\n"
        "INPUT_MESH   " +
-           std::string(app::mesh_endings),
+           std::string(app::mesh_endings) + "\nOUTPUT_MESH  " +
+           app::mesh_output_endings +
+           "; .ply keeps most; may be left out with --inspect",
+       "  pcl_repair_holes scan.ply repaired.ply\n"
+       "  pcl_repair_holes scan.ply repaired.ply --free-points sparse.pcd --report "
+       "r.json\n"
        "  pcl_repair_holes scan.ply --inspect found --report found.json\n"
-       "  pcl_repair_holes scan.ply --inspect found --free-points sparse.pcd --mode "
-       "full\n"
        "  pcl_viewer found/origins.pcd found/islands.vtk found/loops.vtk\n"});
   app::addRepairOptions(line);
   using boost::program_options::value;
@@ -60,6 +74,7 @@ makeCommandLine()
       value<std::string>(),
       "X,Y,Z: direction that points up in the pictures; without it y or z");
   line.addPositional("INPUT_MESH");
+  line.addOptionalPositional("OUTPUT_MESH");
   return line;
 }
 
@@ -81,7 +96,7 @@ comesWithFolder(const app::RepairSettings& settings)
 {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (fs::exists(settings.inspect, ignored))
+  if (settings.inspect.empty() || fs::exists(settings.inspect, ignored))
     return false;
   const auto folder_of = [&](const std::string& file) {
     return fs::weakly_canonical(file, ignored).parent_path();
@@ -93,48 +108,78 @@ comesWithFolder(const app::RepairSettings& settings)
 app::Status
 checkFiles(const app::RepairSettings& settings)
 {
-  std::vector<std::string> files{
-      settings.input, settings.free_points, settings.report, settings.inspect};
-  for (const std::string& name : app::inspectionNames())
-    files.push_back(settings.inspect + "/" + name);
+  std::vector<std::string> files{settings.input,
+                                 settings.output,
+                                 settings.bridges,
+                                 settings.free_points,
+                                 settings.report,
+                                 settings.inspect};
+  if (!settings.inspect.empty())
+    for (const std::string& name : app::inspectionNames())
+      files.push_back(settings.inspect + "/" + name);
   app::Status status = app::checkDifferentFiles(files);
-  if (status.ok())
+  if (status.ok() && !settings.output.empty())
+    status = app::checkMeshOutput(settings.output);
+  if (status.ok() && !settings.bridges.empty())
+    status = app::OutputFile::check(settings.bridges);
+  if (status.ok() && !settings.inspect.empty())
     status = app::OutputFolder::check(settings.inspect);
   if (status.ok() && !settings.report.empty() && !comesWithFolder(settings))
     status = app::OutputFile::check(settings.report);
   return status;
 }
 
-/** \brief Read the model and find all that can be told about it. */
+app::Status
+readInput(const app::RepairSettings& settings, Result& result)
+{
+  app::Status status = app::readMesh(settings.input, result.model);
+  if (status.ok() && !settings.free_points.empty())
+    status = app::readCloud(settings.free_points, result.free_points);
+  result.warnings = result.model.warnings;
+  return status;
+}
+
+const pcl::PCLPointCloud2*
+freePoints(const app::RepairSettings& settings, const Result& result)
+{
+  return settings.free_points.empty() ? nullptr : &result.free_points.mesh.cloud;
+}
+
+/** \brief Find all that can be told about the model. */
 app::Status
 survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
 {
-  app::Model model;
-  app::Model free_points;
-  bar.show("reading", 0);
-  app::Status status = app::readMesh(settings.input, model);
-  if (status.ok() && !settings.free_points.empty())
-    status = app::readCloud(settings.free_points, free_points);
-  if (!status.ok())
-    return status;
-  result.warnings = model.warnings;
-  appendViewpoint(model.viewpoint, model.mesh.cloud);
+  pcl::PolygonMesh mesh = result.model.mesh;
+  appendViewpoint(result.model.viewpoint, mesh.cloud);
   pcl::ccaa::RunControl control(bar.callback());
   pcl::ccaa::LoopContext context;
   context.threads = pcl::ccaa::resolveThreads(settings.threads);
   context.control = &control;
-  result.survey =
-      surveyModel(pcl::make_shared<const pcl::PolygonMesh>(std::move(model.mesh)),
-                  settings.free_points.empty() ? nullptr : &free_points.mesh.cloud,
-                  settings.survey,
-                  context);
-  if (!result.survey.reading.problem.empty())
-    return app::Status::error("'" + settings.input +
-                              "': " + result.survey.reading.problem);
+  result.survey = surveyModel(pcl::make_shared<const pcl::PolygonMesh>(std::move(mesh)),
+                              freePoints(settings, result),
+                              settings.method.survey,
+                              context);
+  const std::string& problem = result.survey.reading.problem;
+  if (!problem.empty())
+    return app::Status::error("'" + settings.input + "': " + problem);
   if (!result.survey.cancelled)
     result.slice =
-        sliceField(result.survey, settings.survey.field, SLICE_COLUMNS, context);
+        sliceField(result.survey, settings.method.survey.field, SLICE_COLUMNS, context);
   return {};
+}
+
+app::Status
+repair(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
+{
+  const app::Status status =
+      app::repairMesh({settings.method, freePoints(settings, result), settings.threads},
+                      result.model.viewpoint,
+                      bar,
+                      result.model.mesh,
+                      result.repair);
+  return status.ok()
+             ? status
+             : app::Status::error("'" + settings.input + "': " + status.message());
 }
 
 void
@@ -164,22 +209,81 @@ drawPictures(const app::InspectionView& view, Result& result)
                               "set DISPLAY or install Xvfb");
 }
 
+nlohmann::json
+describe(const app::RepairSettings& settings, const Result& result)
+{
+  if (settings.output.empty())
+    return app::describeSurvey(settings, result.survey, result.warnings);
+  nlohmann::json report = app::describeRun(settings, result.repair, result.warnings);
+  if (!settings.inspect.empty())
+    report["survey"] = app::describeSurvey(settings, result.survey, {});
+  return report;
+}
+
+/** \brief All files appear together or not at all. */
 app::Status
-writeOutputs(const app::RepairSettings& settings, const Result& result)
+writeOutputs(const app::RepairSettings& settings, Result& result)
 {
   app::OutputFolder folder;
-  const app::Status status = folder.open(settings.inspect);
+  app::Status status;
+  if (!settings.inspect.empty())
+    status = folder.open(settings.inspect);
   if (!status.ok())
     return status;
-  writeInspection(result.layers, result.pictures, folder);
+  if (!settings.inspect.empty())
+    writeInspection(result.layers, result.pictures, folder);
+  if (!settings.output.empty()) {
+    std::vector<app::FaceProperty> properties;
+    if (settings.labels)
+      properties.push_back(app::originProperty(result.repair));
+    app::writeMesh(settings.output,
+                   result.model.mesh,
+                   properties,
+                   folder.addElsewhere(settings.output),
+                   result.warnings);
+  }
+  if (!settings.bridges.empty()) {
+    const auto layer = app::showBridges(result.repair.bridges);
+    app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(settings.bridges));
+  }
   if (!settings.report.empty())
-    app::writeReport(app::describeSurvey(settings, result.survey, result.warnings),
-                     folder.addElsewhere(settings.report));
+    app::writeReport(describe(settings, result), folder.addElsewhere(settings.report));
   return folder.commit();
 }
 
+void
+sumUp(const app::RepairSettings& settings, const Result& result)
+{
+  if (!settings.inspect.empty())
+    std::cout << app::summarizeSurvey(settings, result.survey) << std::endl;
+  if (!settings.output.empty())
+    std::cout << settings.output << ": " << app::summarizeRepair(result.repair)
+              << std::endl;
+}
+
+/** \brief Everything up to the files. */
+app::Status
+work(const app::RepairSettings& settings,
+     const app::InspectionView& view,
+     app::ProgressBar& bar,
+     Result& result)
+{
+  bar.show("reading", 0);
+  app::Status status = readInput(settings, result);
+  if (status.ok() && !settings.inspect.empty())
+    status = survey(settings, bar, result);
+  if (status.ok() && !settings.output.empty() && bar.show("repairing", 0))
+    status = repair(settings, bar, result);
+  if (status.ok() && !settings.inspect.empty() && bar.show("drawing", 0)) {
+    makeLayers(result);
+    if (settings.pictures)
+      drawPictures(view, result);
+  }
+  return status;
+}
+
 app::Outcome
-repair(const app::Arguments& arguments)
+run(const app::Arguments& arguments)
 {
   app::RepairSettings settings;
   app::InspectionView view;
@@ -192,14 +296,9 @@ repair(const app::Arguments& arguments)
   if (!status.ok())
     return app::Outcome::badInput(status);
   app::ProgressBar bar(settings.quiet);
-  status = survey(settings, bar, result);
+  status = work(settings, view, bar, result);
   if (!status.ok())
     return app::Outcome::badInput(status);
-  if (bar.show("drawing", 0)) {
-    makeLayers(result);
-    if (settings.pictures)
-      drawPictures(view, result);
-  }
   if (!bar.show("writing", 0))
     return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
   status = writeOutputs(settings, result);
@@ -207,7 +306,11 @@ repair(const app::Arguments& arguments)
     return app::Outcome::badInput(status);
   bar.clear();
   if (!settings.quiet)
-    std::cout << app::summarizeSurvey(settings, result.survey) << std::endl;
+    sumUp(settings, result);
+  if (!settings.output.empty() && !result.repair.complete())
+    return {app::INCOMPLETE,
+            app::tellShortfalls(result.repair, result.model.mesh),
+            result.warnings};
   return {app::DONE, "", result.warnings};
 }
 
@@ -216,5 +319,5 @@ repair(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(makeCommandLine(), argc, argv, repair);
+  return app::runApp(makeCommandLine(), argc, argv, run);
 }

@@ -96,9 +96,15 @@ CommandLine::CommandLine(Usage usage)
 void
 CommandLine::addPositional(const std::string& name)
 {
+  addOptionalPositional(name);
+  required_.push_back(name);
+}
+
+void
+CommandLine::addOptionalPositional(const std::string& name)
+{
   hidden_.add_options()(name.c_str(), po::value<std::string>());
   positional_.add(name.c_str(), 1);
-  required_.push_back(name);
 }
 
 Status

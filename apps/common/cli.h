@@ -53,6 +53,10 @@ public:
   void
   addPositional(const std::string& name);
 
+  /** \brief The same, but it may be left out. */
+  void
+  addOptionalPositional(const std::string& name);
+
   /** \brief Parse the arguments; abbreviations and unknown options are refused. */
   Status
   parse(int argc, const char* const* argv, Arguments& arguments) const;

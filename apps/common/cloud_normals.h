@@ -24,4 +24,8 @@ appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& 
 bool
 appendViewpoint(const Viewpoint& viewpoint, pcl::PCLPointCloud2& cloud);
 
+/** \brief Take away what appendViewpoint() appended last. */
+void
+removeViewpoint(pcl::PCLPointCloud2& cloud);
+
 } // namespace app

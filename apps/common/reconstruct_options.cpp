@@ -31,6 +31,7 @@ OUTPUT_MESH   )" +
       mesh_output_endings + "; .ply keeps most";
   usage.examples = R"(  pcl_ccaa_reconstruct bunny.pcd bunny.ply
   pcl_ccaa_reconstruct scan.xyz scan.ply --threads 4 --report scan.json
+  pcl_ccaa_reconstruct bunny.pcd bunny.ply --repair
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --labels --normals --measure-speedup
 )";
   return usage;
@@ -55,10 +56,13 @@ addOutputs(po::options_description_easy_init add)
       text()->default_value("base"),
       "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
       "(correct triangles only) or base (what is missing between them, too)");
+  add("repair",
+      po::bool_switch(),
+      "then join the islands and close the holes, as pcl_repair_holes does");
   add("labels",
       po::bool_switch(),
       "write which stage made each triangle as the face property 'stage': 0 start, "
-      "1 base; PLY only");
+      "1 base, 2 repair; PLY only");
   add("normals",
       po::bool_switch(),
       "write a normal of the surface for each point, unless the cloud has normals");
@@ -118,6 +122,10 @@ checkChoices(const ReconstructSettings& settings)
     return Status::error("--measure-speedup compares with the stage base; it does not "
                          "go with --until " +
                          settings.until);
+  if (settings.repair && settings.until != "base")
+    return Status::error("--repair closes what the stage base leaves; it does not go "
+                         "with --until " +
+                         settings.until);
   if (settings.normals && settings.until == "start")
     return Status::error("--normals needs triangles that are wound alike; it does not "
                          "go with --until start");
@@ -150,6 +158,7 @@ takeReconstructSettings(const Arguments& arguments, ReconstructSettings& setting
   settings.search = takeText(arguments, "search");
   settings.plain = arguments["plain"].as<bool>();
   settings.labels = arguments["labels"].as<bool>();
+  settings.repair = arguments["repair"].as<bool>();
   settings.normals = arguments["normals"].as<bool>();
   settings.measure_speedup = arguments["measure-speedup"].as<bool>();
   settings.quiet = arguments.count("quiet") != 0;

@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/threads.h>
 
+#include "hole_report.h"
 #include "point_columns.h"
 #include <nlohmann/json.hpp>
 
@@ -82,6 +83,8 @@ describeLaterStages(const ReconstructSettings& settings,
   }
   if (result.boundary_loops)
     report["boundary_loops"] = *result.boundary_loops;
+  if (result.repair)
+    report["repair"] = describeRepair(*result.repair);
   if (result.speedup)
     report["speedup"] = describeSpeedup(*result.speedup);
   for (const pcl::ChainStageReport& stage : chain.stages)
@@ -144,6 +147,8 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
                 result.chain.free_points,
                 result.model.mesh.polygons.size());
   std::string line = settings.output + text;
+  if (result.repair)
+    line += ", " + std::to_string(result.repair->new_triangles) + " of them by repair";
   if (result.boundary_loops)
     line += ", " + std::to_string(*result.boundary_loops) + " boundary loops";
   std::snprintf(text,

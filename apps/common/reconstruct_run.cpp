@@ -9,12 +9,17 @@
 #include "boundary_loops.h"
 #include "cloud_normals.h"
 #include "point_columns.h"
+#include "repair_details.h"
+#include "repair_run.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace app {
 namespace {
+
+/** Comes after the stages of the chain. */
+constexpr std::uint8_t REPAIR_LABEL = 2;
 
 void
 setHints(const Model&, pcl::PointCloud<pcl::PointXYZ>&)
@@ -144,6 +149,31 @@ runReconstruction(const ReconstructSettings& settings,
                            pointCount(model.mesh.cloud),
                            pcl::ccaa::resolveThreads(settings.threads));
   return {};
+}
+
+Status
+repairResult(const ReconstructSettings& settings,
+             ProgressBar& bar,
+             ReconstructResult& result)
+{
+  if (result.model.mesh.polygons.empty())
+    return {};
+  RepairTask task;
+  task.threads = settings.threads;
+  pcl::RepairReport report;
+  const Status status =
+      repairMesh(task, result.model.viewpoint, bar, result.model.mesh, report);
+  if (!status.ok() || report.cancelled)
+    return status;
+  result.labels.resize(report.input_triangles, REPAIR_LABEL);
+  result.labels.resize(report.origins.size(), REPAIR_LABEL);
+  result.stages.emplace_back("repair", totalSeconds(report.seconds));
+  result.boundary_loops =
+      countBoundaryLoops(result.model.mesh.polygons,
+                         pointCount(result.model.mesh.cloud),
+                         pcl::ccaa::resolveThreads(settings.threads));
+  result.repair = std::move(report);
+  return status;
 }
 
 void

@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/consecutive/consecutive_report.h>
 #include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
+#include <pcl/surface_repair/repair_report.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -36,6 +37,7 @@ struct ReconstructSettings {
   bool labels = false;                // as a face property
   bool normals = false;               // as fields of the cloud
   bool measure_speedup = false;
+  bool repair = false; // what the base stage left open
   bool quiet = false;
 
   bool
@@ -55,6 +57,7 @@ struct ReconstructResult {
   pcl::ConsecutiveReport chain;
   std::optional<pcl::SpeedupReport> speedup;
   std::optional<std::size_t> boundary_loops; // none known of raw triangles
+  std::optional<pcl::RepairReport> repair;   // what became of the holes
   std::vector<std::uint8_t> labels;          // of the polygons: their stage
   pcl::PointCloud<pcl::Normal>::Ptr normals; // null unless asked for
 };
@@ -70,5 +73,12 @@ runReconstruction(const ReconstructSettings& settings,
  * keeps them, and a warning says so. */
 void
 addNormals(ReconstructResult& result);
+
+/** \brief Join the islands of \a result and close its holes. Fails as repairMesh()
+ * does; after a signal the result is of no use. */
+Status
+repairResult(const ReconstructSettings& settings,
+             ProgressBar& bar,
+             ReconstructResult& result);
 
 } // namespace app

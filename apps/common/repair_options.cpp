@@ -2,14 +2,18 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_holes.
 #include "repair_options.h"
 
+#include "model_io.h"
+
 #include <limits>
 
 namespace app {
 namespace {
 
 namespace po = boost::program_options;
+using pcl::repair::DarningChoice;
 using pcl::repair::FieldMode;
 using pcl::repair::FieldParameters;
+using pcl::repair::RepairParameters;
 using pcl::repair::SurveyParameters;
 
 constexpr double LARGEST = 1e30; // of lengths, which have the units of the cloud
@@ -76,6 +80,18 @@ constexpr RealOption FIELD_OPTIONS[] = {
      &FieldParameters::trust},
 };
 
+struct ChoiceName {
+  const char* name;
+  DarningChoice choice;
+};
+
+constexpr ChoiceName DARNING_CHOICES[] = {
+    {"automatic", DarningChoice::AUTOMATIC},
+    {"fan", DarningChoice::FAN},
+    {"minimum-weight", DarningChoice::MINIMUM_WEIGHT},
+    {"completion", DarningChoice::COMPLETION},
+};
+
 void
 addRunOptions(po::options_description_easy_init add)
 {
@@ -86,6 +102,12 @@ addRunOptions(po::options_description_easy_init add)
       "pcl_viewer, PNG pictures, and legend.txt, which explains them");
   add("no-pictures", "leave out the pictures");
   add("free-points", path(), "a cloud of points of the missing regions");
+  add("bridges",
+      path(),
+      "write the bridges that were built, with normals and quality, to this .vtk file");
+  add("labels",
+      "write how each triangle came about as the face property 'origin': 0 input, "
+      "1 fan, 2 minimum weight, 3 completion; PLY only");
   add("report", path(), "write figures about the model to this JSON file");
   add("threads",
       po::value<long long>()->default_value(0),
@@ -105,14 +127,41 @@ addMethodOptions(po::options_description_easy_init add)
   add("simple-edges",
       po::value<long long>()->default_value(
           static_cast<long long>(defaults.simple_edges)),
-      "holes of up to so many edges are simple");
+      "holes of up to so many edges are simple: they are closed without being divided");
   add("hole-threshold",
       realValue(defaults.hole_threshold),
       "T: within a hole no line ends nearer to its origin than this share of the "
-      "boundary's length, 0 to 0.5");
+      "boundary's length, above 0 to 0.5");
   add("line-spacing",
       realValue(defaults.line_spacing),
       "least distance between the origins of force lines, in gaps, above 0");
+  add("bridge-spacing",
+      realValue(defaults.bridge_spacing),
+      "least distance between bridges, in lengths of the bridge, above 0");
+}
+
+void
+addClosingOptions(po::options_description_easy_init add)
+{
+  const RepairParameters defaults;
+  add("darning",
+      po::value<std::string>()->default_value("automatic"),
+      "how simple holes are closed: fan (from the centroid), minimum-weight, "
+      "completion "
+      "(base algorithm, with free points as vertices), or automatic: completion where "
+      "a "
+      "hole holds enough free points, else minimum-weight");
+  add("greatest-hole",
+      po::value<long long>()->default_value(0),
+      "holes of more edges are left open, 0: no limit");
+  add("edge-length",
+      realValue(defaults.refinement.edge_length),
+      "edges of new triangles, in those of the surface around, above 0");
+  add("no-join", "leave islands apart");
+  add("no-refine",
+      "do not make new triangles as small as those around; not fair either");
+  add("no-fair", "do not move new vertices to a smooth surface");
+  add("pure", "the thesis alone: --darning fan --no-refine");
 }
 
 Status
@@ -148,21 +197,90 @@ takeSurveyParameters(const Arguments& arguments, SurveyParameters& parameters)
     status = takeCount(arguments, "simple-edges", 0, 1000000000, simple_edges);
   parameters.simple_edges = simple_edges;
   if (status.ok())
-    status = takeReal(arguments, "hole-threshold", 0.0, 0.5, parameters.hole_threshold);
+    status = takeReal(
+        arguments, "hole-threshold", ABOVE_ZERO, 0.5, parameters.hole_threshold);
   if (status.ok())
     status =
         takeReal(arguments, "line-spacing", ABOVE_ZERO, 1e6, parameters.line_spacing);
+  if (status.ok())
+    status = takeReal(
+        arguments, "bridge-spacing", ABOVE_ZERO, 1e6, parameters.bridge_spacing);
   shareParameters(parameters);
   return status;
 }
 
+Status
+takeDarning(const std::string& text, DarningChoice& choice)
+{
+  std::string names;
+  for (const ChoiceName& named : DARNING_CHOICES) {
+    if (text == named.name) {
+      choice = named.choice;
+      return {};
+    }
+    names += (names.empty() ? "" : ", ") + std::string(named.name);
+  }
+  return Status::error("--darning must be one of " + names + ", not '" + text + "'");
+}
+
+/** What is done about the holes, the field aside. */
+Status
+takeClosingParameters(const Arguments& arguments, RepairParameters& parameters)
+{
+  unsigned int greatest_hole = 0;
+  Status status =
+      takeDarning(takeText(arguments, "darning"), parameters.darning.choice);
+  if (status.ok())
+    status = takeCount(arguments, "greatest-hole", 0, 1000000000, greatest_hole);
+  if (status.ok())
+    status = takeReal(
+        arguments, "edge-length", ABOVE_ZERO, 1e6, parameters.refinement.edge_length);
+  parameters.darning.greatest_hole = greatest_hole;
+  const bool pure = arguments.count("pure") != 0;
+  if (pure)
+    parameters.darning.choice = DarningChoice::FAN;
+  if (!arguments["simple-edges"].defaulted())
+    parameters.darning.simple_edges = parameters.survey.simple_edges;
+  parameters.join_islands = arguments.count("no-join") == 0;
+  parameters.refine = !pure && arguments.count("no-refine") == 0;
+  parameters.relax = parameters.refine && arguments.count("no-fair") == 0;
+  return status;
+}
+
+/** Options that do not go together, or ask for nothing. */
+Status
+checkOutputs(const RepairSettings& settings)
+{
+  if (settings.output.empty() && settings.inspect.empty())
+    return Status::error("nothing is asked for: name an OUTPUT_MESH for the repaired "
+                         "surface, or use --inspect DIR to see what is missing (try "
+                         "--help)");
+  if (settings.output.empty() && (!settings.bridges.empty() || settings.labels))
+    return Status::error("--bridges and --labels tell about a repair; they need an "
+                         "OUTPUT_MESH");
+  if (settings.labels && !holdsFaceProperties(settings.output))
+    return Status::error("--labels needs an output that ends in .ply, not '" +
+                         settings.output + "'");
+  return {};
+}
+
 } // namespace
+
+const char*
+nameOf(DarningChoice choice)
+{
+  for (const ChoiceName& named : DARNING_CHOICES)
+    if (named.choice == choice)
+      return named.name;
+  return "";
+}
 
 void
 addRepairOptions(CommandLine& command_line)
 {
   addRunOptions(command_line.addOptions());
   addMethodOptions(command_line.addOptions());
+  addClosingOptions(command_line.addOptions());
 }
 
 Status
@@ -174,12 +292,18 @@ takeRepairSettings(const Arguments& arguments, RepairSettings& settings)
   settings.report = takeText(arguments, "report");
   settings.pictures = arguments.count("no-pictures") == 0;
   settings.quiet = arguments.count("quiet") != 0;
-  if (arguments.count("inspect") == 0)
-    return Status::error("nothing is asked for: --inspect DIR writes what the model "
-                         "lacks, as pictures and files for pcl_viewer (try --help)");
-  Status status = takeCount(arguments, "threads", 0, 1024, settings.threads);
+  settings.output = takeText(arguments, "OUTPUT_MESH");
+  settings.bridges = takeText(arguments, "bridges");
+  settings.labels = arguments.count("labels") != 0;
+  if (arguments.count("inspect") != 0 && settings.inspect.empty())
+    return Status::error("--inspect needs the name of a folder");
+  Status status = checkOutputs(settings);
   if (status.ok())
-    status = takeSurveyParameters(arguments, settings.survey);
+    status = takeCount(arguments, "threads", 0, 1024, settings.threads);
+  if (status.ok())
+    status = takeSurveyParameters(arguments, settings.method.survey);
+  if (status.ok())
+    status = takeClosingParameters(arguments, settings.method);
   return status;
 }
 

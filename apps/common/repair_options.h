@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_holes.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
+#include <pcl/surface_repair/repair_parameters.h>
 
 #include "cli.h"
 
@@ -13,14 +13,21 @@ namespace app {
 /** \brief What the user asked pcl_repair_holes for. */
 struct RepairSettings {
   std::string input;
-  std::string inspect;     /**< folder */
+  std::string output;      /**< empty: none */
+  std::string bridges;     /**< empty: none */
+  std::string inspect;     /**< folder; empty: none */
   std::string free_points; /**< empty: none */
   std::string report;      /**< empty: none */
   bool pictures = true;
   bool quiet = false;
+  bool labels = false; /**< as a face property */
   unsigned int threads = 0;
-  pcl::repair::SurveyParameters survey;
+  pcl::repair::RepairParameters method;
 };
+
+/** \brief As it is written on the command line. */
+const char*
+nameOf(pcl::repair::DarningChoice choice);
 
 /** \brief Add the options of the run and of the method, with the defaults of the
  * library. */

@@ -4,60 +4,21 @@
 
 #include <pcl/surface_ccaa/threads.h>
 
+#include "hole_report.h"
 #include "layer_builder.h"
+#include "repair_details.h"
 #include "report.h"
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 
 namespace app {
 namespace {
 
 using nlohmann::json;
-using pcl::repair::BoundaryClass;
-using pcl::repair::IcmClass;
 using pcl::repair::LineEnd;
 using pcl::repair::ModelSurvey;
 using pcl::repair::ReadingReport;
-using pcl::repair::SideRule;
-
-const char*
-nameOf(IcmClass icm_class)
-{
-  switch (icm_class) {
-  case IcmClass::ICM1:
-    return "ICM1";
-  case IcmClass::ICM2:
-    return "ICM2";
-  case IcmClass::ICM3:
-    return "ICM3";
-  }
-  return "unknown";
-}
-
-json
-describePosition(const Eigen::Vector3d& position)
-{
-  return {position.x(), position.y(), position.z()};
-}
-
-json
-describeReading(const ReadingReport& reading)
-{
-  json description = {{"input_polygons", reading.input_polygons},
-                      {"invalid_polygons", reading.invalid_polygons},
-                      {"non_finite_points", reading.non_finite_points},
-                      {"reversed_triangles", reading.reversed_triangles},
-                      {"filtered", reading.filtered}};
-  if (reading.filtered)
-    description["removed_triangles"] = {
-        {"duplicate", reading.filter.duplicate_triangles},
-        {"overfull", reading.filter.overfull_triangles},
-        {"umbrella", reading.filter.umbrella_triangles},
-        {"twist", reading.filter.twist_triangles}};
-  return description;
-}
 
 json
 describeIslands(const ModelSurvey& survey)
@@ -68,10 +29,8 @@ describeIslands(const ModelSurvey& survey)
     const auto& side = survey.sides[i];
     list.push_back({{"triangles", island.triangles},
                     {"area", island.area},
-                    {"closed", island.closed},
-                    {"rule", describe(side.rule)},
-                    {"flipped", side.flipped},
-                    {"confidence", side.confidence}});
+                    {"closed", island.closed}});
+    addSide(side, list.back());
   }
   return list;
 }
@@ -85,14 +44,8 @@ describeLoops(const ModelSurvey& survey)
     const auto& loop_class = survey.classes[i];
     list.push_back({{"island", indexOrMinusOne(loop.island)},
                     {"edges", loop.curve.size()},
-                    {"length", loop.length},
-                    {"class", describe(loop_class.boundary_class)},
-                    {"confidence", loop_class.confidence},
-                    {"D", loop_class.evidence.integral.value},
-                    {"D_relative", loop_class.evidence.integral.relative()},
-                    {"turning", loop_class.evidence.turning},
-                    {"area_ratio", loop_class.evidence.area_ratio},
-                    {"faced", loop_class.faced}});
+                    {"length", loop.length}});
+    addClass(loop_class, list.back());
   }
   return list;
 }
@@ -150,66 +103,6 @@ describeBridges(const ModelSurvey& survey)
           {"deleted", joined.holes.removed_bridges},
           {"holes_left", joined.holes.contours.size()}};
 }
-
-json
-describeParameters(const RepairSettings& settings)
-{
-  const auto& field = settings.survey.field;
-  const bool full = field.mode == pcl::repair::FieldMode::FULL;
-  return {{"mode", full ? "full" : "light"},
-          {"interpolation", field.interpolation},
-          {"falloff_exponent", field.falloff_exponent},
-          {"near", field.near},
-          {"far", field.far},
-          {"room", field.room},
-          {"free_point_near", field.free_point_near},
-          {"free_point_far", field.free_point_far},
-          {"free_point_exponent", field.free_point_exponent},
-          {"trust", field.trust},
-          {"simple_edges", settings.survey.simple_edges},
-          {"hole_threshold", settings.survey.hole_threshold},
-          {"bridge_spacing", settings.survey.bridge_spacing},
-          {"line_spacing", settings.survey.line_spacing}};
-}
-
-double
-totalSeconds(const ModelSurvey& survey)
-{
-  double seconds = 0.0;
-  for (const auto& stage : survey.seconds)
-    seconds += stage.second;
-  return seconds;
-}
-
-/** \brief "3 holes, 1 island rim": how often each name comes up, in the order of first
- * appearance. */
-class Tally {
-public:
-  void
-  add(const std::string& name)
-  {
-    const auto found =
-        std::find_if(counts_.begin(), counts_.end(), [&](const auto& entry) {
-          return entry.first == name;
-        });
-    if (found == counts_.end())
-      counts_.emplace_back(name, 1);
-    else
-      ++found->second;
-  }
-
-  std::string
-  text() const
-  {
-    std::string text;
-    for (const auto& [name, count] : counts_)
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
-    return text;
-  }
-
-private:
-  std::vector<std::pair<std::string, std::size_t>> counts_;
-};
 
 std::string
 row(const char* name, std::size_t count, const std::string& details)
@@ -314,12 +207,27 @@ describeSurvey(const RepairSettings& settings,
           {"origins", survey.between_islands.origins.size()},
           {"lines", describeLines(survey)},
           {"bridges", describeBridges(survey)},
-          {"parameters", describeParameters(settings)},
+          {"parameters", describeParameters(settings.method)},
           {"stages", describeStages(survey.seconds, points)},
-          {"total_seconds", totalSeconds(survey)},
+          {"total_seconds", totalSeconds(survey.seconds)},
           {"peak_memory_bytes", peakMemoryBytes()},
           {"threads", pcl::ccaa::resolveThreads(settings.threads)},
           {"warnings", warnings}};
+}
+
+json
+describeRun(const RepairSettings& settings,
+            const pcl::RepairReport& report,
+            const Warnings& warnings)
+{
+  json description = describeRepair(report);
+  description["input"] = settings.input;
+  description["output"] = settings.output;
+  description["parameters"] = describeParameters(settings.method);
+  description["peak_memory_bytes"] = peakMemoryBytes();
+  description["threads"] = pcl::ccaa::resolveThreads(settings.threads);
+  description["warnings"] = warnings;
+  return description;
 }
 
 std::string
@@ -336,7 +244,7 @@ summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
   text += row("free points", survey.model.free_points.size(), "");
   text += tellReading(survey.reading);
   char seconds[64];
-  std::snprintf(seconds, sizeof(seconds), "  %.3f s", totalSeconds(survey));
+  std::snprintf(seconds, sizeof(seconds), "  %.3f s", totalSeconds(survey.seconds));
   return text + seconds;
 }
 

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: what pcl_repair_holes tells about a model.
 #pragma once
 
+#include <pcl/surface_repair/repair_report.h>
+
 #include "repair_options.h"
 #include <nlohmann/json_fwd.hpp>
 
@@ -14,6 +16,12 @@ nlohmann::json
 describeSurvey(const RepairSettings& settings,
                const pcl::repair::ModelSurvey& survey,
                const Warnings& warnings);
+
+/** \brief The repair with its files and parameters, for the JSON report. */
+nlohmann::json
+describeRun(const RepairSettings& settings,
+            const pcl::RepairReport& report,
+            const Warnings& warnings);
 
 /** \brief A few lines for people. */
 std::string

@@ -210,10 +210,17 @@ TEST_F(RepairApp, RefusesBadUsageWithOneLineAndNoFile)
                                                          {"--interpolation", "-1"},
                                                          {"--near", "nan"},
                                                          {"--line-spacing", "0"},
+                                                         {"--hole-threshold", "0"},
+                                                         {"--darning", "glue"},
+                                                         {"--edge-length", "0"},
+                                                         {"--bridge-spacing", "0"},
+                                                         {"--greatest-hole", "-1"},
+                                                         {"--bridges", "b.vtk"},
+                                                         {"--labels"},
                                                          {"--size", "0x5"},
                                                          {"--view", "0,0,0"},
                                                          {"--up", "1,2"},
-                                                         {"second_file.ply"},
+                                                         {"repaired.ply", "third.ply"},
                                                          {"--free-points", "none.pcd"}};
   for (const auto& options : refused) {
     const RunResult result = inspectQuickly("caps.ply", options);

@@ -85,6 +85,12 @@ casesWithFreePoints(std::uint64_t seed);
 std::vector<RepairCase>
 allRepairCases(std::uint64_t seed);
 
+/** \brief Random damage to a random shape: balls, slabs and single triangles taken
+ * away, islands turned, order mixed, lost points left over with noise. What comes out
+ * right is not known; `whole` is that of the damaged surface. */
+DamagedModel
+randomlyDamaged(std::uint64_t seed);
+
 } // namespace test
 } // namespace ccaa
 } // namespace pcl

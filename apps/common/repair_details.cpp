@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what reports on a model and on its repair have in common.
+#include "repair_details.h"
+
+#include "repair_options.h"
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace app {
+
+using nlohmann::json;
+using pcl::repair::IcmClass;
+using pcl::repair::ReadingReport;
+
+const char*
+nameOf(IcmClass icm_class)
+{
+  switch (icm_class) {
+  case IcmClass::ICM1:
+    return "ICM1";
+  case IcmClass::ICM2:
+    return "ICM2";
+  case IcmClass::ICM3:
+    return "ICM3";
+  }
+  return "unknown";
+}
+
+json
+describePosition(const Eigen::Vector3d& position)
+{
+  return {position.x(), position.y(), position.z()};
+}
+
+json
+describeReading(const ReadingReport& reading)
+{
+  json description = {{"input_polygons", reading.input_polygons},
+                      {"invalid_polygons", reading.invalid_polygons},
+                      {"non_finite_points", reading.non_finite_points},
+                      {"reversed_triangles", reading.reversed_triangles},
+                      {"filtered", reading.filtered}};
+  if (reading.filtered)
+    description["removed_triangles"] = {
+        {"duplicate", reading.filter.duplicate_triangles},
+        {"overfull", reading.filter.overfull_triangles},
+        {"umbrella", reading.filter.umbrella_triangles},
+        {"twist", reading.filter.twist_triangles}};
+  return description;
+}
+
+json
+describeParameters(const pcl::repair::RepairParameters& method)
+{
+  const auto& field = method.survey.field;
+  const bool full = field.mode == pcl::repair::FieldMode::FULL;
+  return {{"mode", full ? "full" : "light"},
+          {"interpolation", field.interpolation},
+          {"falloff_exponent", field.falloff_exponent},
+          {"near", field.near},
+          {"far", field.far},
+          {"room", field.room},
+          {"free_point_near", field.free_point_near},
+          {"free_point_far", field.free_point_far},
+          {"free_point_exponent", field.free_point_exponent},
+          {"trust", field.trust},
+          {"simple_edges", method.survey.simple_edges},
+          {"hole_threshold", method.survey.hole_threshold},
+          {"bridge_spacing", method.survey.bridge_spacing},
+          {"line_spacing", method.survey.line_spacing},
+          {"darning", nameOf(method.darning.choice)},
+          {"darning_simple_edges", method.darning.simple_edges},
+          {"greatest_hole", method.darning.greatest_hole},
+          {"join_islands", method.join_islands},
+          {"refine", method.refine},
+          {"edge_length", method.refinement.edge_length},
+          {"fair", method.refine && method.relax}};
+}
+
+void
+addSide(const pcl::repair::IslandSide& side, json& island)
+{
+  island["rule"] = describe(side.rule);
+  island["flipped"] = side.flipped;
+  island["confidence"] = side.confidence;
+}
+
+void
+addClass(const pcl::repair::LoopClass& loop_class, json& loop)
+{
+  loop["class"] = describe(loop_class.boundary_class);
+  loop["confidence"] = loop_class.confidence;
+  loop["D"] = loop_class.evidence.integral.value;
+  loop["D_relative"] = loop_class.evidence.integral.relative();
+  loop["turning"] = loop_class.evidence.turning;
+  loop["area_ratio"] = loop_class.evidence.area_ratio;
+  loop["faced"] = loop_class.faced;
+}
+
+double
+totalSeconds(const StageTimes& stages)
+{
+  double seconds = 0.0;
+  for (const auto& stage : stages)
+    seconds += stage.second;
+  return seconds;
+}
+
+void
+Tally::add(const std::string& name, std::size_t times)
+{
+  const auto found =
+      std::find_if(counts_.begin(), counts_.end(), [&](const auto& entry) {
+        return entry.first == name;
+      });
+  if (found == counts_.end())
+    counts_.emplace_back(name, times);
+  else
+    found->second += times;
+}
+
+std::string
+Tally::text() const
+{
+  std::string text;
+  for (const auto& [name, count] : counts_)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  return text;
+}
+
+} // namespace app
