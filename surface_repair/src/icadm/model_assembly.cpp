@@ -104,13 +104,24 @@ assembleModel(Triangles triangles,
               Positions positions,
               const ccaa::LoopContext& context)
 {
+  ccaa::TriangleAdjacency adjacency;
+  adjacency.build(triangles, positions.size(), context.threads, context.control);
+  return assembleModel(
+      std::move(triangles), std::move(positions), std::move(adjacency), context);
+}
+
+IncompleteModel
+assembleModel(Triangles triangles,
+              Positions positions,
+              ccaa::TriangleAdjacency adjacency,
+              const ccaa::LoopContext& context)
+{
   IncompleteModel model;
   model.triangles = std::move(triangles);
   model.positions = std::move(positions);
   model.point_of_vertex.resize(model.positions.size());
   std::iota(model.point_of_vertex.begin(), model.point_of_vertex.end(), 0);
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  model.adjacency = std::move(adjacency);
   if (context.cancelled())
     return model;
   model.island_of = ccaa::labelIslands(model.adjacency);

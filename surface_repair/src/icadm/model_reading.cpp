@@ -97,18 +97,18 @@ private:
   void
   bringToManifold()
   {
-    ccaa::TriangleAdjacency adjacency;
-    adjacency.build(input_.triangles,
-                    input_.point_of_vertex.size(),
-                    context_.threads,
-                    context_.control);
-    if (context_.cancelled() || splitFans(adjacency))
+    adjacency_.build(input_.triangles,
+                     input_.point_of_vertex.size(),
+                     context_.threads,
+                     context_.control);
+    if (context_.cancelled() || splitFans(adjacency_))
       return;
     FilteredTriangles filtered = filterTriangles(input_, mesh_.cloud, context_);
     result_.report.filtered = true;
     result_.report.filter = filtered.report;
     result_.report.reversed_triangles = filtered.reversed_triangles;
     input_ = std::move(filtered.mesh);
+    adjacency_.build(input_.triangles, input_.point_of_vertex.size(), context_.threads);
     if (input_.triangles.empty())
       result_.report.problem = "the umbrella filter left no triangle";
   }
@@ -142,8 +142,10 @@ private:
   assemble()
   {
     IncompleteModel& model = result_.model;
-    model = assembleModel(
-        std::move(input_.triangles), gather(points_, input_.point_of_vertex), context_);
+    model = assembleModel(std::move(input_.triangles),
+                          gather(points_, input_.point_of_vertex),
+                          std::move(adjacency_),
+                          context_);
     model.point_of_vertex = std::move(input_.point_of_vertex);
     model.given_normals = gather(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
     model.viewpoints = gather(ccaa::viewpointView(mesh_.cloud), model.point_of_vertex);
@@ -184,6 +186,7 @@ private:
   ccaa::PointView points_;
   const ccaa::LoopContext& context_;
   ccaa::PolygonTriangles input_;
+  ccaa::TriangleAdjacency adjacency_; /**< of the input */
   ReadModel result_;
 };
 

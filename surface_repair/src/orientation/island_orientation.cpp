@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which side of an island is outside (4.48).
 
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_repair/field/reach.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
 
@@ -56,6 +57,82 @@ decide(const std::vector<SideVotes>& votes,
   }
 }
 
+/** Share of a surface's area up to which its openings leave no doubt about what is
+ * inside. */
+constexpr double SMALL_OPENINGS = 0.1;
+
+/** The volume that an island encloses, its openings closed from their centres, by the
+ * winding it has: below 0 it is wound inward. */
+double
+signedVolume(const IncompleteModel& model, const BoundaryLoops& loops)
+{
+  const Position origin = model.positions.front();
+  const auto volume = [&](const Position& a, const Position& b, const Position& c) {
+    return (a - origin).dot((b - origin).cross(c - origin)) / 6.0;
+  };
+  double sum = 0.0;
+  for (const Triangle& triangle : model.triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
+    sum += volume(corners[0], corners[1], corners[2]);
+  }
+  for (const BoundaryLoop& loop : loops) {
+    Position center = Position::Zero();
+    for (const Position& point : loop.curve.points)
+      center += point / static_cast<double>(loop.curve.size());
+    for (std::size_t k = 0; k < loop.curve.size(); ++k)
+      sum +=
+          volume(loop.curve.points[loop.curve.next(k)], loop.curve.points[k], center);
+  }
+  return sum;
+}
+
+/** An only island that is closed but for small openings is outside where its volume
+ * is positive. Sight would say the same, for a tree over all triangles. */
+void
+decideByVolume(const IncompleteModel& model,
+               const BoundaryLoops& loops,
+               std::vector<IslandSide>& sides)
+{
+  if (sides.size() != 1 || sides[0].rule != SideRule::UNDECIDED)
+    return;
+  double length = 0.0;
+  for (const BoundaryLoop& loop : loops)
+    length += loop.length;
+  // Together no larger than a disc with all their length (isoperimetric inequality).
+  if (length * length / (4.0 * M_PI) > SMALL_OPENINGS * model.islands[0].area)
+    return;
+  const double volume = signedVolume(model, loops);
+  if (volume != 0.0)
+    sides[0] = {SideRule::VOLUME, volume < 0.0, 1.0};
+}
+
+/** The rules of 4.48, for the islands that are still undecided. */
+void
+decideByField(const IncompleteModel& model,
+              const BoundaryLoops& loops,
+              const OrientationParameters& parameters,
+              const ccaa::LoopContext& context,
+              std::vector<IslandSide>& sides)
+{
+  const double clearance = parameters.sight_clearance * meanSpacing(model.free_points);
+  SideEvidence evidence;
+  evidence.sight = lookAround(model, clearance, context);
+  evidence.sight_trust = trustOf(closednessOf(model, evidence.sight));
+  std::vector<SideVotes> clear_sight;
+  for (const FreeSight& sight : evidence.sight)
+    clear_sight.push_back(sight.share() >= parameters.least_sight ? sight.votes
+                                                                  : SideVotes{});
+  if (evidence.sight_trust > 0.0)
+    decide(clear_sight,
+           SideRule::FREE_SIGHT,
+           parameters.clear_sight / evidence.sight_trust,
+           sides);
+  for (const Island& island : model.islands)
+    evidence.areas.push_back(island.area);
+  evidence.pairs = pairIntegrals(loops, parameters.room, context);
+  decideByField(evidence, parameters, sides);
+}
+
 } // namespace
 
 const char*
@@ -66,6 +143,8 @@ describe(SideRule rule)
     return "given normals";
   case SideRule::VIEWPOINT:
     return "sensor position";
+  case SideRule::VOLUME:
+    return "enclosed volume";
   case SideRule::FREE_SIGHT:
     return "free sight";
   case SideRule::FIELD:
@@ -90,24 +169,13 @@ orientIslands(const IncompleteModel& model,
       sides[i].rule = SideRule::ONE_SIDED;
   decide(votesOfNormals(model), SideRule::NORMALS, parameters.agreement, sides);
   decide(votesOfViewpoints(model), SideRule::VIEWPOINT, parameters.agreement, sides);
-
-  const double clearance = parameters.sight_clearance * meanSpacing(model.free_points);
-  SideEvidence evidence;
-  evidence.sight = lookAround(model, clearance, context);
-  evidence.sight_trust = trustOf(closednessOf(model, evidence.sight));
-  std::vector<SideVotes> clear_sight;
-  for (const FreeSight& sight : evidence.sight)
-    clear_sight.push_back(sight.share() >= parameters.least_sight ? sight.votes
-                                                                  : SideVotes{});
-  if (evidence.sight_trust > 0.0)
-    decide(clear_sight,
-           SideRule::FREE_SIGHT,
-           parameters.clear_sight / evidence.sight_trust,
-           sides);
-  for (const Island& island : model.islands)
-    evidence.areas.push_back(island.area);
-  evidence.pairs = pairIntegrals(loops, parameters.room, context);
-  decideByField(evidence, parameters, sides);
+  decideByVolume(model, loops, sides);
+  const bool any_open =
+      std::any_of(sides.begin(), sides.end(), [](const IslandSide& s) {
+        return s.rule == SideRule::UNDECIDED;
+      });
+  if (any_open)
+    decideByField(model, loops, parameters, context, sides);
   return sides;
 }
 

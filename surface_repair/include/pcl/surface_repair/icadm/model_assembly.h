@@ -21,6 +21,13 @@ assembleModel(Triangles triangles,
               Positions positions,
               const ccaa::LoopContext& context);
 
+/** \brief The same with an adjacency of these triangles that is there already. */
+IncompleteModel
+assembleModel(Triangles triangles,
+              Positions positions,
+              ccaa::TriangleAdjacency adjacency,
+              const ccaa::LoopContext& context);
+
 /** \brief Every used vertex has one fan and no edge more than two triangles (D1.3-1).
  */
 bool

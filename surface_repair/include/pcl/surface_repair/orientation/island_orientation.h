@@ -18,6 +18,8 @@ namespace repair {
 enum class SideRule : std::uint8_t {
   NORMALS,    /**< the given normals, where they agree with each other */
   VIEWPOINT,  /**< the sensor positions, which see outer sides only */
+  VOLUME,     /**< the only island, closed but for small openings: its volume is
+                 positive */
   FREE_SIGHT, /**< the way to the enclosing sphere is free (4.48) */
   FIELD,      /**< the field integral with islands that are decided (E4.48-1) */
   UNDECIDED,  /**< none of these: the winding stays as it was */
