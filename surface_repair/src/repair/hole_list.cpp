@@ -66,9 +66,9 @@ verticesOf(const ModelSurvey& survey)
   return vertices;
 }
 
-/** The area of all islands that bridges join to each one. */
-std::vector<double>
-joinedAreas(const ModelSurvey& survey)
+/** The islands that bridges join. */
+Groups
+joinedIslands(const ModelSurvey& survey)
 {
   const SurveyedBridges& joined = survey.joined;
   const auto island = [&](const BoundaryPoint& end) {
@@ -80,6 +80,13 @@ joinedAreas(const ModelSurvey& survey)
       if (step.bridge != NONE)
         groups.join(island(joined.bridges[step.bridge].begin),
                     island(joined.bridges[step.bridge].end));
+  return groups;
+}
+
+/** For each island the area of all that are joined to it. */
+std::vector<double>
+joinedAreas(const ModelSurvey& survey, Groups& groups)
+{
   std::vector<double> sums(survey.model.islands.size(), 0.0);
   for (std::size_t i = 0; i < sums.size(); ++i)
     sums[groups.find(i)] += survey.model.islands[i].area;
@@ -161,11 +168,14 @@ Listing::addContours()
 {
   is_listed_.assign(survey_.loops.size(), false);
   const SurveyedBridges& joined = survey_.joined;
+  Groups groups = joinedIslands(survey_);
+  for (std::size_t i = 0; i < survey_.model.islands.size(); ++i)
+    list_.islands += groups.find(i) == i ? 1 : 0;
   if (joined.bridges.empty())
     return;
   const BoundaryEdges boundaries = boundariesOf(survey_);
   const ContourVertices vertices = verticesOf(survey_);
-  const std::vector<double> areas = joinedAreas(survey_);
+  const std::vector<double> areas = joinedAreas(survey_, groups);
   for (const Bridge& bridge : joined.bridges)
     list_.bridge_vertices += bridge.points.size() - 2;
   for (const HoleContour& contour : joined.holes.contours) {

@@ -28,6 +28,7 @@ struct HoleList {
   std::vector<std::vector<std::size_t>> regions; /**< holes that bridges connect,
                                                       of those to be closed */
   std::size_t bridge_vertices = 0;               /**< inner points of all bridges */
+  std::size_t islands = 0;                       /**< once all regions are closed */
 };
 
 /** \brief List loops and contours. A contour over bridges is to be closed unless it

@@ -80,6 +80,10 @@ private:
   noteInput();
   bool
   closeHoles();
+  bool
+  allIsClosed() const;
+  void
+  finish();
   void
   accept(const HoleList& list,
          const std::vector<std::size_t>& holes,
@@ -110,6 +114,7 @@ private:
   ModelSurvey survey_;
   bool float_positions_ = true;
   RepairedModel result_;
+  HoleList list_; /**< of the last pass */
   std::vector<std::size_t>
       entry_of_bridge_;         /**< of this pass's bridges, in the report */
   std::vector<Failure> failed_; /**< of each vertex: of a hole there */
@@ -174,14 +179,14 @@ RepairRun::pointOf(pcl::index_t vertex) const
 bool
 RepairRun::closeHoles()
 {
-  const HoleList list = listHoles(survey_, parameters_.darning);
+  list_ = listHoles(survey_, parameters_.darning);
   std::vector<Region> regions;
   std::vector<ccaa::Box> places;
-  for (const std::vector<std::size_t>& holes : list.regions) {
+  for (const std::vector<std::size_t>& holes : list_.regions) {
     Region region;
-    region.bridge_vertices = list.bridge_vertices;
+    region.bridge_vertices = list_.bridge_vertices;
     for (const std::size_t hole : holes)
-      region.holes.push_back(list.holes[hole].polygon);
+      region.holes.push_back(list_.holes[hole].polygon);
     places.push_back(placeOf(region.holes));
     regions.push_back(std::move(region));
   }
@@ -198,8 +203,8 @@ RepairRun::closeHoles()
                            parameters_,
                            float_positions_};
   for (std::size_t r = 0; r < regions.size() && !context_.cancelled(); ++r) {
-    accept(list,
-           list.regions[r],
+    accept(list_,
+           list_.regions[r],
            closeRegion(place, regions[r], obstacle, context_),
            obstacle);
     if (context_.control != nullptr)
@@ -370,6 +375,35 @@ RepairRun::lastOutcome(const OpenHole& hole) const
   return outcome;
 }
 
+/** Nothing is left that another look could find. */
+bool
+RepairRun::allIsClosed() const
+{
+  return std::none_of(failed_.begin(),
+                      failed_.end(),
+                      [](const Failure& f) { return f.open != OpenReason::NONE; }) &&
+         std::none_of(list_.holes.begin(), list_.holes.end(), [](const OpenHole& hole) {
+           return isShortfall(hole.open);
+         });
+}
+
+/** The end where all is closed: no need to put the new model in order. */
+void
+RepairRun::finish()
+{
+  report_.counts_after.islands = list_.islands;
+  report_.class_after = classOf(report_.counts_after);
+  for (const OpenHole& hole : list_.holes)
+    if (hole.open != OpenReason::NONE) {
+      HoleOutcome outcome;
+      outcome.open = hole.open;
+      report(hole, outcome);
+    }
+  survey_.model.triangles = std::move(triangles_);
+  survey_.model.positions = std::move(positions_);
+  survey_.model.point_of_vertex = std::move(point_of_vertex_);
+}
+
 void
 RepairRun::reportLeftOpen()
 {
@@ -395,11 +429,13 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
     report_.seconds.emplace_back(step, seconds);
   float_positions_ = hasFloatPositions(mesh->cloud);
   noteInput();
+  bool finished = false;
   for (int pass = 0; pass < MOST_PASSES && !context_.cancelled(); ++pass) {
     const auto start = Clock::now();
     const bool closed_any = closeHoles();
     countSeconds("closing", start);
-    if (!closed_any || context_.cancelled())
+    finished = allIsClosed();
+    if (!closed_any || finished || context_.cancelled())
       break;
     const auto closed = Clock::now();
     resurvey();
@@ -407,7 +443,10 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
   }
   if (context_.cancelled())
     return {};
-  reportLeftOpen();
+  if (finished)
+    finish();
+  else
+    reportLeftOpen();
   report_.new_triangles = survey_.model.triangles.size() - result_.input_triangles;
   result_.model = std::move(survey_.model);
   return std::move(result_);
