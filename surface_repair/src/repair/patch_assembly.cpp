@@ -105,6 +105,34 @@ assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices)
   return numbering.finish();
 }
 
+Patch
+withoutHoles(const Patch& patch, const std::set<std::size_t>& holes)
+{
+  Patch left;
+  std::vector<pcl::index_t> number(patch.positions.size(), -1);
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+    if (holes.count(patch.hole[t]) > 0)
+      continue;
+    left.triangles.push_back(patch.triangles[t]);
+    left.hole.push_back(patch.hole[t]);
+    for (const pcl::index_t corner : patch.triangles[t])
+      number[static_cast<std::size_t>(corner)] = 0;
+  }
+  for (std::size_t v = 0; v < patch.positions.size(); ++v) {
+    if (number[v] == -1)
+      continue;
+    number[v] = static_cast<pcl::index_t>(left.positions.size());
+    left.positions.push_back(patch.positions[v]);
+    left.free_point.push_back(patch.free_point[v]);
+    if (v < patch.rim.size())
+      left.rim.push_back(patch.rim[v]);
+  }
+  for (Triangle& triangle : left.triangles)
+    for (pcl::index_t& corner : triangle)
+      corner = number[static_cast<std::size_t>(corner)];
+  return left;
+}
+
 bool
 fitsModel(const IncompleteModel& model, const Patch& patch)
 {

@@ -8,6 +8,7 @@
 #include <pcl/surface_repair/hole/hole_polygon.h>
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace pcl {
@@ -24,6 +25,11 @@ struct DarnedPart {
  * \param[in] model_vertices number of vertices of the model */
 Patch
 assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices);
+
+/** \brief The patch without the triangles of some holes, and without the vertices that
+ * only these have. */
+Patch
+withoutHoles(const Patch& patch, const std::set<std::size_t>& holes);
 
 /** \brief Whether model and patch together are a manifold, wound alike, at all vertices
  * of the patch. */

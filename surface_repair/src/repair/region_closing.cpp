@@ -30,7 +30,7 @@ constexpr std::array<Care, 5> CARES = {{{false, true, true},
                                         {true, false, true},
                                         {true, false, false}}};
 /** So many of them for a hole that has others in its region: later it is alone. */
-constexpr std::size_t CARES_AMONG_OTHERS = 2;
+constexpr std::size_t CARES_AMONG_OTHERS = 1;
 constexpr std::size_t GIVEN_UP = CARES.size();
 
 /** An edge between two vertices, the lower one first. */
@@ -268,10 +268,15 @@ RegionClosing::isSound()
     obstructed.insert(patch.hole[triangle]);
   for (const std::size_t hole : obstructed)
     raiseCare(hole, OpenReason::INTERSECTION);
-  if (!obstructed.empty())
+  if (!obstructed.empty() && region_.holes.size() == 1)
     return false;
+  // What is left of the patch without the holes in question has no other fault.
+  if (!obstructed.empty())
+    result_.patch = withoutHoles(patch, obstructed);
   if (fitsModel(place_.model, patch))
     return true;
+  if (!obstructed.empty())
+    return false;
   for (std::size_t hole = 0; hole < care_.size(); ++hole)
     raiseCare(hole, OpenReason::NOT_MANIFOLD);
   return false;
