@@ -18,13 +18,16 @@ namespace repair {
 
 namespace {
 
-/** Weight of a point of trust one half, in 1 / edge length squared. */
-constexpr double FULL_WEIGHT = 3.0;
-/** Neighbours that a point is compared with. */
+/** Weight of a free point of trust one half that is exact, in 1 / edge length squared.
+ */
+constexpr double FULL_WEIGHT = 100.0;
+/** Noise that halves the weight, in edge lengths. */
+constexpr double HALVING_NOISE = 0.05;
+/** Neighbours that a point is compared with, at least. */
 constexpr std::size_t FEWEST_NEIGHBOURS = 4;
 /** A point stands out from here on, in scales of its neighbours. */
-constexpr double OUTSTANDING = 3.0;
-/** Differences from the neighbours up to here are noise at most, in edge lengths. */
+constexpr double OUTSTANDING = 5.0;
+/** The least such scale, in edge lengths. */
 constexpr double LEAST_SCALE = 0.1;
 
 std::vector<ccaa::Corners>
@@ -55,20 +58,21 @@ medianOf(std::vector<double>& values)
   return *middle;
 }
 
-/** A point attached to the patch. */
-struct Attached {
-  Pull pull;
-  double offset = 0.0; /**< from the patch, above 0 outside */
-  double edge = 0.0;   /**< mean edge of the triangle */
+/** What a point differs by, in edge lengths. */
+struct Comparison {
+  double difference = 0.0; /**< of its offset */
+  double scale = 0.0;      /**< usual difference around */
+  bool alone = false;      /**< without neighbours to compare with */
 };
 
 /** Compares the offsets of points close together. */
 class Neighbourhoods {
 public:
-  explicit Neighbourhoods(const std::vector<Attached>& attached) : attached_(attached)
+  explicit Neighbourhoods(const std::vector<AttachedPoint>& attached)
+  : attached_(attached)
   {
     std::vector<ccaa::Box> boxes;
-    for (const Attached& one : attached) {
+    for (const AttachedPoint& one : attached) {
       boxes.emplace_back(one.pull.target);
       all_.extend(one.pull.target);
     }
@@ -76,19 +80,20 @@ public:
     spacing_ = all_.diagonal().norm() / std::sqrt(static_cast<double>(boxes.size()));
   }
 
-  /** How far a point stands out; 0 to 1: not at all. */
-  double
-  outstanding(std::size_t index)
+  /** How a point compares with its neighbours, or with the patch if it has none. */
+  Comparison
+  compare(std::size_t index)
   {
     gather(index);
-    const Attached& own = attached_[index];
+    const AttachedPoint& own = attached_[index];
     if (offsets_.size() < FEWEST_NEIGHBOURS)
-      return std::abs(own.offset) / (OUTSTANDING * own.edge);
+      return {std::abs(own.offset) / own.edge, LEAST_SCALE, true};
     const double middle = medianOf(offsets_);
     for (double& offset : offsets_)
       offset = std::abs(offset - middle);
-    const double scale = std::max(1.4826 * medianOf(offsets_), LEAST_SCALE * own.edge);
-    return std::abs(own.offset - middle) / (OUTSTANDING * scale);
+    const double scale = 1.4826 * medianOf(offsets_) / own.edge;
+    return {
+        std::abs(own.offset - middle) / own.edge, std::max(scale, LEAST_SCALE), false};
   }
 
 private:
@@ -110,14 +115,48 @@ private:
     while (offsets_.size() < FEWEST_NEIGHBOURS && radius < 0.5 * widest);
   }
 
-  const std::vector<Attached>& attached_;
+  const std::vector<AttachedPoint>& attached_;
   ccaa::Box all_;
   ccaa::BoxTree tree_;
   double spacing_ = 0.0;
   std::vector<double> offsets_;
 };
 
+/** The usual difference of points from their neighbours, in edge lengths: noise, as far
+ * as the patch is what they are samples of. */
+double
+noiseOf(const std::vector<Comparison>& comparisons)
+{
+  std::vector<double> differences;
+  for (const Comparison& one : comparisons)
+    if (!one.alone)
+      differences.push_back(one.difference);
+  return differences.empty() ? 0.0 : 1.4826 * medianOf(differences);
+}
+
 } // namespace
+
+std::vector<Pull>
+FreePointPulls::weighted(const std::vector<AttachedPoint>& attached) const
+{
+  Neighbourhoods neighbourhoods(attached);
+  std::vector<Comparison> comparisons;
+  for (std::size_t i = 0; i < attached.size(); ++i)
+    comparisons.push_back(neighbourhoods.compare(i));
+  const double noise = noiseOf(comparisons);
+  std::vector<Pull> pulls;
+  for (std::size_t i = 0; i < attached.size(); ++i) {
+    const Comparison& one = comparisons[i];
+    const double t = one.difference / (OUTSTANDING * one.scale);
+    const double robust = 1.0 / ((1.0 + t * t) * (1.0 + t * t));
+    const double n = (one.alone ? one.difference : noise) / HALVING_NOISE;
+    Pull pull = attached[i].pull;
+    pull.weight = trust_ * FULL_WEIGHT * robust / (1.0 + n * n) /
+                  (attached[i].edge * attached[i].edge);
+    pulls.push_back(pull);
+  }
+  return pulls;
+}
 
 FreePointPulls::FreePointPulls(const IncompleteModel& model,
                                const Positions& free_points,
@@ -167,7 +206,7 @@ FreePointPulls::attach(const JoinedSurface& surface) const
   const std::vector<ccaa::Corners> corners = patchCorners(surface);
   const double reach = reach_ * meanEdge(corners);
   const TriangleSearch patch(corners), model(model_triangles_);
-  std::vector<Attached> attached;
+  std::vector<AttachedPoint> attached;
   for (const Position& point : points_) {
     const TrianglePlace place = patch.nearest(point, reach);
     if (!place.found() || model.nearest(point, place.distance).found())
@@ -176,23 +215,14 @@ FreePointPulls::attach(const JoinedSurface& surface) const
     const Position foot = place.barycentric[0] * there[0] +
                           place.barycentric[1] * there[1] +
                           place.barycentric[2] * there[2];
-    Attached one;
+    AttachedPoint one;
     one.pull = {place.triangle, place.barycentric, point, 0.0};
     one.offset =
         std::copysign(place.distance, (point - foot).dot(ccaa::areaNormal(there)));
     one.edge = meanEdge({there});
     attached.push_back(one);
   }
-  Neighbourhoods neighbourhoods(attached);
-  std::vector<Pull> pulls;
-  for (std::size_t i = 0; i < attached.size(); ++i) {
-    const double t = neighbourhoods.outstanding(i);
-    const double robust = 1.0 / ((1.0 + t * t) * (1.0 + t * t));
-    Pull pull = attached[i].pull;
-    pull.weight = robust * trust_ * FULL_WEIGHT / (attached[i].edge * attached[i].edge);
-    pulls.push_back(pull);
-  }
-  return pulls;
+  return weighted(attached);
 }
 
 } // namespace repair

@@ -15,6 +15,13 @@
 namespace pcl {
 namespace repair {
 
+/** \brief A free point attached to the patch. */
+struct AttachedPoint {
+  Pull pull;
+  double offset = 0.0; /**< from the patch, above 0 outside */
+  double edge = 0.0;   /**< mean edge of the triangle */
+};
+
 /** \brief The free points around a patch, in the frame of the joined surface, and the
  * model's triangles among them. */
 class FreePointPulls {
@@ -33,12 +40,15 @@ public:
   /** \brief Attach each point to the nearest place of the patch as it is now.
    *
    * No say has a point beyond the reach, or one that the model is nearer to. Weights
-   * are k_t / (1 - k_t) in bending energies of an edge; a point that stands out from
-   * its neighbours, or alone, has less (after Geman and McClure 1987). */
+   * are k_t / (1 - k_t) times some bending energies of an edge, so many that exact
+   * points are met; they fall with the noise of the points, and with how far one stands
+   * out from its neighbours (after Geman and McClure 1987). */
   std::vector<Pull>
   attach(const JoinedSurface& surface) const;
 
 private:
+  std::vector<Pull>
+  weighted(const std::vector<AttachedPoint>& attached) const;
   void
   gatherModel(const IncompleteModel& model,
               const JoinedSurface& surface,

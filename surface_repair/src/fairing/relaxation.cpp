@@ -19,6 +19,21 @@ namespace {
 constexpr std::size_t RINGS = 3;
 /** Of the patch's size: what moves further is no surface any more. */
 constexpr double LARGEST_MOVE = 3.0;
+/** By so many times the longest edge of the patch may grow in a round: spikes do. */
+constexpr double LARGEST_GROWTH = 4.0;
+
+double
+longestEdge(const JoinedSurface& surface, const Positions& positions)
+{
+  double longest = 0.0;
+  for (std::size_t t = 0; t < surface.patch_triangles; ++t)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto a = static_cast<std::size_t>(surface.triangles[t][c]);
+      const auto b = static_cast<std::size_t>(surface.triangles[t][(c + 1) % 3]);
+      longest = std::max(longest, (positions[a] - positions[b]).norm());
+    }
+  return longest;
+}
 
 bool
 isSane(const JoinedSurface& surface, const Positions& positions)
@@ -26,7 +41,9 @@ isSane(const JoinedSurface& surface, const Positions& positions)
   for (std::size_t v = 0; v < positions.size(); ++v)
     if (!((positions[v] - surface.positions[v]).norm() < LARGEST_MOVE))
       return false;
-  return !positions.empty();
+  return !positions.empty() &&
+         longestEdge(surface, positions) <=
+             LARGEST_GROWTH * longestEdge(surface, surface.positions);
 }
 
 std::vector<char>
@@ -34,17 +51,17 @@ fixedVertices(const JoinedSurface& surface, const Patch& patch)
 {
   std::vector<char> fixed(surface.positions.size(), 1);
   for (std::size_t v = 0; v < surface.patch_vertices; ++v)
-    fixed[v] = patch.isHeld(v) ? 1 : 0;
+    fixed[v] = patch.isHeld(v) || surface.whole[v] == 0 ? 1 : 0;
   return fixed;
 }
 
 /** \return the largest move */
 double
-takeOver(const JoinedSurface& surface, Patch& patch)
+takeOver(const JoinedSurface& surface, const std::vector<char>& fixed, Patch& patch)
 {
   double largest = 0.0;
   for (std::size_t v = 0; v < surface.patch_vertices; ++v) {
-    if (patch.isHeld(v))
+    if (fixed[v] != 0)
       continue;
     const Position place = surface.size * surface.positions[v] + surface.centre;
     largest = std::max(largest, (place - patch.positions[v]).norm());
@@ -80,7 +97,7 @@ relaxPatch(const IncompleteModel& model,
     report.free_points = task.pulls.size();
   }
   if (report.solved)
-    report.largest_move = takeOver(surface, patch);
+    report.largest_move = takeOver(surface, task.fixed, patch);
   return report;
 }
 

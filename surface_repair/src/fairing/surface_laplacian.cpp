@@ -18,6 +18,10 @@ namespace {
 
 using ccaa::Corners;
 
+/** Weights of edges: negative ones would let the surface curl up where its triangles
+ * are not Delaunay, and every round would make it worse. */
+constexpr double LEAST_WEIGHT = 0.05;
+constexpr double LARGEST_WEIGHT = 50.0;
 constexpr double LARGEST_COTANGENT = 50.0;
 constexpr double LEAST_AREA = 0.01; /**< in squares of the longest edge there */
 
@@ -85,6 +89,23 @@ addTriangle(const ccaa::Triangle& triangle,
   }
 }
 
+/** Keep the weights of edges within bounds and the sums of rows zero. */
+void
+boundWeights(SparseMatrix& stiffness)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(stiffness.cols());
+  for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
+    for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
+      if (entry.row() != column) {
+        entry.valueRef() = std::clamp(entry.value(), LEAST_WEIGHT, LARGEST_WEIGHT);
+        sums[column] += entry.value();
+      }
+  for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
+    for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
+      if (entry.row() == column)
+        entry.valueRef() = -sums[column];
+}
+
 } // namespace
 
 SurfaceLaplacian
@@ -109,6 +130,7 @@ surfaceLaplacian(const ccaa::Triangles& triangles, const ccaa::Positions& positi
   }
   laplacian.stiffness.resize(size, size);
   laplacian.stiffness.setFromTriplets(triplets.begin(), triplets.end());
+  boundWeights(laplacian.stiffness);
   laplacian.mass = laplacian.mass.cwiseMax(least);
   return laplacian;
 }
