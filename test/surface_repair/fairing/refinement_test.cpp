@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the refinement of patches.
 #include <pcl/surface_repair/fairing/refinement.h>
+#include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,52 @@ TEST(RefinePatch, StaysInThePlane)
   refinePatch(hole.model, {}, hole.patch);
   EXPECT_EQ(largestOf(hole.patch, [](const Position& p) { return std::abs(p.z()); }),
             0.0);
+}
+
+TEST(RefinePatch, LeavesNoEdgeThatTheModelHas)
+{
+  // A cushion: two triangles above, two below, with the same diagonal.
+  PatchedHole hole;
+  const Positions corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  hole.model = assembleModel({{0, 1, 2}, {0, 2, 3}}, corners, {});
+  hole.patch.rim = {0, 1, 2, 3};
+  hole.patch.positions = corners;
+  hole.patch.triangles = {{0, 2, 1}, {0, 3, 2}};
+  hole.patch.free_point.assign(4, NONE);
+  hole.patch.hole.assign(2, 0);
+  refinePatch(hole.model, {}, hole.patch);
+  EXPECT_TRUE(isSound(hole));
+  EXPECT_EQ(hole.patch.positions.size(), 5u);
+}
+
+TEST(RefinePatch, FollowsADensityThatVariesTwentyFold)
+{
+  ccaa::test::Shape plane = ccaa::test::grid(81, 81);
+  const auto graded = [](double x) { return std::exp(std::log(20.0) * x / 80.0); };
+  for (Position& p : plane.vertices)
+    p = {graded(p.x()), graded(p.x()) * (p.y() - 40.0) / 26.7, 0.0};
+  PatchedHole hole = withFan(
+      plane, [](const Position& p) { return std::hypot(p.x() - 8, p.y()) < 5; });
+  refinePatch(hole.model, {}, hole.patch);
+  EXPECT_TRUE(isSound(hole));
+  EXPECT_LT(hole.patch.positions.size(), 2 * hole.lost.size());
+  EXPECT_GT(2 * hole.patch.positions.size(), hole.lost.size());
+}
+
+TEST(RefinePatch, GivesTheSameOnceMore)
+{
+  PatchedHole one = cappedSphere(4, 0.9), other = one;
+  refinePatch(one.model, {}, one.patch);
+  refinePatch(other.model, {}, other.patch);
+  EXPECT_EQ(one.patch.positions, other.patch.positions);
+  EXPECT_EQ(one.patch.triangles, other.patch.triangles);
+}
+
+TEST(RefinePatch, LeavesAnEmptyPatchAlone)
+{
+  Patch patch;
+  refinePatch(cappedSphere(2, 0.7).model, {}, patch);
+  EXPECT_TRUE(patch.positions.empty());
 }
 
 } // namespace

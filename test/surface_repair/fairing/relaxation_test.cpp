@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "fairing_samples.h"
+#include "support/random_source.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -63,6 +65,136 @@ TEST(RelaxPatch, LeavesAPatchOfHeldVerticesAlone)
   const Positions before = hole.patch.positions;
   EXPECT_FALSE(relaxPatch(hole.model, {}, {}, hole.patch).solved);
   EXPECT_EQ(hole.patch.positions, before);
+}
+
+TEST(RelaxPatch, FindsTheWallOfACylinder)
+{
+  PatchedHole hole =
+      refined(withFan(ccaa::test::cylinder(60, 60, 1.0, 6.0), [](const Position& p) {
+        return p.x() > 0.5 && std::abs(p.z()) < 0.7;
+      }));
+  EXPECT_TRUE(relaxPatch(hole.model, {}, {}, hole.patch).solved);
+  EXPECT_LT(largestOf(hole.patch,
+                      [](const Position& p) {
+                        return std::abs(std::hypot(p.x(), p.y()) - 1.0);
+                      }),
+            0.02);
+}
+
+/** A shape that is an eighth off the sphere where it is lost, in the middle. */
+double
+dented(const Position& p)
+{
+  const double t = std::max(0.0, p.normalized().z() - 0.75) / 0.25;
+  return 1.0 - 0.125 * t * t;
+}
+
+Positions
+samplesOf(const PatchedHole& hole, std::size_t step, double noise)
+{
+  ccaa::test::RandomSource random(4);
+  Positions samples;
+  for (std::size_t i = 0; i < hole.lost.size(); i += step) {
+    const double factor = dented(hole.lost[i]) + noise * random.normal();
+    samples.push_back(factor * hole.lost[i]);
+  }
+  return samples;
+}
+
+double
+offDent(const Position& p)
+{
+  return std::abs(p.norm() - dented(p));
+}
+
+TEST(RelaxPatch, PassesThroughExactFreePoints)
+{
+  PatchedHole hole = refined(cappedSphere(4, 0.9));
+  const RelaxationReport report =
+      relaxPatch(hole.model, samplesOf(hole, 10, 0.0), {}, hole.patch);
+  EXPECT_GT(report.free_points, 20u);
+  EXPECT_LT(largestOf(hole.patch, offDent), 0.02);
+}
+
+TEST(RelaxPatch, AveragesNoisyFreePoints)
+{
+  PatchedHole hole = refined(cappedSphere(4, 0.9));
+  relaxPatch(hole.model, samplesOf(hole, 2, 0.03), {}, hole.patch);
+  EXPECT_LT(largestOf(hole.patch, offDent), 0.03);
+}
+
+TEST(RelaxPatch, TrustsNoFreePointsWithoutTrust)
+{
+  PatchedHole hole = refined(cappedSphere(4, 0.9)), other = hole;
+  RelaxationParameters parameters;
+  parameters.trust = 0.0;
+  const Positions samples = samplesOf(hole, 10, 0.0);
+  EXPECT_EQ(relaxPatch(hole.model, samples, parameters, hole.patch).free_points, 0u);
+  relaxPatch(other.model, {}, {}, other.patch);
+  EXPECT_EQ(hole.patch.positions, other.patch.positions);
+}
+
+TEST(RelaxPatch, MakesNoSpikeOfASingleOutlier)
+{
+  for (const double height : {1.05, 1.1, 1.3, 5.0}) {
+    PatchedHole hole = refined(cappedSphere(4, 0.7));
+    relaxPatch(hole.model, {{0.05, 0.02, height}}, {}, hole.patch);
+    EXPECT_LT(largestOf(hole.patch, offSphere), 0.02) << height;
+  }
+}
+
+TEST(RelaxPatch, HeedsNoOutlierAmongFreePoints)
+{
+  PatchedHole hole = refined(cappedSphere(4, 0.9));
+  Positions samples = samplesOf(hole, 5, 0.0);
+  samples.push_back(1.15 * samples[7]);
+  relaxPatch(hole.model, samples, {}, hole.patch);
+  EXPECT_LT(largestOf(hole.patch, offDent), 0.02);
+}
+
+TEST(RelaxPatch, HeedsNoPointOfTheModel)
+{
+  PatchedHole hole = refined(cappedSphere(4, 0.7));
+  EXPECT_EQ(relaxPatch(hole.model, hole.model.positions, {}, hole.patch).free_points,
+            0u);
+  EXPECT_LT(largestOf(hole.patch, offSphere), 0.01);
+}
+
+TEST(RelaxPatch, KnowsNeitherUnitNorPlace)
+{
+  PatchedHole hole = refined(cappedSphere(3, 0.9));
+  relaxPatch(hole.model, {}, {}, hole.patch);
+  for (const double scale : {1e-4, 1.0, 1e6}) {
+    const Position place = scale * Position(1e5, -1e5, 1e5);
+    PatchedHole other = cappedSphere(3, 0.9);
+    for (Positions* positions : {&other.model.positions, &other.patch.positions})
+      for (Position& p : *positions)
+        p = scale * p + place;
+    other = refined(other);
+    ASSERT_TRUE(relaxPatch(other.model, {}, {}, other.patch).solved);
+    for (Position& p : other.patch.positions)
+      p = (p - place) / scale;
+    EXPECT_LT(largestOf(other.patch, offSphere), 0.01) << scale;
+  }
+}
+
+TEST(RelaxPatch, GivesTheSameOnceMore)
+{
+  PatchedHole one = refined(cappedSphere(4, 0.9)), other = one;
+  const Positions samples = samplesOf(one, 7, 0.01);
+  relaxPatch(one.model, samples, {}, one.patch);
+  relaxPatch(other.model, samples, {}, other.patch);
+  EXPECT_EQ(one.patch.positions, other.patch.positions);
+}
+
+TEST(RelaxPatch, SurvivesPointsOfThePatchAtOnePlace)
+{
+  PatchedHole hole = refined(cappedSphere(3, 0.9));
+  for (std::size_t v = hole.patch.rim.size(); v < hole.patch.positions.size(); ++v)
+    hole.patch.positions[v] = {0.0, 0.0, 1.0};
+  relaxPatch(hole.model, {}, {}, hole.patch);
+  for (const Position& position : hole.patch.positions)
+    EXPECT_TRUE(position.allFinite());
 }
 
 } // namespace
