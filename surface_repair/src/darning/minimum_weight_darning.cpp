@@ -16,9 +16,8 @@ namespace repair {
 
 namespace {
 
-/** In the order in which they are tried: folds against circumcircles. Measured in
- * doc/concepts/darning.md. */
-constexpr std::array<DarnWeights, 2> TRIED_WEIGHTS{{{1.0, 1.0}, {5.0, 5.0}}};
+/** In the order in which they are tried: lengths against folds. */
+constexpr std::array<DarnWeights, 2> TRIED_WEIGHTS{{{0.3, 1.0}, {0.02, 1.0}}};
 /** How often triangles that meet others are forbidden, for each of these. */
 constexpr std::size_t ROUNDS = 8;
 

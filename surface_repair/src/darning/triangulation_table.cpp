@@ -11,22 +11,24 @@ namespace repair {
 
 namespace {
 
-/** Twice the area by the product of two sides, below which a triangle has no normal. */
+/** Twice the area by the square of the longest side, below which a triangle has no
+ * normal, and what it weighs besides, by that side: more than some folds, so that
+ * points on a line get other triangles where there are others; less than a sharp one,
+ * since a crack has none. */
 constexpr double LEAST_SINE = 1e-9;
+constexpr double FLAT_WEIGHT = 3.0;
 /** Of folds by 180 degrees: 1 + cos is taken as this. */
 constexpr double SHARPEST = 1e-3;
 
-/** Penalty of a fold between unit normals; a triangle without a normal folds at 90
- * degrees, an edge without one (NaN) not at all. */
+/** Of a fold between unit normals: tan^2 of half its angle. A triangle without a normal
+ * folds at 90 degrees, an edge without one (NaN) not at all. */
 double
-foldPenalty(const Direction& a, const Direction& b, const DarnWeights& weights)
+foldBetween(const Direction& a, const Direction& b)
 {
   const double cosine = a.dot(b);
   if (!(cosine < 1.0))
     return 0.0;
-  // tan^2 of half the angle
-  const double fold = (1.0 - cosine) / std::max(1.0 + cosine, SHARPEST);
-  return fold * (weights.fold + weights.sharp * fold);
+  return (1.0 - cosine) / std::max(1.0 + cosine, SHARPEST);
 }
 
 } // namespace
@@ -96,16 +98,21 @@ TriangulationTable::weigh(const Cell& cell,
   const double area = doubled.norm();
   const double longest = std::max({cell.length, left.length, right.length});
   Weighed result;
-  const bool flat = area > LEAST_SINE * longest * longest;
-  if (flat)
+  result.weight = left.weight + right.weight;
+  if (area > LEAST_SINE * longest * longest)
     result.normal = doubled / area;
-  // The diameter of the circumcircle is a b c / 2A.
-  const double diameter =
-      flat ? cell.length * left.length * right.length / area : longest / LEAST_SINE;
-  result.weight = left.weight + right.weight + diameter +
-                  left.length * foldPenalty(result.normal, left.normal, weights_) +
-                  right.length * foldPenalty(result.normal, right.normal, weights_);
+  else
+    result.weight += FLAT_WEIGHT * longest;
+  result.weight += weighEdge(left, result.normal) + weighEdge(right, result.normal);
   return result;
+}
+
+/** Of the edge that closes a cell, with a triangle of this normal on its other side. */
+double
+TriangulationTable::weighEdge(const Cell& cell, const Direction& normal) const
+{
+  return cell.length *
+         (weights_.length + weights_.fold * foldBetween(normal, cell.normal));
 }
 
 void
@@ -129,8 +136,8 @@ TriangulationTable::fillCell(std::size_t i, std::size_t j, Cell& cell)
               left,
               right);
     if (isClosing(i, j))
-      weighed.weight +=
-          cell.length * foldPenalty(weighed.normal, polygon_.normals[j], weights_);
+      weighed.weight += cell.length * weights_.fold *
+                        foldBetween(weighed.normal, polygon_.normals[j]);
     if (limits_.obstructed)
       candidates_.push_back({weighed, m});
     else if (weighed.weight < cell.weight)

@@ -17,10 +17,11 @@ namespace repair {
 /** \brief Two points of a polygon, the lower first, not neighbours. */
 using Diagonal = std::pair<std::size_t, std::size_t>;
 
-/** \brief What a triangulation weighs. */
+/** \brief What an edge weighs: its length times a constant and tan^2 of half the angle
+ * by which the triangles at it fold. */
 struct DarnWeights {
-  double fold = 1.0;  /**< of tan^2 of half the angle of a fold, by the edge's length */
-  double sharp = 1.0; /**< of tan^4 of the same */
+  double length = 0.3;
+  double fold = 1.0;
 };
 
 /** \brief What a triangulation must avoid, by points of the polygon, ascending; empty:
@@ -89,6 +90,8 @@ private:
         const ccaa::Corners& corners,
         const Cell& left,
         const Cell& right) const;
+  double
+  weighEdge(const Cell& cell, const Direction& normal) const;
   static void
   accept(const Candidate& candidate, Cell& cell);
   void

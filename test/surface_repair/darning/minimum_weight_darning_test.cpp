@@ -205,6 +205,34 @@ TEST(MinimumWeightDarning, DegenerateHolesGiveADisc)
   }
 }
 
+TEST(MinimumWeightDarning, PointsOnALineGetNoFlatTriangle)
+{
+  DarningTask task; // a square, ten points a side
+  for (int side = 0; side < 4; ++side)
+    for (int k = 0; k < 10; ++k) {
+      const Eigen::Vector2d along =
+          Eigen::Rotation2Dd(-0.5 * M_PI * side) * Eigen::Vector2d(-5.0 + k, 5.0);
+      task.polygon.points.emplace_back(along.x(), along.y(), 0.0);
+    }
+  task.polygon.normals.assign(40, Direction::UnitZ());
+  const Darn darn = darnOf(task);
+  for (const Triangle& t : darn.triangles)
+    EXPECT_GT(ccaa::areaNormal(ccaa::cornersOf(t, task.polygon.points)).z(), 0.5);
+}
+
+TEST(MinimumWeightDarning, CrackIsClosed)
+{
+  DarningTask task; // there and back on one line, the points of the two sides apart
+  for (int k = 0; k < 10; ++k)
+    task.polygon.points.emplace_back(k, 0.0, 0.0);
+  for (int k = 10; k > 1; --k)
+    task.polygon.points.emplace_back(k - 0.5, 0.0, 0.0);
+  task.polygon.normals.assign(task.polygon.size(), Direction::UnitZ());
+  const Darn darn = darnOf(task);
+  EXPECT_TRUE(isDisc(darn, task.polygon.size()));
+  EXPECT_EQ(0U, meetings(task, darn));
+}
+
 TEST(MinimumWeightDarning, SpikeIsClosedByEars)
 {
   DarningTask task = holeIn({40});

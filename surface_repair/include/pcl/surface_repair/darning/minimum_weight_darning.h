@@ -11,11 +11,12 @@ namespace repair {
 /** \brief The triangulation of the polygon itself that weighs least, found by dynamic
  * programming (Barequet and Sharir 1995, Liepa 2003); no inner points.
  *
- * The weight is a sum over triangles and edges: size of the circumcircles, and length
- * times a penalty of the fold, against the surface around as well. Where the best
- * triangulation meets itself, one with another balance of the two is taken instead if
- * it does not. No edge joins two points that are joined already, and no triangle is
- * obstructed: if there is no such triangulation, the darn has a problem.
+ * An edge weighs its length times 0.3 + tan^2 of half the angle by which the surface
+ * folds there; the edges of the polygon count, with the surface around on their other
+ * side. Triangles that meet each other are forbidden in turn, up to eight times, and
+ * the triangulation that meets itself least is taken. No edge joins two points that are
+ * joined already, and no triangle is obstructed: if there is no such triangulation, the
+ * darn has a problem.
  *
  * Up to 160 points every diagonal is looked at. Longer polygons are triangulated at
  * every second point first, and so on down to 160; then only diagonals near those of
