@@ -148,13 +148,15 @@ TEST_F(RepairOutput, LabelsTrianglesByOrigin)
 
 TEST_F(RepairOutput, EndsWithTwoAndAReasonWhenSomethingIsLeftOpen)
 {
-  save(folder_.path("caps.ply"), twoCaps());
-  const RunResult result = repair("caps.ply", "out.ply", {"--greatest-hole", "4"});
+  save(folder_.path("hole.ply"),
+       test::toPolygonMesh(test::withoutTriangles(test::icosphere(3), {0, 1, 2, 3})));
+  const RunResult result = repair("hole.ply", "out.ply", {"--greatest-hole", "3"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_TRUE(isOneLine(result.errors)) << result.errors;
-  EXPECT_TRUE(contains(result.errors, "more edges than")) << result.errors;
+  EXPECT_TRUE(contains(result.errors, "1 boundary loop left open: it has more edges"))
+      << result.errors;
   EXPECT_TRUE(contains(result.errors, "at point ")) << result.errors;
-  EXPECT_EQ(2U, topologyOf("out.ply").components);
+  EXPECT_EQ(1U, topologyOf("out.ply").borders);
 }
 
 TEST_F(RepairOutput, ParametersReachTheRepair)
