@@ -272,7 +272,7 @@ protected:
   saveCaps()
   {
     pcl::PolygonMesh mesh = test::toPolygonMesh(
-        test::inPieces(test::icosphere(5), [](const test::Position& p) {
+        test::inPieces(test::icosphere(5), [](const pcl::ccaa::Position& p) {
           return std::abs(p.z()) < 0.3 ? -1 : p.z() > 0.0 ? 1 : 0;
         }));
     mesh.polygons.clear();
