@@ -31,6 +31,7 @@ colorOfRule(SideRule rule)
     return {150, 200, 235};
   case SideRule::VIEWPOINT:
     return {165, 215, 165};
+  case SideRule::VOLUME:
   case SideRule::FREE_SIGHT:
     return {240, 220, 130};
   case SideRule::FIELD:

@@ -5,6 +5,7 @@
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
 #include <pcl/surface_ccaa/mesh/corners.h>
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 
 #include <Eigen/Geometry>
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace pcl {
 namespace repair {
@@ -161,6 +163,7 @@ FreePointPulls::weighted(const std::vector<AttachedPoint>& attached) const
 FreePointPulls::FreePointPulls(const IncompleteModel& model,
                                const Positions& free_points,
                                const RelaxationParameters& parameters,
+                               const std::vector<pcl::index_t>& rim,
                                const JoinedSurface& surface)
 : trust_(parameters.trust / (1.0 - parameters.trust)), reach_(parameters.reach)
 {
@@ -178,23 +181,37 @@ FreePointPulls::FreePointPulls(const IncompleteModel& model,
       points_.push_back(place);
   }
   if (!points_.empty())
-    gatherModel(model, surface, around);
+    gatherModel(model, rim, surface, around);
 }
 
+/** Outward from the rim: looking at all triangles for every patch would be too much. */
 void
 FreePointPulls::gatherModel(const IncompleteModel& model,
+                            const std::vector<pcl::index_t>& rim,
                             const JoinedSurface& surface,
                             const ccaa::Box& around)
 {
   const ccaa::Box in_cloud(surface.centre + surface.size * around.min(),
                            surface.centre + surface.size * around.max());
-  for (const Triangle& triangle : model.triangles) {
-    ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
+  std::vector<pcl::index_t> reached;
+  for (const pcl::index_t vertex : rim)
+    reached.insert(
+        reached.end(), model.adjacency.begin(vertex), model.adjacency.end(vertex));
+  ccaa::sortUnique(reached);
+  std::unordered_set<pcl::index_t> known(reached.begin(), reached.end());
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    ccaa::Corners corners = ccaa::cornersOf(
+        model.triangles[static_cast<std::size_t>(reached[i])], model.positions);
     if (!in_cloud.intersects(ccaa::boxOf(corners)))
       continue;
     for (Position& corner : corners)
       corner = (corner - surface.centre) / surface.size;
     model_triangles_.push_back(corners);
+    for (int corner = 0; corner < 3; ++corner) {
+      const pcl::index_t next = model.adjacency.across(reached[i], corner);
+      if (next >= 0 && known.insert(next).second)
+        reached.push_back(next);
+    }
   }
 }
 

@@ -29,6 +29,7 @@ public:
   FreePointPulls(const IncompleteModel& model,
                  const Positions& free_points,
                  const RelaxationParameters& parameters,
+                 const std::vector<pcl::index_t>& rim,
                  const JoinedSurface& surface);
 
   bool
@@ -51,6 +52,7 @@ private:
   weighted(const std::vector<AttachedPoint>& attached) const;
   void
   gatherModel(const IncompleteModel& model,
+              const std::vector<pcl::index_t>& rim,
               const JoinedSurface& surface,
               const ccaa::Box& around);
 

@@ -83,7 +83,7 @@ relaxPatch(const IncompleteModel& model,
   FairingTask task;
   task.fixed = fixedVertices(surface, patch);
   const std::vector<double> rim = rimCurvatures(surface, patch.rim.size());
-  const FreePointPulls pulls(model, free_points, parameters, surface);
+  const FreePointPulls pulls(model, free_points, parameters, patch.rim, surface);
   for (std::size_t round = 0; round < parameters.rounds; ++round) {
     if (round > 0) { // the first surface is the thin plate, with normals to go on from
       task.curvatures = harmonicValues(surface, rim);
