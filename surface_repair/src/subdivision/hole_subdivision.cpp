@@ -17,15 +17,19 @@ namespace repair {
 
 namespace {
 
-/** Lines traced to choose from, for one bisection. */
-constexpr std::size_t TRACED_LINES = 12;
 /** What is tried in turn while no line fits. */
 struct Attempt {
   double threshold;  /**< share of T */
   double coarseness; /**< spacing of the sources, in that of the contour's points */
+  std::size_t lines; /**< to be traced */
+  std::size_t from;  /**< fewest edges of a hole for which it is worth while */
 };
-constexpr std::array<Attempt, 5> ATTEMPTS{
-    {{1.0, 1.0}, {0.5, 1.0}, {1.0, 4.0}, {0.2, 1.0}, {0.2, 4.0}}};
+constexpr std::array<Attempt, 6> ATTEMPTS{{{1.0, 2.0, 8, 200},
+                                           {1.0, 1.0, 12, 0},
+                                           {0.5, 1.0, 12, 0},
+                                           {1.0, 4.0, 12, 0},
+                                           {0.2, 1.0, 12, 0},
+                                           {0.2, 4.0, 12, 0}}};
 /** Holes of fewer edges are never divided. */
 constexpr std::size_t FEWEST_EDGES = 4;
 
@@ -33,17 +37,19 @@ constexpr std::size_t FEWEST_EDGES = 4;
 class Bisector {
 public:
   Bisector(const HolePolygon& hole,
-           double coarseness,
+           const Attempt& attempt,
            const SurveyParameters& parameters,
            const SubdivisionGuides& guides,
            const ccaa::LoopContext& context)
-  : parameters_(parameters)
+  : attempt_(attempt)
+  , parameters_(parameters)
   , guides_(guides)
   , context_(context)
   , contour_({{hole.curve, 0}})
-  , near_(coarseness * (parameters.field.near > 0.0
-                            ? parameters.field.near
-                            : contour_.lengthOf(0) / static_cast<double>(hole.size())))
+  , near_(attempt.coarseness *
+          (parameters.field.near > 0.0
+               ? parameters.field.near
+               : contour_.lengthOf(0) / static_cast<double>(hole.size())))
   , sources_(sourcesOf(hole, near_))
   , field_(sources_,
            parameters.field.interpolation,
@@ -52,12 +58,11 @@ public:
   , fitter_(hole, contour_, perturbationOf(parameters), guides)
   {}
 
-  /** \param[in] threshold T, in lengths of the hole */
   std::optional<BisectingLine>
-  best(double threshold) const
+  best() const
   {
     std::optional<BisectingLine> best;
-    for (const ForceLine& line : linesWith(threshold)) {
+    for (const ForceLine& line : lines()) {
       auto fitted = fitter_.fit(line);
       if (fitted && (!best || fitted->merit > best->merit))
         best = std::move(fitted);
@@ -91,8 +96,9 @@ private:
 
   /** Lines from the strongest origins. */
   std::vector<ForceLine>
-  linesWith(double threshold) const
+  lines() const
   {
+    const double threshold = attempt_.threshold * parameters_.hole_threshold;
     const FieldParameters& field = parameters_.field;
     const std::vector<PossibleOrigin> possible =
         originsInHole(field_,
@@ -105,7 +111,7 @@ private:
     for (const std::size_t i :
          strongestOrigins(possible, contour_, parameters_.line_spacing)) {
       origins.push_back(possible[i].origin);
-      if (origins.size() == TRACED_LINES)
+      if (origins.size() == attempt_.lines)
         break;
     }
     const ForceLineTracker tracker(
@@ -113,6 +119,7 @@ private:
     return tracker.track(origins, context_);
   }
 
+  const Attempt& attempt_;
   const SurveyParameters& parameters_;
   const SubdivisionGuides& guides_;
   const ccaa::LoopContext& context_;
@@ -132,8 +139,9 @@ bisect(const HolePolygon& hole,
   for (const Attempt& attempt : ATTEMPTS) {
     if (context.cancelled())
       break;
-    auto line = Bisector(hole, attempt.coarseness, parameters, guides, context)
-                    .best(attempt.threshold * parameters.hole_threshold);
+    if (hole.size() < attempt.from)
+      continue;
+    auto line = Bisector(hole, attempt, parameters, guides, context).best();
     if (line)
       return line;
   }
