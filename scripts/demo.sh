@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Part of PclSurfaceRepair: from a bare Debian 12 to a mesh of a real scan and a picture.
+# Part of PclSurfaceRepair: from a bare Debian 12 to a repaired real scan and pictures.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -43,10 +43,19 @@ echo
 "$bin/pcl_mesh_quality" "$demo/bunny.ply"
 "$bin/pcl_render_mesh" "$demo/bunny.ply" "$demo/bunny.png"
 echo
-echo "What it lacks:"
-"$bin/pcl_repair_holes" "$demo/bunny.ply" --inspect "$demo/lacks"
+echo "The same in pieces, without five slabs of its points and triangles:"
+"$bin/pcl_damage_cloud" "$demo/bunny.ply" "$demo/pieces.ply" --slabs 5 --slab-size 0.05 \
+  --seed 7
+"$bin/pcl_render_mesh" "$demo/pieces.ply" "$demo/pieces.png"
 echo
-echo "Mesh:    $PWD/$demo/bunny.ply"
-echo "Picture: $PWD/$demo/bunny.png"
-echo "Holes:   $PWD/$demo/lacks/loops.png, lines.png"
-echo "Report:  $PWD/$demo/bunny.json"
+echo "Repaired (exit code 2 tells that something was left open):"
+"$bin/pcl_repair_holes" "$demo/pieces.ply" "$demo/repaired.ply" --inspect "$demo/lacks" \
+  --bridges "$demo/bridges.vtk" --report "$demo/repair.json" || (($? == 2))
+"$bin/pcl_mesh_quality" "$demo/repaired.ply"
+"$bin/pcl_render_mesh" "$demo/repaired.ply" "$demo/repaired.png"
+echo
+echo "Scan:     $PWD/$demo/bunny.ply, bunny.png"
+echo "Damaged:  $PWD/$demo/pieces.ply, pieces.png"
+echo "Repaired: $PWD/$demo/repaired.ply, repaired.png"
+echo "On the way: $PWD/$demo/lacks/loops.png, lines.png"
+echo "Reports:  $PWD/$demo/bunny.json, repair.json"

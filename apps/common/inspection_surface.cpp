@@ -106,8 +106,8 @@ showIslands(const ModelSurvey& survey)
   addIslandLegend(survey, builder);
   return builder.finish(
       "normal: external; island: as in the report; rule: 0 given normals, 1 viewpoint, "
-      "2 free sight, 3 field, 4 undecided, 5 one-sided; flipped: 1 when the island was "
-      "turned round");
+      "2 volume, 3 free sight, 4 field, 5 undecided, 6 one-sided; flipped: 1 when the "
+      "island was turned round");
 }
 
 InspectionLayer
