@@ -12,7 +12,9 @@
 #include "support/repair_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <map>
 #include <string>
 
 namespace pcl {
@@ -64,6 +66,31 @@ inline std::size_t
 pointsOf(const pcl::PolygonMesh& mesh)
 {
   return static_cast<std::size_t>(mesh.cloud.width) * mesh.cloud.height;
+}
+
+/** \brief The triangles of the output, where a point appended as a copy of another one
+ * (for a fan that only touches it) counts as that one. */
+inline Triangles
+trianglesOverPlaces(const Repaired& result)
+{
+  const Positions places =
+      ccaa::copyPositions(ccaa::positionView(result.output.cloud)).positions;
+  const auto key = [](const Position& p) {
+    return std::array<double, 3>{p.x(), p.y(), p.z()};
+  };
+  std::map<std::array<double, 3>, pcl::index_t> first;
+  for (const Triangle& triangle : toTriangles(result.input.polygons))
+    for (const pcl::index_t corner : triangle)
+      first.emplace(key(places[static_cast<std::size_t>(corner)]), corner);
+  const auto given = static_cast<pcl::index_t>(pointsOf(result.input));
+  Triangles triangles = result.triangles();
+  for (Triangle& triangle : triangles)
+    for (pcl::index_t& corner : triangle) {
+      const auto same = first.find(key(places[static_cast<std::size_t>(corner)]));
+      if (corner >= given && same != first.end())
+        corner = same->second;
+    }
+  return triangles;
 }
 
 /** \brief The points of the input come first, byte for byte, in the same layout. */
