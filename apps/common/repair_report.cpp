@@ -177,6 +177,7 @@ tellReading(const ReadingReport& reading)
   const auto& filter = reading.filter;
   tell(reading.invalid_polygons, "invalid polygons left out");
   tell(reading.non_finite_points, "points that are not finite left out");
+  tell(reading.separated_fans, "points given to fans that touch in one");
   if (reading.filtered)
     tell(filter.duplicate_triangles + filter.overfull_triangles +
              filter.umbrella_triangles + filter.twist_triangles,
