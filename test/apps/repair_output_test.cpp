@@ -89,7 +89,7 @@ TEST_F(RepairOutput, ReportsEverythingThatWasDone)
 TEST_F(RepairOutput, KeepsAllFieldsAndTriangles)
 {
   pcl::PolygonMesh mesh = colouredSphere();
-  mesh.polygons.erase(mesh.polygons.begin(), mesh.polygons.begin() + 3);
+  mesh.polygons.erase(mesh.polygons.begin(), mesh.polygons.begin() + 4);
   save(folder_.path("in.ply"), mesh);
   ASSERT_EQ(0, repair("in.ply", "out.ply").exit_code);
   const auto before = loadMesh(folder_.path("in.ply")).mesh;
