@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: loops, islands and free points of a survey, coloured.
+#include <pcl/surface_repair/icadm/model_assembly.h>
+
 #include "layer_builder.h"
 
 #include <map>
@@ -93,10 +95,12 @@ showIslands(const ModelSurvey& survey)
   FieldArray& rules = builder.wholeField("rule");
   FieldArray& flips = builder.wholeField("flipped");
   const auto islands = islandsOfVertices(survey.model);
+  const auto external =
+      pcl::repair::externalNormals(survey.model.triangles, survey.model.positions, {});
   for (std::size_t v = 0; v < survey.model.positions.size(); ++v) {
     const IslandSide& side = survey.sides[islands[v]];
     builder.addPoint(survey.model.positions[v], colorOf(side));
-    appendDirection(normals, survey.model.normals[v]);
+    appendDirection(normals, external[v]);
     numbers.append(indexOrMinusOne(islands[v]));
     rules.append(static_cast<std::int32_t>(side.rule));
     flips.append(static_cast<std::int32_t>(side.flipped));

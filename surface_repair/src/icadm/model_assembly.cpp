@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what follows from the triangles of an incomplete model.
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/mesh/vertex_normals.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace pcl {
@@ -99,6 +101,46 @@ externalNormals(const Triangles& triangles,
   return normals;
 }
 
+namespace {
+
+/** The external normals of the vertices on boundaries, for which alone a repair asks:
+ * those of all take a quarter of the time of reading. */
+Directions
+boundaryNormals(const IncompleteModel& model, const ccaa::LoopContext& context)
+{
+  std::vector<pcl::index_t> around;
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+    const auto vertex = static_cast<pcl::index_t>(v);
+    if (model.adjacency.fan(vertex) == ccaa::Fan::OPEN)
+      around.insert(
+          around.end(), model.adjacency.begin(vertex), model.adjacency.end(vertex));
+  }
+  ccaa::sortUnique(around); // the order in which externalNormals() adds up
+  Positions positions;
+  std::unordered_map<pcl::index_t, pcl::index_t> number_of;
+  Triangles triangles;
+  for (const pcl::index_t t : around) {
+    Triangle triangle = model.triangles[static_cast<std::size_t>(t)];
+    for (pcl::index_t& corner : triangle) {
+      const auto [entry, is_new] =
+          number_of.emplace(corner, static_cast<pcl::index_t>(positions.size()));
+      if (is_new)
+        positions.push_back(model.positions[static_cast<std::size_t>(corner)]);
+      corner = entry->second;
+    }
+    triangles.push_back(triangle);
+  }
+  const Directions found = externalNormals(triangles, positions, context);
+  Directions normals(model.positions.size(), Direction::Zero());
+  for (const auto& [vertex, number] : number_of)
+    if (model.adjacency.fan(vertex) == ccaa::Fan::OPEN)
+      normals[static_cast<std::size_t>(vertex)] =
+          found[static_cast<std::size_t>(number)];
+  return normals;
+}
+
+} // namespace
+
 IncompleteModel
 assembleModel(Triangles triangles,
               Positions positions,
@@ -126,7 +168,7 @@ assembleModel(Triangles triangles,
     return model;
   model.island_of = ccaa::labelIslands(model.adjacency);
   model.islands = measureIslands(model);
-  model.normals = externalNormals(model.triangles, model.positions, context);
+  model.normals = boundaryNormals(model, context);
   return model;
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace pcl {
 namespace repair {
@@ -108,17 +107,19 @@ addedVertices(const RepairedModel& repaired)
   Inheritance inheritance(repaired);
   AddedVertices added;
   const IncompleteModel& model = repaired.model;
-  std::unordered_set<pcl::index_t> taken;
-  for (std::size_t v = 0; v < model.positions.size(); ++v) {
+  for (std::size_t v = repaired.input_vertices - repaired.separated_fans;
+       v < model.positions.size();
+       ++v) {
     const pcl::index_t point = model.point_of_vertex[v];
-    if (point != pcl::UNAVAILABLE && taken.insert(point).second)
-      continue;
+    const bool is_copy = v < repaired.input_vertices;
+    if (!is_copy && point != pcl::UNAVAILABLE)
+      continue; // a free point of the mesh
     added.numbers.push_back(v);
-    if (point == pcl::UNAVAILABLE)
+    if (is_copy) // another fan of the same point: the two may not be one vertex
+      added.vertices.push_back({model.positions[v], {{point, 1.0}}});
+    else
       added.vertices.push_back(
           {model.positions[v], inheritance.sourcesOf(model.positions[v])});
-    else // another fan of the same point: the two may not be one vertex
-      added.vertices.push_back({model.positions[v], {{point, 1.0}}});
   }
   return added;
 }

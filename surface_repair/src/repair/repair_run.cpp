@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <unordered_map>
 #include <utility>
 
 namespace pcl {
@@ -57,6 +58,28 @@ struct Failure {
   OpenReason open = OpenReason::NONE;
   std::size_t tries = 0;
 };
+
+/** What comes to a model. */
+struct Addition {
+  Triangles triangles;
+  Positions positions;
+  std::vector<pcl::index_t> point_of_vertex;
+};
+
+template <typename T>
+void
+append(const std::vector<T>& more, std::vector<T>& list)
+{
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+void
+append(const Addition& more, IncompleteModel& model)
+{
+  append(more.triangles, model.triangles);
+  append(more.positions, model.positions);
+  append(more.point_of_vertex, model.point_of_vertex);
+}
 
 class RepairRun {
 public:
@@ -116,12 +139,10 @@ private:
   RepairedModel result_;
   HoleList list_; /**< of the last pass */
   std::vector<std::size_t>
-      entry_of_bridge_;         /**< of this pass's bridges, in the report */
-  std::vector<Failure> failed_; /**< of each vertex: of a hole there */
-  std::vector<bool> used_;      /**< of each free point: it is a vertex now */
-  Triangles triangles_;         /**< of the model that is to come */
-  Positions positions_;
-  std::vector<pcl::index_t> point_of_vertex_;
+      entry_of_bridge_; /**< of this pass's bridges, in the report */
+  std::unordered_map<pcl::index_t, Failure> failed_; /**< of a hole at a vertex */
+  std::vector<bool> used_; /**< of each free point: it is a vertex now */
+  Addition added_;         /**< by this pass */
 };
 
 void
@@ -142,6 +163,7 @@ RepairRun::noteInput()
 {
   const IncompleteModel& model = survey_.model;
   result_.input_vertices = model.positions.size();
+  result_.separated_fans = survey_.reading.separated_fans;
   result_.input_triangles = model.triangles.size();
   report_.input_triangles = model.triangles.size();
   report_.free_points = model.free_points.size();
@@ -191,11 +213,9 @@ RepairRun::closeHoles()
     regions.push_back(std::move(region));
   }
   SurfaceObstacle obstacle(survey_.model, places);
-  triangles_ = survey_.model.triangles;
-  positions_ = survey_.model.positions;
-  point_of_vertex_ = survey_.model.point_of_vertex;
+  added_ = {};
   entry_of_bridge_.assign(survey_.joined.bridges.size(), NONE);
-  failed_.assign(positions_.size(), Failure());
+  failed_.clear();
   used_.assign(survey_.model.free_points.size(), false);
   const SurveyGuides none;
   const ClosingPlace place{survey_.model,
@@ -211,7 +231,7 @@ RepairRun::closeHoles()
       context_.control->report(
           "closing", static_cast<double>(r + 1) / static_cast<double>(regions.size()));
   }
-  return triangles_.size() > survey_.model.triangles.size();
+  return !added_.triangles.empty();
 }
 
 void
@@ -232,9 +252,8 @@ RepairRun::accept(const HoleList& list,
       continue;
     }
     for (const pcl::index_t vertex : hole.polygon.vertices)
-      if (static_cast<std::size_t>(vertex) < failed_.size())
-        failed_[static_cast<std::size_t>(vertex)] = {closed.holes[i].open,
-                                                     closed.holes[i].tries};
+      if (static_cast<std::size_t>(vertex) < survey_.model.positions.size())
+        failed_[vertex] = {closed.holes[i].open, closed.holes[i].tries};
   }
   obstacle.add(closed.patch.positions, closed.patch.triangles);
   addPatch(closed.patch, reported);
@@ -245,20 +264,21 @@ RepairRun::addPatch(const Patch& patch, const std::vector<std::size_t>& reported
 {
   std::vector<pcl::index_t> number = patch.rim;
   for (std::size_t v = patch.rim.size(); v < patch.positions.size(); ++v) {
-    number.push_back(static_cast<pcl::index_t>(positions_.size()));
-    positions_.push_back(patch.positions[v]);
+    number.push_back(static_cast<pcl::index_t>(survey_.model.positions.size() +
+                                               added_.positions.size()));
+    added_.positions.push_back(patch.positions[v]);
     const std::size_t free_point = patch.free_point[v];
     if (free_point != NONE)
       used_[free_point] = true;
-    point_of_vertex_.push_back(free_point == NONE
-                                   ? pcl::UNAVAILABLE
-                                   : survey_.model.point_of_free_point[free_point]);
+    added_.point_of_vertex.push_back(
+        free_point == NONE ? pcl::UNAVAILABLE
+                           : survey_.model.point_of_free_point[free_point]);
   }
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     Triangle triangle = patch.triangles[t];
     for (pcl::index_t& corner : triangle)
       corner = number[static_cast<std::size_t>(corner)];
-    triangles_.push_back(triangle);
+    added_.triangles.push_back(triangle);
     const std::size_t hole = reported[patch.hole[t]];
     report_.hole_of.push_back(hole);
     report_.origins.push_back(originOf(report_.holes[hole].darning));
@@ -340,19 +360,17 @@ RepairRun::bridgeEntry(std::size_t bridge)
 void
 RepairRun::resurvey()
 {
+  IncompleteModel& before = survey_.model;
+  append(added_, before);
   IncompleteModel model =
-      assembleModel(std::move(triangles_), std::move(positions_), context_);
-  model.point_of_vertex = std::move(point_of_vertex_);
-  const IncompleteModel& before = survey_.model;
+      assembleModel(std::move(before.triangles), std::move(before.positions), context_);
+  model.point_of_vertex = std::move(before.point_of_vertex);
   for (std::size_t i = 0; i < used_.size(); ++i)
     if (!used_[i]) {
       model.free_points.push_back(before.free_points[i]);
       model.point_of_free_point.push_back(before.point_of_free_point[i]);
     }
-  std::vector<Failure> failed = std::move(failed_);
-  failed.resize(model.positions.size());
   survey_ = surveyModel(std::move(model), parameters_.survey, context_);
-  failed_ = std::move(failed);
 }
 
 /** What the last try said, or else what speaks against one. */
@@ -365,11 +383,11 @@ RepairRun::lastOutcome(const OpenHole& hole) const
     return outcome;
   outcome.open = OpenReason::NO_DARN;
   for (const pcl::index_t vertex : hole.polygon.vertices) {
-    const auto place = static_cast<std::size_t>(vertex);
-    if (place >= failed_.size() || failed_[place].open == OpenReason::NONE)
+    const auto failure = failed_.find(vertex);
+    if (failure == failed_.end())
       continue;
-    outcome.open = failed_[place].open;
-    outcome.tries = failed_[place].tries;
+    outcome.open = failure->second.open;
+    outcome.tries = failure->second.tries;
     break;
   }
   return outcome;
@@ -379,9 +397,7 @@ RepairRun::lastOutcome(const OpenHole& hole) const
 bool
 RepairRun::allIsClosed() const
 {
-  return std::none_of(failed_.begin(),
-                      failed_.end(),
-                      [](const Failure& f) { return f.open != OpenReason::NONE; }) &&
+  return failed_.empty() &&
          std::none_of(list_.holes.begin(), list_.holes.end(), [](const OpenHole& hole) {
            return isShortfall(hole.open);
          });
@@ -399,9 +415,7 @@ RepairRun::finish()
       outcome.open = hole.open;
       report(hole, outcome);
     }
-  survey_.model.triangles = std::move(triangles_);
-  survey_.model.positions = std::move(positions_);
-  survey_.model.point_of_vertex = std::move(point_of_vertex_);
+  append(added_, survey_.model);
 }
 
 void

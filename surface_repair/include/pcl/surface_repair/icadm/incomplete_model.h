@@ -56,8 +56,8 @@ struct IncompleteModel {
   ccaa::TriangleAdjacency adjacency; /**< of these triangles */
   ccaa::Islands island_of;           /**< of a triangle */
   std::vector<Island> islands;       /**< numbered by lowest triangle */
-  Directions
-      normals; /**< external, of the vertices, by the windings (angle-weighted) */
+  Directions normals;    /**< external, of the vertices on boundaries, by the windings
+                              (angle-weighted); zero of others: see externalNormals() */
   Positions free_points; /**< finite points without a triangle, in cloud order, then
                               those of the separate cloud */
   std::vector<pcl::index_t> point_of_free_point; /**< cloud index; UNAVAILABLE for one
