@@ -43,6 +43,17 @@ areaOf(const std::vector<ccaa::Corners>& triangles)
   return area;
 }
 
+/** Whether a darn runs through something, where that is to be looked at. A fan never
+ * looks. */
+bool
+isObstructed(const Darn& darn, const DarningTask& task)
+{
+  if (!task.obstructed)
+    return false;
+  const std::vector<ccaa::Corners> triangles = cornersOf(darn, task.polygon);
+  return std::any_of(triangles.begin(), triangles.end(), task.obstructed);
+}
+
 /** Whether a point lies over the inside of a triangle, within a height. */
 bool
 liesOver(const Position& point, const ccaa::Corners& corners, double height)
@@ -128,7 +139,7 @@ darn(DarningTask task, DarningChoice choice, const FreePointField* free_points)
   if (choice == DarningChoice::FAN) {
     const FanDarning fan;
     Darn made = fan.close(task);
-    if (made.closed())
+    if (made.closed() && !isObstructed(made, task))
       return {std::move(made), fan.name()};
   }
   Darn made = basic.close(task);
