@@ -95,6 +95,18 @@ private:
   std::set<VertexPair> edges_;
 };
 
+/** The nearest place that floats can hold. Through memory: GCC 12 takes a vector of
+ * doubles that became floats and doubles again for the doubles that they were. */
+Position
+nearestFloats(Position place)
+{
+  for (double& coordinate : place) {
+    volatile const float held = static_cast<float>(coordinate);
+    coordinate = static_cast<double>(held);
+  }
+  return place;
+}
+
 class RegionClosing {
 public:
   RegionClosing(const ClosingPlace& place,
@@ -223,7 +235,7 @@ RegionClosing::roundPositions()
     return;
   Positions& positions = result_.patch.positions;
   for (std::size_t v = result_.patch.rim.size(); v < positions.size(); ++v)
-    positions[v] = positions[v].cast<float>().cast<double>();
+    positions[v] = nearestFloats(positions[v]);
 }
 
 void
