@@ -135,6 +135,63 @@ TEST(IslandOrientation, FlatSheetIsUndecidedAndStays)
   EXPECT_FALSE(sides[0].flipped);
 }
 
+/** A sphere without what lies above a height. */
+IncompleteModel
+sphereOpenAbove(double height)
+{
+  return modelOf(
+      without(icosphere(4), [height](const Position& p) { return p.z() > height; }));
+}
+
+TEST(IslandOrientation, VolumeDecidesAboutAnOnlyIslandThatIsNearlyClosed)
+{
+  const std::vector<IslandSide> sides = orient(sphereOpenAbove(0.95));
+  EXPECT_EQ(SideRule::VOLUME, sides[0].rule);
+  EXPECT_FALSE(sides[0].flipped);
+  EXPECT_EQ(1.0, sides[0].confidence);
+}
+
+TEST(IslandOrientation, AnOnlyIslandOfNegativeVolumeIsTurned)
+{
+  IncompleteModel model = sphereOpenAbove(0.95);
+  turnIslands(model, flips({true}));
+  const std::vector<IslandSide> sides = orient(model);
+  EXPECT_EQ(SideRule::VOLUME, sides[0].rule);
+  EXPECT_TRUE(sides[0].flipped);
+}
+
+TEST(IslandOrientation, VolumeIsThatOfTheShapeWhereverItIs)
+{
+  for (const double far : {-1000.0, 1000.0}) {
+    const Shape shape =
+        without(icosphere(3), [](const Position& p) { return p.z() > 0.95; });
+    IncompleteModel model = modelOf(translated(shape, Position::Constant(far)));
+    turnIslands(model, flips({true}));
+    EXPECT_TRUE(orient(model)[0].flipped) << far;
+  }
+}
+
+TEST(IslandOrientation, VolumeSaysNothingOfALargeOpening)
+{
+  EXPECT_NE(SideRule::VOLUME, orient(sphereOpenAbove(0.3))[0].rule);
+}
+
+TEST(IslandOrientation, VolumeSaysNothingOfSeveralIslands)
+{
+  const IncompleteModel model =
+      modelOf(joined(icosphere(2), translated(icosphere(2), Position(5, 0, 0))));
+  for (const IslandSide& side : orient(model))
+    EXPECT_NE(SideRule::VOLUME, side.rule);
+}
+
+TEST(IslandOrientation, GivenNormalsWinOverVolume)
+{
+  IncompleteModel model = sphereOpenAbove(0.95);
+  for (const Position& position : model.positions)
+    model.given_normals.push_back(-position); // inward
+  EXPECT_EQ(SideRule::NORMALS, orient(model)[0].rule);
+}
+
 TEST(IslandOrientation, GivenNormalsWinOverFreeSight)
 {
   IncompleteModel model = modelOf(inPieces(icosphere(3), 0.2));
