@@ -140,6 +140,47 @@ TEST(JoinedIslands, OuterBorderOfATerrainGetsNoBridge)
   EXPECT_GT(found.joined.bridges.size(), 4U);
 }
 
+/** Two caps with a wide gap, of which a rim has the length of five. */
+ModelSurvey
+capsWithLinesApart(double line_spacing)
+{
+  SurveyParameters parameters;
+  parameters.trace_in_holes = false;
+  parameters.line_spacing = line_spacing;
+  const Shape caps =
+      without(icosphere(4), [](const Position& p) { return std::abs(p.z()) < 0.5; });
+  return surveyModel(
+      pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(caps)), nullptr, parameters, {});
+}
+
+/** There is room for one line at each rim, and one bridge alone is deleted. */
+TEST(LostBridges, LinesAreTracedAnewBetweenTheirIslands)
+{
+  const ModelSurvey found = capsWithLinesApart(4.0);
+  EXPECT_GT(found.between_islands.lines.size(), 2U);
+  EXPECT_GT(found.joined.bridges.size() - found.joined.holes.removed_bridges.size(),
+            1U);
+}
+
+TEST(LostBridges, NoLineIsTracedTwice)
+{
+  const ModelSurvey found = capsWithLinesApart(4.0);
+  const std::vector<ForceLine>& lines = found.between_islands.lines;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_NE(lines[k].points.front(), lines[i].points.front());
+}
+
+TEST(LostBridges, WhereNoneIsLostNothingIsTracedAnew)
+{
+  const ModelSurvey found = capsWithLinesApart(1.0);
+  std::vector<std::size_t> of_rim(2, 0);
+  for (const ForceLine& line : found.between_islands.lines)
+    ++of_rim[line.origin.curve];
+  EXPECT_LE(of_rim[0], 6U);
+  EXPECT_LE(of_rim[1], 6U);
+}
+
 } // namespace
 } // namespace repair
 } // namespace pcl
