@@ -128,6 +128,8 @@ public:
 private:
   void
   divide();
+  const std::vector<ChosenDarn>&
+  darnsOf(bool avoiding);
   void
   darnAll();
   void
@@ -149,6 +151,7 @@ private:
   const ccaa::LoopContext& context_;
   std::vector<std::size_t> care_; /**< of each hole: place in CARES */
   std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
+  std::array<std::vector<ChosenDarn>, 2> darns_; /**< of the parts; second: avoiding */
   ClosedRegion result_;
 };
 
@@ -190,31 +193,44 @@ RegionClosing::taskFor(const HolePolygon& polygon,
   return task;
 }
 
-void
-RegionClosing::darnAll()
+/** The darns of all parts in one way or the other: made once, they serve every care. */
+const std::vector<ChosenDarn>&
+RegionClosing::darnsOf(bool avoiding)
 {
+  std::vector<ChosenDarn>& darns = darns_[avoiding ? 1 : 0];
+  if (!darns.empty())
+    return darns;
   TakenEdges taken(place_.model);
   for (const DarnedPart& part : parts_)
     taken.addPolygon(part.polygon);
-  for (DarnedPart& part : parts_) {
-    part.darn = {};
+  for (const DarnedPart& part : parts_) {
+    darns.push_back(darn(taskFor(part.polygon, taken, avoiding),
+                         place_.parameters.darning.choice,
+                         place_.guides.free_points.get()));
+    if (darns.back().darn.closed())
+      taken.addDarn(part.polygon, darns.back().darn);
+  }
+  return darns;
+}
+
+void
+RegionClosing::darnAll()
+{
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    DarnedPart& part = parts_[p];
     std::size_t& care = care_[part.hole];
     if (care == GIVEN_UP)
       continue;
     HoleOutcome& outcome = result_.holes[part.hole];
     const bool avoiding = CARES[care].avoiding;
-    ChosenDarn chosen = darn(taskFor(part.polygon, taken, avoiding),
-                             place_.parameters.darning.choice,
-                             place_.guides.free_points.get());
-    if (!chosen.darn.closed()) {
-      ++outcome.tries;
-      care = GIVEN_UP;
-      outcome.open = avoiding ? OpenReason::INTERSECTION : OpenReason::NO_DARN;
-      continue;
-    }
-    taken.addDarn(part.polygon, chosen.darn);
+    const ChosenDarn& chosen = darnsOf(avoiding)[p];
+    part.darn = chosen.darn;
     outcome.darning = chosen.method;
-    part.darn = std::move(chosen.darn);
+    if (chosen.darn.closed())
+      continue;
+    ++outcome.tries;
+    care = GIVEN_UP;
+    outcome.open = avoiding ? OpenReason::INTERSECTION : OpenReason::NO_DARN;
   }
 }
 
