@@ -5,6 +5,7 @@
 
 #include "darning_choice.h"
 #include "patch_assembly.h"
+#include "patch_calming.h"
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,9 @@ constexpr std::array<Care, 5> CARES = {{{false, true, true},
 /** So many of them for a hole that has others in its region: later it is alone. */
 constexpr std::size_t CARES_AMONG_OTHERS = 1;
 constexpr std::size_t GIVEN_UP = CARES.size();
+
+/** Rings around what runs into something that go back, one try after the other. */
+constexpr std::array<std::size_t, 4> CALMED_RINGS = {0, 2, 4, 8};
 
 /** An edge between two vertices, the lower one first. */
 using VertexPair = std::pair<pcl::index_t, pcl::index_t>;
@@ -134,6 +138,8 @@ private:
   darnAll();
   void
   shapePatch();
+  void
+  relax(const RelaxationParameters& relaxation);
   void
   roundPositions();
   bool
@@ -268,9 +274,27 @@ RegionClosing::shapePatch()
     RelaxationParameters relaxation = parameters.relaxation;
     relaxation.trust = parameters.survey.field.trust;
     if (parameters.relax && all(&Care::relaxed))
-      relaxPatch(place_.model, place_.model.free_points, relaxation, result_.patch);
+      relax(relaxation);
   }
   roundPositions();
+}
+
+/** Where the relaxed patch runs into something, it goes back to what it was before, in
+ * wider and wider surroundings. */
+void
+RegionClosing::relax(const RelaxationParameters& relaxation)
+{
+  Patch& patch = result_.patch;
+  const Positions before = patch.positions;
+  relaxPatch(place_.model, place_.model.free_points, relaxation, patch);
+  roundPositions();
+  for (const std::size_t rings : CALMED_RINGS) {
+    const std::vector<std::size_t> obstructed = obstructedTriangles(patch, obstacle_);
+    if (obstructed.empty())
+      return;
+    calmPatch(before, obstructed, rings, patch);
+    roundPositions();
+  }
 }
 
 void

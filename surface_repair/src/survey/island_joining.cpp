@@ -129,9 +129,8 @@ Joining::run()
     apart *= CLOSER;
     const std::size_t before = lines().size();
     traceFrom(originsAtLostIslands(), apart);
-    if (lines().size() == before)
-      return;
-    choose();
+    if (lines().size() > before)
+      choose();
   }
 }
 
