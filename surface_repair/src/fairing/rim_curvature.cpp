@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -109,6 +110,23 @@ widened(const JoinedSurface& surface, const std::vector<BendIntegral>& integrals
   return wide;
 }
 
+/** Keep the curvatures between 0 and twice their median. A rim that crosses a sharp
+ * edge has some that are far from the others and do not go on across the hole; where
+ * the median is near 0, as on saddles, none is worth continuing. */
+void
+limitCurvatures(std::vector<double>& curvatures)
+{
+  if (curvatures.empty())
+    return;
+  std::vector<double> sorted = curvatures;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double low = std::min(0.0, 2.0 * *middle);
+  const double high = std::max(0.0, 2.0 * *middle);
+  for (double& curvature : curvatures)
+    curvature = std::clamp(curvature, low, high);
+}
+
 } // namespace
 
 std::vector<double>
@@ -122,6 +140,7 @@ rimCurvatures(const JoinedSurface& surface, std::size_t rim)
   for (std::size_t v = 0; v < rim; ++v)
     if (integrals[v].area > 0.0)
       curvatures[v] = integrals[v].bend / integrals[v].area;
+  limitCurvatures(curvatures);
   return curvatures;
 }
 

@@ -15,7 +15,8 @@ namespace repair {
  *
  * Steiner's formula: the integral over an area is the sum of length times dihedral
  * angle of the edges within. Averaged over the model's rings that the surface has, so
- * that the noise of a scan, which adds up to nothing, cancels. */
+ * that the noise of a scan, which adds up to nothing, cancels. What is then not between
+ * 0 and twice the median along the rim is brought there: sharp edges do not go on. */
 std::vector<double>
 rimCurvatures(const JoinedSurface& surface, std::size_t rim);
 
