@@ -116,16 +116,35 @@ addPulls(const JoinedSurface& surface, const FairingTask& task, Residuals& resid
 
 } // namespace
 
+bool
+FairingSolver::factorise(const SparseMatrix& matrix)
+{
+  const int* const starts = matrix.outerIndexPtr();
+  const int* const rows = matrix.innerIndexPtr();
+  std::vector<int> new_starts(starts, starts + matrix.outerSize() + 1);
+  std::vector<int> new_rows(rows, rows + matrix.nonZeros());
+  if (new_starts != starts_ || new_rows != rows_) {
+    solver_.analyzePattern(matrix);
+    starts_.swap(new_starts);
+    rows_.swap(new_rows);
+  }
+  solver_.factorize(matrix);
+  return solver_.info() == Eigen::Success;
+}
+
 Positions
-fairPositions(const JoinedSurface& surface, const FairingTask& task)
+fairPositions(const JoinedSurface& surface,
+              const FairingTask& task,
+              FairingSolver& solver)
 {
   const Unknowns unknowns(task.fixed);
+  if (unknowns.count == 0)
+    return {};
   Residuals residuals(surface, unknowns);
   addBending(surface, task, residuals);
   addPulls(surface, task, residuals);
   const SparseMatrix matrix = residuals.matrix();
-  const Solver solver(SparseMatrix(matrix.transpose() * matrix));
-  if (unknowns.count == 0 || solver.info() != Eigen::Success)
+  if (!solver.factorise(SparseMatrix(matrix.transpose() * matrix)))
     return {};
   const Coordinates solution =
       solver.solve(Coordinates(matrix.transpose() * residuals.targets()));

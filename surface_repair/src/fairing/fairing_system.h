@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
 
 #include "joined_surface.h"
 #include "surface_laplacian.h"
@@ -29,6 +29,26 @@ struct FairingTask {
   std::vector<Pull> pulls;
 };
 
+/** \brief Solves system after system; the order of elimination is sought anew only
+ * where the places of the entries have changed. */
+class FairingSolver {
+public:
+  /** \param[in] matrix symmetric \return whether there is a factorisation */
+  bool
+  factorise(const SparseMatrix& matrix);
+
+  Eigen::Matrix<double, Eigen::Dynamic, 3>
+  solve(const Eigen::Matrix<double, Eigen::Dynamic, 3>& sides) const
+  {
+    return solver_.solve(sides);
+  }
+
+private:
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> solver_;
+  std::vector<int> starts_; /**< of the columns analysed last */
+  std::vector<int> rows_;
+};
+
 /** \brief The positions x that make the integral of |Laplacian(x) + curvature n|^2
  * least, plus sum of w |x(pull) - target|^2, with metric and normals n of the surface
  * as it is.
@@ -38,9 +58,12 @@ struct FairingTask {
  * 2001). The Laplacians at the rim count too, with the first ring of the model in them:
  * they make the tangent planes join.
  *
+ * \param[in,out] solver of the rounds before, or a new one
  * \return of the vertices of the patch; empty where there is no finite solution */
 Positions
-fairPositions(const JoinedSurface& surface, const FairingTask& task);
+fairPositions(const JoinedSurface& surface,
+              const FairingTask& task,
+              FairingSolver& solver);
 
 /** \brief Values at the rim, continued over the patch without a maximum or minimum
  * within. \param[in] values of the first vertices \return of all of the patch; the mean

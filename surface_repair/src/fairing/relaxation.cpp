@@ -22,6 +22,12 @@ constexpr double LARGEST_MOVE = 3.0;
 /** By so many times the longest edge of the patch may grow in a round: spikes do. */
 constexpr double LARGEST_GROWTH = 4.0;
 
+/** In mean edge lengths, mean square over the vertices: rounds that move less end it.
+ */
+constexpr double SETTLED = 0.05;
+/** Rounds that are done in any case: the plate, and the first two with curvature. */
+constexpr std::size_t FEWEST_ROUNDS = 3;
+
 double
 longestEdge(const JoinedSurface& surface, const Positions& positions)
 {
@@ -44,6 +50,24 @@ isSane(const JoinedSurface& surface, const Positions& positions)
   return !positions.empty() &&
          longestEdge(surface, positions) <=
              LARGEST_GROWTH * longestEdge(surface, surface.positions);
+}
+
+/** Whether a round has changed next to nothing. */
+bool
+isSettled(const JoinedSurface& surface, const Positions& positions)
+{
+  double moves = 0.0, edges = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    moves += (positions[v] - surface.positions[v]).squaredNorm();
+  for (std::size_t t = 0; t < surface.patch_triangles; ++t)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto a = static_cast<std::size_t>(surface.triangles[t][c]);
+      const auto b = static_cast<std::size_t>(surface.triangles[t][(c + 1) % 3]);
+      edges += (positions[a] - positions[b]).norm();
+    }
+  const double edge = edges / (3.0 * static_cast<double>(surface.patch_triangles));
+  return moves <
+         SETTLED * SETTLED * edge * edge * static_cast<double>(positions.size());
 }
 
 std::vector<char>
@@ -84,14 +108,17 @@ relaxPatch(const IncompleteModel& model,
   task.fixed = fixedVertices(surface, patch);
   const std::vector<double> rim = rimCurvatures(surface, patch.rim.size());
   const FreePointPulls pulls(model, free_points, parameters, patch.rim, surface);
-  for (std::size_t round = 0; round < parameters.rounds; ++round) {
+  FairingSolver solver;
+  bool settled = false;
+  for (std::size_t round = 0; round < parameters.rounds && !settled; ++round) {
     if (round > 0) { // the first surface is the thin plate, with normals to go on from
       task.curvatures = harmonicValues(surface, rim);
       task.pulls = pulls.attach(surface);
     }
-    const Positions positions = fairPositions(surface, task);
+    const Positions positions = fairPositions(surface, task, solver);
     if (!isSane(surface, positions))
       break;
+    settled = round + 1 >= FEWEST_ROUNDS && isSettled(surface, positions);
     std::copy(positions.begin(), positions.end(), surface.positions.begin());
     report.solved = true;
     report.free_points = task.pulls.size();

@@ -18,7 +18,8 @@ struct RelaxationParameters {
    * Default 3. */
   double reach = 3.0;
   /** \brief Times that the surface is solved anew on what came out before, at least 1;
-   * fewer are done where one would make the surface worse. Default 6. */
+   * fewer are done where one would make the surface worse, or has changed next to
+   * nothing. Default 6. */
   std::size_t rounds = 6;
 };
 
