@@ -46,6 +46,19 @@ TEST(RelaxPatch, FindsTheCapOfASphere)
   }
 }
 
+TEST(RelaxPatch, DoesNotContinueAPeakBesideTheRim)
+{
+  PatchedHole hole = refined(cappedSphere(4, 0.7));
+  const auto heightOf = [](const Position& p) { return std::abs(p.z() - 0.68); };
+  Positions& positions = hole.model.positions;
+  *std::min_element(
+      positions.begin(), positions.end(), [&](const auto& a, const auto& b) {
+        return heightOf(a) < heightOf(b);
+      }) *= 1.5;
+  relaxPatch(hole.model, {}, {}, hole.patch);
+  EXPECT_LT(largestOf(hole.patch, offSphere), 0.002);
+}
+
 TEST(RelaxPatch, MovesNoHeldVertex)
 {
   PatchedHole hole = refined(cappedSphere(4, 0.7));
