@@ -16,10 +16,6 @@ namespace {
 /** \brief Fewest sources of a boundary: less do not show its shape. */
 constexpr std::size_t FEWEST_SOURCES = 8;
 
-/** \brief A hole is as large as an island from this share of the rim's size on: of a
- * limb that was cut through the stump may be the thinner side. */
-constexpr double LEAST_HOLE = 0.5;
-
 /** \brief A mean direction shorter than this says nothing: the curve turns back within
  * the window. */
 constexpr double LEAST_MEAN = 1e-6;
@@ -132,7 +128,7 @@ comesWithin(const BoundaryCurve& first, const BoundaryCurve& second, double dist
       });
 }
 
-/** \brief C4.46-1: the smallest island near the hole is hardly larger than the hole
+/** \brief C4.46-1: the smallest island near the hole is no larger than the hole
  * exactly if any of them is. */
 bool
 countsAsSource(std::size_t hole,
@@ -143,8 +139,7 @@ countsAsSource(std::size_t hole,
 {
   for (std::size_t rim = 0; rim < loops.size(); ++rim)
     if (!is_hole[rim] && loops[rim].island != loops[hole].island &&
-        LEAST_HOLE * extents[rim].size <= extents[hole].size &&
-        !extents[rim].box.isEmpty() &&
+        extents[rim].size <= extents[hole].size && !extents[rim].box.isEmpty() &&
         extents[rim].box.exteriorDistance(extents[hole].box) <= reach &&
         comesWithin(loops[rim].curve, loops[hole].curve, reach))
       return true;
