@@ -31,3 +31,20 @@ if [[ -f $scan ]]; then
   "$bin/pcl_repair_holes" "$scan" --inspect build/demo/scan --size 700x460
   cp build/demo/scan/loops.png "$images/inspect_scan_loops.png"
 fi
+
+# Repaired real scans: before, force lines, after.
+# repair_pictures NAME SCAN "VIEW AND UP" SIZE SIZE_OF_LINES
+repair_pictures() {
+  local name=$1 scan=$2 size=$4 size_of_lines=$5
+  read -ra view <<<"$3"
+  [[ -f $scan ]] || return 0
+  "$bin/pcl_repair_holes" "$scan" "build/demo/$name.ply" --quiet || (($? == 2))
+  "$bin/pcl_repair_holes" "$scan" --inspect "build/demo/$name" "${view[@]}" \
+    --size "$size_of_lines" --quiet
+  "$render" "$scan" "$images/repair_${name}_before.png" "${view[@]}" --size "$size"
+  "$render" "build/demo/$name.ply" "$images/repair_${name}_after.png" "${view[@]}" --size "$size"
+  cp "build/demo/$name/lines.png" "$images/repair_${name}_bridges.png"
+}
+data=${PSR_SHARED_DATA:-../shared/data}
+repair_pictures bunny "$data/bunny/bun_zipper.ply" "--view 0,-1,0.3 --up 0,0,1" 640x500 860x500
+repair_pictures scan "$data/range_maps/lato180.ply" "--view 0,0,1 --up 0,1,0" 600x640 860x640
