@@ -9,9 +9,9 @@
 
 #include "darning_choice.h"
 #include "hole_list.h"
+#include "repair_log.h"
 
 #include <algorithm>
-#include <chrono>
 #include <unordered_map>
 #include <utility>
 
@@ -23,15 +23,6 @@ namespace {
 /** Times that what came out is looked at again. What one pass leaves open because of
  * its neighbours, the next one finds alone. */
 constexpr int MOST_PASSES = 5;
-
-TriangleOrigin
-originOf(const std::string& darning)
-{
-  for (const TriangleOrigin origin : {TriangleOrigin::FAN, TriangleOrigin::COMPLETION})
-    if (darning == describe(origin))
-      return origin;
-  return TriangleOrigin::MINIMUM_WEIGHT;
-}
 
 /** Where a region is built: its boundary with room around it. */
 ccaa::Box
@@ -86,7 +77,7 @@ public:
   RepairRun(const RepairParameters& parameters,
             const ccaa::LoopContext& context,
             RepairReport& report)
-  : parameters_(parameters), context_(context), report_(report)
+  : parameters_(parameters), context_(context), report_(report), log_(survey_, report)
   {
     parameters_.survey.simple_edges = simpleEdges(parameters.darning);
     parameters_.survey.trace_in_holes = false;
@@ -97,10 +88,8 @@ public:
   run(const pcl::PolygonMesh::ConstPtr& mesh, const pcl::PCLPointCloud2* free_points);
 
 private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = RepairLog::Clock;
 
-  void
-  noteInput();
   bool
   closeHoles();
   bool
@@ -114,88 +103,25 @@ private:
          SurfaceObstacle& obstacle);
   void
   addPatch(const Patch& patch, const std::vector<std::size_t>& reported);
-  std::size_t
-  report(const OpenHole& hole, const HoleOutcome& outcome);
-  void
-  reportBridges(const OpenHole& hole, const HoleOutcome& outcome, RepairedHole& entry);
-  std::size_t
-  bridgeEntry(std::size_t bridge);
   void
   resurvey();
   void
   reportLeftOpen();
   HoleOutcome
   lastOutcome(const OpenHole& hole) const;
-  pcl::index_t
-  pointOf(pcl::index_t vertex) const;
-  void
-  countSeconds(const char* step, Clock::time_point since);
 
   RepairParameters parameters_;
   ccaa::LoopContext context_;
   RepairReport& report_;
   ModelSurvey survey_;
+  RepairLog log_;
   bool float_positions_ = true;
   RepairedModel result_;
-  HoleList list_; /**< of the last pass */
-  std::vector<std::size_t>
-      entry_of_bridge_; /**< of this pass's bridges, in the report */
+  HoleList list_;                                    /**< of the last pass */
   std::unordered_map<pcl::index_t, Failure> failed_; /**< of a hole at a vertex */
   std::vector<bool> used_; /**< of each free point: it is a vertex now */
   Addition added_;         /**< by this pass */
 };
-
-void
-RepairRun::countSeconds(const char* step, Clock::time_point since)
-{
-  const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
-  auto& all = report_.seconds;
-  const auto entry = std::find_if(
-      all.begin(), all.end(), [&](const auto& e) { return e.first == step; });
-  if (entry == all.end())
-    all.emplace_back(step, seconds);
-  else
-    entry->second += seconds;
-}
-
-void
-RepairRun::noteInput()
-{
-  const IncompleteModel& model = survey_.model;
-  result_.input_vertices = model.positions.size();
-  result_.separated_fans = survey_.reading.separated_fans;
-  result_.input_triangles = model.triangles.size();
-  report_.input_triangles = model.triangles.size();
-  report_.free_points = model.free_points.size();
-  report_.counts_before = survey_.counts;
-  report_.class_before = survey_.icm_class;
-  for (std::size_t i = 0; i < model.islands.size(); ++i) {
-    const Island& island = model.islands[i];
-    report_.islands.push_back({island.triangles,
-                               island.area,
-                               island.closed,
-                               island.one_sided,
-                               survey_.sides[i]});
-  }
-  for (std::size_t k = 0; k < survey_.loops.size(); ++k) {
-    const BoundaryLoop& loop = survey_.loops[k];
-    report_.loops.push_back({loop.island,
-                             loop.vertices.size(),
-                             loop.length,
-                             pointOf(loop.vertices.front()),
-                             survey_.classes[k]});
-  }
-  report_.origins.assign(model.triangles.size(), TriangleOrigin::INPUT);
-  report_.hole_of.assign(model.triangles.size(), NONE);
-}
-
-pcl::index_t
-RepairRun::pointOf(pcl::index_t vertex) const
-{
-  const auto& points = survey_.model.point_of_vertex;
-  const auto place = static_cast<std::size_t>(vertex);
-  return place < points.size() ? points[place] : pcl::UNAVAILABLE;
-}
 
 /** One pass. \return whether anything was closed */
 bool
@@ -214,7 +140,7 @@ RepairRun::closeHoles()
   }
   SurfaceObstacle obstacle(survey_.model, places);
   added_ = {};
-  entry_of_bridge_.assign(survey_.joined.bridges.size(), NONE);
+  log_.beginPass();
   failed_.clear();
   used_.assign(survey_.model.free_points.size(), false);
   const SurveyGuides none;
@@ -241,14 +167,10 @@ RepairRun::accept(const HoleList& list,
                   SurfaceObstacle& obstacle)
 {
   std::vector<std::size_t> reported(holes.size(), NONE);
-  std::vector<std::size_t> triangles(holes.size(), 0);
-  for (const std::size_t hole : closed.patch.hole)
-    ++triangles[hole];
   for (std::size_t i = 0; i < holes.size(); ++i) {
     const OpenHole& hole = list.holes[holes[i]];
     if (closed.holes[i].open == OpenReason::NONE) {
-      reported[i] = report(hole, closed.holes[i]);
-      report_.holes[reported[i]].triangles = triangles[i];
+      reported[i] = log_.add(hole, closed.holes[i]);
       continue;
     }
     for (const pcl::index_t vertex : hole.polygon.vertices)
@@ -268,92 +190,19 @@ RepairRun::addPatch(const Patch& patch, const std::vector<std::size_t>& reported
                                                added_.positions.size()));
     added_.positions.push_back(patch.positions[v]);
     const std::size_t free_point = patch.free_point[v];
-    if (free_point != NONE)
+    const bool is_own = free_point != NONE && !used_[free_point];
+    if (is_own) // of two patches at one free point the later one gets a copy
       used_[free_point] = true;
     added_.point_of_vertex.push_back(
-        free_point == NONE ? pcl::UNAVAILABLE
-                           : survey_.model.point_of_free_point[free_point]);
+        is_own ? survey_.model.point_of_free_point[free_point] : pcl::UNAVAILABLE);
   }
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     Triangle triangle = patch.triangles[t];
     for (pcl::index_t& corner : triangle)
       corner = number[static_cast<std::size_t>(corner)];
     added_.triangles.push_back(triangle);
-    const std::size_t hole = reported[patch.hole[t]];
-    report_.hole_of.push_back(hole);
-    report_.origins.push_back(originOf(report_.holes[hole].darning));
+    log_.addTriangle(reported[patch.hole[t]]);
   }
-}
-
-std::size_t
-RepairRun::report(const OpenHole& hole, const HoleOutcome& outcome)
-{
-  RepairedHole entry;
-  entry.edges = hole.polygon.size();
-  entry.length = lengthOf(hole.polygon.curve);
-  entry.open = outcome.open;
-  entry.darning = outcome.darning;
-  entry.tries = outcome.tries;
-  for (const pcl::index_t vertex : hole.polygon.vertices) {
-    if (static_cast<std::size_t>(vertex) >= survey_.model.positions.size())
-      continue;
-    if (entry.point == pcl::UNAVAILABLE)
-      entry.point = pointOf(vertex);
-    const pcl::index_t triangle = *survey_.model.adjacency.begin(vertex);
-    entry.islands.push_back(
-        survey_.model.island_of[static_cast<std::size_t>(triangle)]);
-  }
-  std::sort(entry.islands.begin(), entry.islands.end());
-  entry.islands.erase(std::unique(entry.islands.begin(), entry.islands.end()),
-                      entry.islands.end());
-  reportBridges(hole, outcome, entry);
-  report_.holes.push_back(std::move(entry));
-  return report_.holes.size() - 1;
-}
-
-void
-RepairRun::reportBridges(const OpenHole& hole,
-                         const HoleOutcome& outcome,
-                         RepairedHole& entry)
-{
-  for (const std::size_t bridge : hole.bridges)
-    entry.bridges.push_back(bridgeEntry(bridge));
-  for (const DividingBridge& bridge : outcome.bridges) {
-    RepairBridge built;
-    built.begin = pointOf(bridge.vertices.front());
-    built.end = pointOf(bridge.vertices.back());
-    built.begin_island = built.end_island =
-        entry.islands.empty() ? NONE : entry.islands.front();
-    built.points = bridge.points;
-    built.normals = bridge.normals;
-    built.quality = bridge.quality;
-    built.within_hole = true;
-    entry.bridges.push_back(report_.bridges.size());
-    report_.bridges.push_back(std::move(built));
-  }
-}
-
-/** The place of a bridge between islands in the report; two holes pass each. */
-std::size_t
-RepairRun::bridgeEntry(std::size_t bridge)
-{
-  std::size_t& entry = entry_of_bridge_[bridge];
-  if (entry != NONE)
-    return entry;
-  const Bridge& built = survey_.joined.bridges[bridge];
-  const auto loop = [&](const BoundaryPoint& end) -> const BoundaryLoop& {
-    return survey_.loops[survey_.joined.loops[end.curve]];
-  };
-  entry = report_.bridges.size();
-  report_.bridges.push_back({pointOf(loop(built.begin).vertices[built.begin.edge]),
-                             pointOf(loop(built.end).vertices[built.end.edge]),
-                             loop(built.begin).island,
-                             loop(built.end).island,
-                             built.points,
-                             built.normals,
-                             built.quality,
-                             false});
-  return entry;
 }
 
 /** The model with all patches, and what is to be told about it. */
@@ -413,7 +262,7 @@ RepairRun::finish()
     if (hole.open != OpenReason::NONE) {
       HoleOutcome outcome;
       outcome.open = hole.open;
-      report(hole, outcome);
+      log_.add(hole, outcome);
     }
   append(added_, survey_.model);
 }
@@ -426,7 +275,7 @@ RepairRun::reportLeftOpen()
   survey_.joined = {}; // bridges that led to nothing
   for (const OpenHole& hole : listHoles(survey_, parameters_.darning).holes) {
     const HoleOutcome outcome = lastOutcome(hole);
-    report(hole, outcome);
+    log_.add(hole, outcome);
     report_.shortfalls += isShortfall(outcome.open) ? 1 : 0;
   }
 }
@@ -439,21 +288,22 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
   report_.reading = survey_.reading;
   if (!survey_.reading.problem.empty() || survey_.cancelled)
     return {};
-  for (const auto& [step, seconds] : survey_.seconds)
-    report_.seconds.emplace_back(step, seconds);
   float_positions_ = hasFloatPositions(mesh->cloud);
-  noteInput();
+  result_.input_vertices = survey_.model.positions.size();
+  result_.separated_fans = survey_.reading.separated_fans;
+  result_.input_triangles = survey_.model.triangles.size();
+  log_.noteInput();
   bool finished = false;
   for (int pass = 0; pass < MOST_PASSES && !context_.cancelled(); ++pass) {
     const auto start = Clock::now();
     const bool closed_any = closeHoles();
-    countSeconds("closing", start);
+    log_.countSeconds("closing", start);
     finished = allIsClosed();
     if (!closed_any || finished || context_.cancelled())
       break;
     const auto closed = Clock::now();
     resurvey();
-    countSeconds("looking again", closed);
+    log_.countSeconds("looking again", closed);
   }
   if (context_.cancelled())
     return {};

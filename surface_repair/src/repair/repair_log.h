@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: writes down what a repair finds and does.
+
+#pragma once
+
+#include <pcl/surface_repair/model_survey.h>
+#include <pcl/surface_repair/repair_report.h>
+
+#include "hole_list.h"
+
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Fills in the report of a repair, step by step. */
+class RepairLog {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  /** \brief \param[in] survey what is known at each time: it may change */
+  RepairLog(const ModelSurvey& survey, RepairReport& report)
+  : survey_(survey), report_(report)
+  {}
+
+  /** \brief What came in: reading, islands, loops, class, and its triangles. */
+  void
+  noteInput();
+
+  /** \brief Bridges are those of the present survey from now on. */
+  void
+  beginPass();
+
+  /** \brief A hole that was closed or is left open, with the bridges that it passes.
+   * \return its place in the report */
+  std::size_t
+  add(const OpenHole& hole, const HoleOutcome& outcome);
+
+  /** \brief The next triangle of the output belongs to a closed hole. */
+  void
+  addTriangle(std::size_t hole);
+
+  /** \brief Time that a step took, added to what it has taken before. */
+  void
+  countSeconds(const char* step, Clock::time_point since);
+
+private:
+  void
+  reportBridges(const OpenHole& hole, const HoleOutcome& outcome, RepairedHole& entry);
+  std::size_t
+  bridgeEntry(std::size_t bridge);
+  pcl::index_t
+  pointOf(pcl::index_t vertex) const;
+
+  const ModelSurvey& survey_;
+  RepairReport& report_;
+  std::vector<std::size_t>
+      entry_of_bridge_; /**< of the present survey's bridges, in the report */
+};
+
+} // namespace repair
+} // namespace pcl
