@@ -17,6 +17,9 @@ namespace {
  * that one bridge reaches cannot keep it (C4.47-3). */
 constexpr double LEAST_SUPPORTS = 6.0;
 
+/** A boundary with fewer bridges gets others that are closer to their neighbours. */
+constexpr std::size_t FEWEST_BRIDGES = 3;
+
 /** The supporting points that are taken, by curve and arc. */
 class TakenPoints {
 public:
@@ -109,6 +112,63 @@ bridgeAlong(const ForceLine& line)
   return {line.origin, line.target, line.points, line.normals, line.quality};
 }
 
+namespace {
+
+/** Takes lines as bridges, one after the other, where there is room for them. */
+class Selection {
+public:
+  Selection(const std::vector<ForceLine>& lines, const BoundaryEdges& boundaries)
+  : lines_(lines)
+  , boundaries_(boundaries)
+  , taken_(boundaries)
+  , is_chosen_(lines.size(), false)
+  , bridges_of_(boundaries.curves().size(), 0)
+  {}
+
+  void
+  consider(std::size_t line, double apart)
+  {
+    if (lines_[line].end != LineEnd::BRIDGE || is_chosen_[line])
+      return;
+    Bridge bridge = supportedByVertices(bridgeAlong(lines_[line]), boundaries_);
+    if (!taken_.hasRoomFor(bridge.begin, apart) ||
+        !taken_.hasRoomFor(bridge.end, apart) ||
+        !endsAreApart(bridge, boundaries_, apart))
+      return;
+    taken_.add(bridge.begin);
+    taken_.add(bridge.end);
+    ++bridges_of_[bridge.begin.curve];
+    ++bridges_of_[bridge.end.curve];
+    is_chosen_[line] = true;
+    chosen_.push_back(std::move(bridge));
+  }
+
+  /** Whether a line ends at a boundary with too few bridges to keep them. */
+  bool
+  servesPoorBoundary(std::size_t line) const
+  {
+    return lines_[line].end == LineEnd::BRIDGE &&
+           (bridges_of_[lines_[line].origin.curve] < FEWEST_BRIDGES ||
+            bridges_of_[lines_[line].target.curve] < FEWEST_BRIDGES);
+  }
+
+  std::vector<Bridge>
+  finish()
+  {
+    return std::move(chosen_);
+  }
+
+private:
+  const std::vector<ForceLine>& lines_;
+  const BoundaryEdges& boundaries_;
+  TakenPoints taken_;
+  std::vector<bool> is_chosen_;
+  std::vector<std::size_t> bridges_of_; /**< of each boundary */
+  std::vector<Bridge> chosen_;
+};
+
+} // namespace
+
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
@@ -119,22 +179,13 @@ selectBridges(const std::vector<ForceLine>& lines,
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return rankOf(lines[a]) > rankOf(lines[b]);
   });
-  TakenPoints taken(boundaries);
-  std::vector<Bridge> chosen;
-  for (const std::size_t i : order) {
-    if (lines[i].end != LineEnd::BRIDGE)
-      continue;
-    Bridge bridge = supportedByVertices(bridgeAlong(lines[i]), boundaries);
-    const double apart = std::max(spacing.least, spacing.share * lines[i].length);
-    if (!taken.hasRoomFor(bridge.begin, apart) ||
-        !taken.hasRoomFor(bridge.end, apart) ||
-        !endsAreApart(bridge, boundaries, apart))
-      continue;
-    taken.add(bridge.begin);
-    taken.add(bridge.end);
-    chosen.push_back(std::move(bridge));
-  }
-  return chosen;
+  Selection selection(lines, boundaries);
+  for (const std::size_t i : order)
+    selection.consider(i, std::max(spacing.least, spacing.share * lines[i].length));
+  for (const std::size_t i : order)
+    if (selection.servesPoorBoundary(i))
+      selection.consider(i, spacing.least);
+  return selection.finish();
 }
 
 } // namespace repair

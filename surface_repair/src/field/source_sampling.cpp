@@ -135,11 +135,13 @@ countsAsSource(std::size_t hole,
                const BoundaryLoops& loops,
                const std::vector<bool>& is_hole,
                const std::vector<LoopExtent>& extents,
-               double reach)
+               double reach,
+               double least_hole)
 {
   for (std::size_t rim = 0; rim < loops.size(); ++rim)
     if (!is_hole[rim] && loops[rim].island != loops[hole].island &&
-        extents[rim].size <= extents[hole].size && !extents[rim].box.isEmpty() &&
+        least_hole * extents[rim].size <= extents[hole].size &&
+        !extents[rim].box.isEmpty() &&
         extents[rim].box.exteriorDistance(extents[hole].box) <= reach &&
         comesWithin(loops[rim].curve, loops[hole].curve, reach))
       return true;
@@ -173,12 +175,13 @@ SourceSet
 sampleIslandSources(const BoundaryLoops& loops,
                     const std::vector<bool>& is_hole,
                     double reach,
-                    double spacing)
+                    double spacing,
+                    double least_hole)
 {
   const std::vector<LoopExtent> extents = extentsOf(loops);
   std::vector<SourceCurve> curves;
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (is_hole[i] && !countsAsSource(i, loops, is_hole, extents, reach))
+    if (is_hole[i] && !countsAsSource(i, loops, is_hole, extents, reach, least_hole))
       continue;
     SourceCurve curve = sampleSources(loops[i].curve, spacing);
     curve.island = loops[i].island;

@@ -17,6 +17,10 @@ namespace repair {
 
 namespace {
 
+/** Share of an island's size that makes a hole a source (C4.46-1 says 1): of a limb
+ * that was cut through the stump may be the thinner side. */
+constexpr double LEAST_HOLE = 0.5;
+
 /** Median of the gaps of all sources; 0 when there is one island only. */
 double
 medianGap(const SourceSet& sources)
@@ -108,7 +112,8 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
   islands.median_gap = medianGap(gatherSources(std::move(all)));
   const double reach =
       parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;
-  islands.sources = sampleIslandSources(survey.loops, is_hole, reach, parameters.near);
+  islands.sources =
+      sampleIslandSources(survey.loops, is_hole, reach, parameters.near, LEAST_HOLE);
   for (SourceCurve& curve : islands.sources.curves)
     curve.island = sideOf(curve.loop, survey, opposed);
   return islands;

@@ -43,8 +43,12 @@ struct SupportSpacing {
 /** \brief Choose bridges among force lines, supported by vertices: those that reached a
  * boundary, the best first, each with room on both of its boundaries. The best has the
  * highest quality by the square of its length: |f| grows with L_2, and L_2 with the
- * gap, so that quality alone would prefer wide gaps. Equal ones go by index. \param[in]
- * boundaries the curves that the lines' ends refer to */
+ * gap, so that quality alone would prefer wide gaps. Equal ones go by index.
+ *
+ * A boundary that gets less than three that way may have more, nearer to their
+ * neighbours, down to `least`: bridges of others may have taken the places that its
+ * lines reach, and with one bridge alone it would lose it (C4.47-3).
+ * \param[in] boundaries the curves that the lines' ends refer to */
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,

@@ -25,12 +25,14 @@ sampleSources(const BoundaryCurve& curve, double spacing = 0.0);
  * effective size of a boundary is its extent: the diagonal of its box. Charges are set
  * for equal linear density over all curves. \param[in] is_hole one flag a loop
  * \param[in] reach L_2, in the units of the cloud
- * \param[in] spacing as in sampleSources() */
+ * \param[in] spacing as in sampleSources()
+ * \param[in] least_hole share of the island's size that the hole must reach */
 SourceSet
 sampleIslandSources(const BoundaryLoops& loops,
                     const std::vector<bool>& is_hole,
                     double reach,
-                    double spacing = 0.0);
+                    double spacing = 0.0,
+                    double least_hole = 1.0);
 
 /** \brief Put curves together and set their charges for equal linear density. */
 SourceSet
