@@ -48,3 +48,22 @@ repair_pictures() {
 data=${PSR_SHARED_DATA:-../shared/data}
 repair_pictures bunny "$data/bunny/bun_zipper.ply" "--view 0,-1,0.3 --up 0,0,1" 640x500 860x500
 repair_pictures scan "$data/range_maps/lato180.ply" "--view 0,0,1 --up 0,1,0" 600x640 860x640
+
+# What free points and k_i (figure F4.8-5) do to a large hole.
+head=$data/igea/igea.ply
+if [[ -f $head ]]; then
+  hole=(--sphere 0.5,0.62,0.95,0.13)
+  view=(--view 0.3,0.1,1 --up 0,1,0)
+  "$bin/pcl_damage_cloud" "$head" build/demo/head_hole.ply "${hole[@]}" --quiet
+  "$bin/pcl_damage_cloud" "$head" build/demo/head_points.ply "${hole[@]}" --keep 0.01 --seed 3 --quiet
+  "$bin/pcl_repair_holes" build/demo/head_hole.ply build/demo/head_without.ply --quiet
+  "$bin/pcl_repair_holes" build/demo/head_points.ply build/demo/head_with.ply --quiet
+  for name in hole without with; do
+    "$render" "build/demo/head_$name.ply" "$images/free_points_$name.png" "${view[@]}" --size 480x560
+  done
+  for k in 0 20; do
+    "$bin/pcl_repair_holes" build/demo/head_hole.ply --inspect "build/demo/head_$k" \
+      --interpolation "$k" "${view[@]}" --size 860x560 --quiet
+    cp "build/demo/head_$k/lines.png" "$images/interpolation_$k.png"
+  done
+fi

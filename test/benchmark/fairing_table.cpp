@@ -130,6 +130,9 @@ rival(const ClosedModel& model, const SingleHole& hole)
   return {errorOf(model, hole, filling.triangles, positions), filling.seconds};
 }
 
+/** Errors below are those of rounding, in % of the diagonal. */
+constexpr double EXACT = 1e-4;
+
 /** Ratios of all rows. */
 struct Summary {
   double logarithms = 0;
@@ -146,9 +149,12 @@ printRow(std::ostream& out,
   const Outcome own = ours(model, hole);
   const Outcome other = rival(model, hole);
   const double ratio = own.error / other.error;
-  summary.logarithms += std::log(ratio);
-  summary.worst = std::max(summary.worst, ratio);
-  ++summary.count;
+  if (std::max(own.error, other.error) >
+      EXACT) { // of two that are right none is better
+    summary.logarithms += std::log(ratio);
+    summary.worst = std::max(summary.worst, ratio);
+    ++summary.count;
+  }
   out << "| " << model.name << " | " << hole.loop.size() << " | " << std::fixed
       << std::setprecision(4) << own.error << " | " << other.error << " | "
       << std::setprecision(2) << ratio << " | " << own.seconds << " | " << other.seconds
