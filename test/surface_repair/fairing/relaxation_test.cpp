@@ -84,7 +84,7 @@ TEST(RelaxPatch, FindsTheWallOfACylinder)
 {
   PatchedHole hole =
       refined(withFan(ccaa::test::cylinder(60, 60, 1.0, 6.0), [](const Position& p) {
-        return p.x() > 0.5 && std::abs(p.z()) < 0.7;
+        return p.x() > 0.5 && std::abs(p.z() - 3.0) < 0.7;
       }));
   EXPECT_TRUE(relaxPatch(hole.model, {}, {}, hole.patch).solved);
   EXPECT_LT(largestOf(hole.patch,
