@@ -3,6 +3,8 @@
 
 #include "patch_edges.h"
 
+#include <pcl/surface_repair/icadm/model_assembly.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -55,14 +57,7 @@ PatchEdges::areJoinedInModel(std::size_t a, std::size_t b) const
 {
   if (a >= patch_.rim.size() || b >= patch_.rim.size())
     return false;
-  const pcl::index_t vertex = patch_.rim[b];
-  const auto holds = [&](pcl::index_t triangle) {
-    const Triangle& corners = model_.triangles[static_cast<std::size_t>(triangle)];
-    return std::find(corners.begin(), corners.end(), vertex) != corners.end();
-  };
-  return std::any_of(model_.adjacency.begin(patch_.rim[a]),
-                     model_.adjacency.end(patch_.rim[a]),
-                     holds);
+  return repair::areJoined(model_, patch_.rim[a], patch_.rim[b]);
 }
 
 void

@@ -58,6 +58,16 @@ isManifold(const ccaa::TriangleAdjacency& adjacency)
 }
 
 bool
+areJoined(const IncompleteModel& model, pcl::index_t a, pcl::index_t b)
+{
+  const auto holds = [&](pcl::index_t triangle) {
+    const Triangle& corners = model.triangles[static_cast<std::size_t>(triangle)];
+    return std::find(corners.begin(), corners.end(), b) != corners.end();
+  };
+  return std::any_of(model.adjacency.begin(a), model.adjacency.end(a), holds);
+}
+
+bool
 disagreesAcross(const Triangles& triangles,
                 const ccaa::TriangleAdjacency& adjacency,
                 pcl::index_t triangle,

@@ -4,6 +4,7 @@
 #include "new_vertices.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
@@ -27,8 +28,7 @@ joinedVertices(const RepairedModel& repaired)
     for (const pcl::index_t corner : model.triangles[t])
       if (static_cast<std::size_t>(corner) < repaired.input_vertices)
         joined.push_back(corner);
-  std::sort(joined.begin(), joined.end());
-  joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+  ccaa::sortUnique(joined);
   return joined;
 }
 

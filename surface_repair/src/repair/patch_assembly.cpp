@@ -3,6 +3,7 @@
 
 #include "patch_assembly.h"
 
+#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include <algorithm>
@@ -78,8 +79,7 @@ trianglesAround(const IncompleteModel& model, const Patch& patch)
                   model.adjacency.begin(patch.rim[v]),
                   model.adjacency.end(patch.rim[v]));
   }
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
+  ccaa::sortUnique(around);
   auto next = static_cast<pcl::index_t>(patch.positions.size());
   Triangles triangles;
   for (const pcl::index_t t : around) {

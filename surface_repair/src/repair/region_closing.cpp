@@ -3,6 +3,8 @@
 
 #include "region_closing.h"
 
+#include <pcl/surface_repair/icadm/model_assembly.h>
+
 #include "darning_choice.h"
 #include "patch_assembly.h"
 #include "patch_calming.h"
@@ -86,13 +88,7 @@ private:
   isInModel(pcl::index_t a, pcl::index_t b) const
   {
     const auto vertices = static_cast<pcl::index_t>(model_.positions.size());
-    if (a >= vertices || b >= vertices)
-      return false;
-    return std::any_of(
-        model_.adjacency.begin(a), model_.adjacency.end(a), [&](pcl::index_t triangle) {
-          const Triangle& t = model_.triangles[static_cast<std::size_t>(triangle)];
-          return std::find(t.begin(), t.end(), b) != t.end();
-        });
+    return a < vertices && b < vertices && areJoined(model_, a, b);
   }
 
   const IncompleteModel& model_;
@@ -139,7 +135,9 @@ private:
   void
   shapePatch();
   void
-  relax(const RelaxationParameters& relaxation);
+  relax();
+  void
+  look();
   void
   roundPositions();
   bool
@@ -159,6 +157,7 @@ private:
   std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
   std::array<std::vector<ChosenDarn>, 2> darns_; /**< of the parts; second: avoiding */
   ClosedRegion result_;
+  std::vector<std::size_t> obstructed_; /**< triangles of the patch as it is */
 };
 
 /** ICM2 -> ICM1 (4.5). */
@@ -269,32 +268,40 @@ RegionClosing::shapePatch()
       closed.push_back(part);
   result_.patch = assemblePatch(closed, place_.model.positions.size());
   const RepairParameters& parameters = place_.parameters;
-  if (parameters.refine && all(&Care::refined)) {
+  const bool refined = parameters.refine && all(&Care::refined);
+  if (refined)
     refinePatch(place_.model, parameters.refinement, result_.patch);
-    RelaxationParameters relaxation = parameters.relaxation;
-    relaxation.trust = parameters.survey.field.trust;
-    if (parameters.relax && all(&Care::relaxed))
-      relax(relaxation);
-  }
-  roundPositions();
+  if (refined && parameters.relax && all(&Care::relaxed))
+    relax();
+  else
+    look();
 }
 
 /** Where the relaxed patch runs into something, it goes back to what it was before, in
  * wider and wider surroundings. */
 void
-RegionClosing::relax(const RelaxationParameters& relaxation)
+RegionClosing::relax()
 {
   Patch& patch = result_.patch;
   const Positions before = patch.positions;
+  RelaxationParameters relaxation = place_.parameters.relaxation;
+  relaxation.trust = place_.parameters.survey.field.trust;
   relaxPatch(place_.model, place_.model.free_points, relaxation, patch);
-  roundPositions();
+  look();
   for (const std::size_t rings : CALMED_RINGS) {
-    const std::vector<std::size_t> obstructed = obstructedTriangles(patch, obstacle_);
-    if (obstructed.empty())
+    if (obstructed_.empty())
       return;
-    calmPatch(before, obstructed, rings, patch);
-    roundPositions();
+    calmPatch(before, obstructed_, rings, patch);
+    look();
   }
+}
+
+/** What the patch, as it would be written, runs into. */
+void
+RegionClosing::look()
+{
+  roundPositions();
+  obstructed_ = obstructedTriangles(result_.patch, obstacle_);
 }
 
 void
@@ -316,7 +323,7 @@ RegionClosing::isSound()
 {
   const Patch& patch = result_.patch;
   std::set<std::size_t> obstructed;
-  for (const std::size_t triangle : obstructedTriangles(patch, obstacle_))
+  for (const std::size_t triangle : obstructed_)
     obstructed.insert(patch.hole[triangle]);
   for (const std::size_t hole : obstructed)
     raiseCare(hole, OpenReason::INTERSECTION);

@@ -97,8 +97,7 @@ private:
   void
   finish();
   void
-  accept(const HoleList& list,
-         const std::vector<std::size_t>& holes,
+  accept(const std::vector<std::size_t>& holes,
          ClosedRegion closed,
          SurfaceObstacle& obstacle);
   void
@@ -149,10 +148,8 @@ RepairRun::closeHoles()
                            parameters_,
                            float_positions_};
   for (std::size_t r = 0; r < regions.size() && !context_.cancelled(); ++r) {
-    accept(list_,
-           list_.regions[r],
-           closeRegion(place, regions[r], obstacle, context_),
-           obstacle);
+    accept(
+        list_.regions[r], closeRegion(place, regions[r], obstacle, context_), obstacle);
     if (context_.control != nullptr)
       context_.control->report(
           "closing", static_cast<double>(r + 1) / static_cast<double>(regions.size()));
@@ -161,14 +158,13 @@ RepairRun::closeHoles()
 }
 
 void
-RepairRun::accept(const HoleList& list,
-                  const std::vector<std::size_t>& holes,
+RepairRun::accept(const std::vector<std::size_t>& holes,
                   ClosedRegion closed,
                   SurfaceObstacle& obstacle)
 {
   std::vector<std::size_t> reported(holes.size(), NONE);
   for (std::size_t i = 0; i < holes.size(); ++i) {
-    const OpenHole& hole = list.holes[holes[i]];
+    const OpenHole& hole = list_.holes[holes[i]];
     if (closed.holes[i].open == OpenReason::NONE) {
       reported[i] = log_.add(hole, closed.holes[i]);
       continue;

@@ -33,6 +33,10 @@ assembleModel(Triangles triangles,
 bool
 isManifold(const ccaa::TriangleAdjacency& adjacency);
 
+/** \brief Whether two vertices of a model are the ends of an edge. */
+bool
+areJoined(const IncompleteModel& model, pcl::index_t a, pcl::index_t b);
+
 /** \brief Whether the triangles on both sides of an edge run through it in the same
  * direction, so that one of them shows its other side.
  * \param[in] corner at which the edge begins \return false on a border */
