@@ -43,6 +43,7 @@ function(psr_add_test target folder)
   target_link_libraries(${target} PRIVATE test_support GTest::gtest_main psr_warnings
                                           psr_link_options)
   target_precompile_headers(${target} REUSE_FROM test_support)
+  psr_unite_folders(${target})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
                                              "${PROJECT_BINARY_DIR}/test")
   # Values of parameters print as addresses, which differ from run to run.

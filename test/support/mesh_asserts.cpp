@@ -3,10 +3,10 @@
 #include "mesh_asserts.h"
 
 #include "clouds.h"
+#include "edge_sets.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -20,42 +20,6 @@ namespace {
 using ::testing::AssertionFailure;
 using ::testing::AssertionResult;
 using ::testing::AssertionSuccess;
-using Edge = std::pair<index_t, index_t>;
-
-/** \brief Triangles of each undirected edge. */
-std::map<Edge, std::vector<std::size_t>>
-trianglesOfEdges(const Triangles& triangles)
-{
-  std::map<Edge, std::vector<std::size_t>> edges;
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      edges[std::minmax(triangles[i][k], triangles[i][(k + 1) % 3])].push_back(i);
-  return edges;
-}
-
-/** \brief Union-find by plain vectors: slow and simple on purpose. */
-class Sets {
-public:
-  explicit Sets(std::size_t count) : parent_(count)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t
-  find(std::size_t item)
-  {
-    while (parent_[item] != item)
-      item = parent_[item] = parent_[parent_[item]];
-    return item;
-  }
-  void
-  join(std::size_t a, std::size_t b)
-  {
-    parent_[find(a)] = find(b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 /** \brief Number of fans at each vertex: corners joined over the shared edges. */
 std::map<index_t, int>

@@ -2,9 +2,10 @@
 // Part of PclSurfaceRepair: counts that tell the topology of a mesh.
 #include "mesh_topology.h"
 
+#include "edge_sets.h"
+
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -12,42 +13,6 @@ namespace pcl {
 namespace ccaa {
 namespace test {
 namespace {
-
-using Edge = std::pair<index_t, index_t>;
-
-Edge
-edgeOf(const Triangle& triangle, std::size_t k)
-{
-  return std::minmax(triangle[k], triangle[(k + 1) % 3]);
-}
-
-class Sets {
-public:
-  explicit Sets(std::size_t count) : parent_(count)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t
-  find(std::size_t i)
-  {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  /** The lower root stays one. */
-  void
-  join(std::size_t a, std::size_t b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
 
 /** The roots of all elements, numbered by their first element. */
 std::vector<std::size_t>
@@ -58,16 +23,6 @@ numbersOf(Sets& sets, std::size_t count)
   for (std::size_t i = 0; i < count; ++i)
     numbers[i] = number_of.emplace(sets.find(i), number_of.size()).first->second;
   return numbers;
-}
-
-std::map<Edge, std::vector<std::size_t>>
-trianglesOfEdges(const Triangles& triangles)
-{
-  std::map<Edge, std::vector<std::size_t>> triangles_of;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      triangles_of[edgeOf(triangles[t], k)].push_back(t);
-  return triangles_of;
 }
 
 /** Connected parts of the edges that have one triangle. */

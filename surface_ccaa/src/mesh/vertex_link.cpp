@@ -21,7 +21,7 @@ static_assert(sizeof(pcl::index_t) == sizeof(std::int32_t),
 
 /** \brief Which corner of a triangle a vertex is; it must be one. */
 inline unsigned int
-cornerOf(const Triangle& triangle, pcl::index_t vertex)
+cornerNumber(const Triangle& triangle, pcl::index_t vertex)
 {
   return static_cast<unsigned int>(triangle[1] == vertex) +
          2 * static_cast<unsigned int>(triangle[2] == vertex);
@@ -82,7 +82,7 @@ public:
     std::fill(std::begin(ends_), std::end(ends_), pcl::index_t{-1});
     for (unsigned int i = 0; i < count_; ++i) {
       const Triangle& triangle = triangles[static_cast<std::size_t>(first[i])];
-      const unsigned int corner = cornerOf(triangle, vertex);
+      const unsigned int corner = cornerNumber(triangle, vertex);
       const unsigned int previous = NEXT[NEXT[corner]];
       const std::size_t slot = 3 * static_cast<std::size_t>(first[i]);
       ends_[i] = triangle[NEXT[corner]];
@@ -248,7 +248,7 @@ VertexLink::collectEnds(const Triangles& triangles,
   slots_.clear();
   for (const auto* item = first; item != last; ++item) {
     const Triangle& triangle = triangles[static_cast<std::size_t>(*item)];
-    const unsigned int corner = cornerOf(triangle, vertex);
+    const unsigned int corner = cornerNumber(triangle, vertex);
     const unsigned int previous = NEXT[NEXT[corner]];
     const std::size_t slot = 3 * static_cast<std::size_t>(*item);
     const auto place = static_cast<std::uint32_t>(slots_.size());

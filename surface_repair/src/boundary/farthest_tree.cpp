@@ -11,7 +11,7 @@ namespace pcl {
 namespace repair {
 namespace {
 
-constexpr std::size_t LEAF_POINTS = 8;
+constexpr std::size_t MOST_LEAF_POINTS = 8;
 /** Directions of less than this share of the box's length are rounding. */
 constexpr double THIN = 1e-6;
 /** Bounds are raised by more than rounding can have lowered them: a node may be opened
@@ -40,7 +40,7 @@ FarthestTree::FarthestTree(const Positions& points) : points_(points)
 {
   order_.resize(points.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  nodes_.reserve(points.size() / (LEAF_POINTS / 2) + 1);
+  nodes_.reserve(points.size() / (MOST_LEAF_POINTS / 2) + 1);
   if (!points.empty())
     build(0, points.size());
 }
@@ -53,7 +53,7 @@ FarthestTree::build(std::size_t begin, std::size_t end)
   nodes_[index].begin = begin;
   nodes_[index].end = end;
   fitBox(nodes_[index]);
-  if (end - begin > LEAF_POINTS) {
+  if (end - begin > MOST_LEAF_POINTS) {
     const std::size_t middle = split(nodes_[index]);
     build(begin, middle);
     const std::size_t right = build(middle, end);

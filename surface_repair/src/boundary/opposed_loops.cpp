@@ -17,7 +17,7 @@ namespace repair {
 
 namespace {
 
-constexpr std::size_t MOST_POINTS = 48;
+constexpr std::size_t MOST_SAMPLES = 48;
 /** Cosine of half the opening of a view. */
 constexpr double IN_VIEW = 0.5;
 /** Share of a loop's points that must see the other one. */
@@ -41,7 +41,7 @@ lookAlong(const BoundaryLoop& loop)
   looking.length = loop.length;
   const BoundaryCurve& curve = loop.curve;
   const Directions conormals = smoothConormals(curve, 0.0);
-  const std::size_t count = std::min(curve.size(), MOST_POINTS);
+  const std::size_t count = std::min(curve.size(), MOST_SAMPLES);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = i * curve.size() / count;
     looking.points.push_back(curve.points[k]);

@@ -19,7 +19,7 @@ namespace {
 /** In the order in which they are tried: lengths against folds. */
 constexpr std::array<DarnWeights, 2> TRIED_WEIGHTS{{{0.3, 1.0}, {0.02, 1.0}}};
 /** How often triangles that meet others are forbidden, for each of these. */
-constexpr std::size_t ROUNDS = 8;
+constexpr std::size_t MENDING_ROUNDS = 8;
 
 /** What stands in the way of triangles of one polygon: asked once a triangle, and only
  * from when some triangle that would be taken is not free. */
@@ -115,7 +115,7 @@ search(const DarningTask& task, const DarnWeights& weights, Best& best)
 {
   Obstructions obstructions(task);
   bool obstructed = false;
-  for (std::size_t round = 0; round < ROUNDS; ++round) {
+  for (std::size_t round = 0; round < MENDING_ROUNDS; ++round) {
     const DarnLimits limits = obstructions.limits(obstructed);
     Triangles triangles = triangulateCoarseToFine(task.polygon, weights, limits);
     if (triangles.empty())
