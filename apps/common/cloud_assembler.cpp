@@ -14,6 +14,8 @@ interleave(const std::uint8_t* values,
            std::size_t offset,
            pcl::PCLPointCloud2& cloud)
 {
+  if (cloud.data.empty()) // then there is nowhere to point to
+    return;
   std::uint8_t* target = cloud.data.data() + offset;
   for (std::size_t i = 0; i < cloud.width; ++i) {
     std::memcpy(target, values, bytes);

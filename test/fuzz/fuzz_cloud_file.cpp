@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: fuzz target, reading of cloud files, and writing what was
+// read.
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+
+#include "common/model_io.h"
+#include "model_file.h"
+#include "requirement.h"
+
+#include <cstdint>
+
+namespace {
+
+using fuzz::require;
+
+/** The same number, or neither is one. */
+bool
+same(double one, double other)
+{
+  return one == other || (one != one && other != other);
+}
+
+/** What is written as PCD is read with the same positions. */
+void
+checkRoundTrip(const app::Model& model)
+{
+  const fuzz::TemporaryFile place("_copy.pcd", nullptr, 0);
+  {
+    app::OutputFile output;
+    require(output.open(place.path()).ok(), "a copy can be opened");
+    app::writeCloud(place.path(), model.mesh.cloud, model.viewpoint, output);
+    require(output.commit().ok(), "a copy can be written");
+  }
+  app::Model copy;
+  const app::Status status = app::readCloud(place.path(), copy);
+  if (!status.ok())
+    std::fprintf(stderr, "%s\n", status.message().c_str());
+  require(status.ok(), "what we write can be read");
+  const auto before = pcl::ccaa::positionView(model.mesh.cloud);
+  const auto after = pcl::ccaa::positionView(copy.mesh.cloud);
+  require(before.size() == after.size(), "all points");
+  for (std::size_t i = 0; i < before.size(); ++i)
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      require(same(before[i][axis], after[i][axis]), "the same places");
+}
+
+} // namespace
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  const fuzz::TemporaryFile file(fuzz::endingFor(data, size, ".xyz"), data, size);
+  app::Model model;
+  if (!app::readCloud(file.path(), model).ok())
+    return 0;
+  const auto points = std::size_t{model.mesh.cloud.width} * model.mesh.cloud.height;
+  require(model.mesh.cloud.data.size() == points * model.mesh.cloud.point_step,
+          "the cloud has the bytes it says");
+  checkRoundTrip(model);
+  return 0;
+}
