@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what holds for the chain on any cloud, over seeds.
+#include <pcl/surface_ccaa/consecutive_reconstruction.h>
+
+#include "support/clouds.h"
+#include "support/mesh_asserts.h"
+#include "support/random_source.h"
+#include "support/repair_shapes.h"
+
+namespace pcl {
+namespace ccaa {
+namespace test {
+namespace {
+
+/** \brief A random surface with holes, noise, repeated, scattered and not finite points
+ * in mixed order. */
+Positions
+randomCloud(std::uint64_t seed)
+{
+  RandomSource random(seed);
+  Positions points = randomlyDamaged(seed).damaged.vertices;
+  const std::size_t surface = points.size();
+  if (random.uniform() < 0.5)
+    points = withNoise(std::move(points), random.uniform(0.0, 0.02), seed);
+  for (std::size_t i = random.below(surface / 10 + 1); i > 0; --i)
+    points.push_back(points[random.below(surface)]);
+  for (std::size_t i = random.below(20); i > 0; --i)
+    points.emplace_back(
+        random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
+  if (random.uniform() < 0.5)
+    points = withNonFinite(std::move(points), 5, seed);
+  return shuffled(std::move(points), seed);
+}
+
+Triangles
+reconstructed(const Positions& points,
+              unsigned int threads = 1,
+              const IndicesPtr& indices = nullptr)
+{
+  ConsecutiveReconstruction<PointXYZ> reconstruction;
+  reconstruction.setInputCloud(toCloud(points));
+  if (indices)
+    reconstruction.setIndices(indices);
+  reconstruction.setNumberOfThreads(threads);
+  std::vector<Vertices> polygons;
+  reconstruction.reconstruct(polygons);
+  return toTriangles(polygons);
+}
+
+class ReconstructionOfRandomClouds : public ::testing::TestWithParam<std::uint64_t> {
+protected:
+  const Positions points_ = randomCloud(GetParam());
+};
+
+TEST_P(ReconstructionOfRandomClouds, IsACorrectSurface)
+{
+  const Triangles triangles = reconstructed(points_);
+  EXPECT_TRUE(isIcadm(triangles, points_.size()));
+  EXPECT_TRUE(isConsistentlyWound(triangles));
+}
+
+TEST_P(ReconstructionOfRandomClouds, IsTheSameForAnyNumberOfThreads)
+{
+  EXPECT_EQ(reconstructed(points_, 1), reconstructed(points_, 5));
+}
+
+/** Powers of two change no digit, so nothing may depend on the unit. */
+TEST_P(ReconstructionOfRandomClouds, IsTheSameInAnyUnit)
+{
+  EXPECT_EQ(reconstructed(points_), reconstructed(scaled(points_, 1024.0)));
+}
+
+TEST_P(ReconstructionOfRandomClouds, OfASelectionIsThatOfItsPoints)
+{
+  const auto indices = pcl::make_shared<Indices>();
+  Positions chosen;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (i % 7 != 0) {
+      indices->push_back(static_cast<index_t>(i));
+      chosen.push_back(points_[i]);
+    }
+  Triangles expected = reconstructed(chosen);
+  for (Triangle& triangle : expected)
+    for (index_t& corner : triangle)
+      corner = (*indices)[static_cast<std::size_t>(corner)];
+  EXPECT_EQ(expected, reconstructed(points_, 1, indices));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds,
+                         ReconstructionOfRandomClouds,
+                         ::testing::Range<std::uint64_t>(1, 13));
+
+} // namespace
+} // namespace test
+} // namespace ccaa
+} // namespace pcl
