@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Part of PclSurfaceRepair: bash completion of a program, from what it says of itself.
+#
+# usage: make_completion.sh PROGRAM FUNCTIONS OUTPUT
+#   FUNCTIONS  psr_completion.bash, which goes into each completion
+
+set -euo pipefail
+# shellcheck source=cmake/program_help.sh
+source "$(dirname "${BASH_SOURCE[0]}")/program_help.sh"
+program=$1
+functions=$2
+output=$3
+name=${program##*/}
+help=$("$program" --help)
+
+# Names of the required and optional arguments, in their order.
+arguments() {
+  help_synopsis <<<"$help" | tr -d '[]' | tr ' ' '\n' | grep -E '^[A-Z]'
+}
+
+endings_in() {
+  grep -oE '\.[a-z]{2,4}\b' | sort -u | tr -d . | paste -sd' ' || true
+}
+
+# Endings of an argument: its own line says them, or its name, or the summary.
+endings_of() {
+  local line
+  line=$(grep -E "^${1%...}  +" <<<"$help" | tr -s ' ' | cut -d' ' -f2- || true)
+  if [[ -z $line && $1 =~ \.[a-z]+$ ]]; then
+    line=$1
+  elif [[ -z $line ]]; then
+    line=$(help_summary <<<"$help")
+  fi
+  endings_in <<<"$line"
+}
+
+# The words an option takes: the program names them when it refuses another one.
+choices_of() {
+  local placeholders
+  mapfile -t placeholders < <(arguments | sed -E 's/^([A-Z_]+)\.([a-z]+)$/no-file.\2/; t
+    s/^.*IN.*/no-file.pcd/; t; s/^OUT.*/no-result.ply/; t; s/.*/no-file.ply/')
+  { "$program" "$1" '?' "${placeholders[@]}" 2>&1 || true; } |
+    sed -nE "s/^[^:]*: $1 (must be|takes) (one of )?([a-z]+[a-z, -]*), not '\?'.*/\3/p" |
+    sed -E 's/,? or /, /; s/, */ /g'
+}
+
+# What may follow an option that takes an argument: "words ...", "files ...", "folder".
+kind_of() {
+  local choices endings
+  choices=$(choices_of "$1")
+  endings=$(endings_in <<<"$2")
+  if [[ -n $choices ]]; then
+    echo "words $choices"
+  elif [[ $2 == *folder* ]]; then
+    echo folder
+  elif [[ $2 == *"JSON file"* ]]; then
+    echo "files json"
+  elif [[ $2 =~ \.[a-z]+\ file || $2 =~ (this|to\ a)\ (file|cloud) || $2 == a\ cloud* ]]; then
+    echo "files $endings"
+  else
+    echo nothing
+  fi
+}
+
+{
+  echo "# bash completion of $name; made from its --help"
+  echo
+  # Each completion is loaded by itself, and must not change another's functions.
+  sed "/^#/d; s/_psr_/_${name}_/g" "$functions"
+  echo
+  echo "_$name() {"
+  echo "  local options='$(help_options <<<"$help" | cut -f1 | paste -sd' ')'"
+  echo '  local -A values=('
+  help_options <<<"$help" | while IFS=$'\t' read -r option takes text; do
+    [[ $takes == arg* ]] && echo "    [$option]='$(kind_of "$option" "$text")'"
+  done
+  echo '  )'
+  echo '  local arguments=('
+  arguments | while read -r argument; do
+    repeat=''
+    [[ $argument == *... ]] && repeat='repeat '
+    echo "    '${repeat}files $(endings_of "$argument")'"
+  done
+  echo '  )'
+  echo "  _${name}_complete"
+  echo '}'
+  echo "complete -o filenames -F _$name $name"
+} >"$output.part"
+mv "$output.part" "$output"
