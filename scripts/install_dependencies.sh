@@ -13,7 +13,8 @@ set -euo pipefail
 packages=(build-essential cmake ninja-build ccache libpcl-dev libeigen3-dev
           libflann-dev libboost-program-options-dev nlohmann-json3-dev
           libnanoflann-dev xvfb xauth)
-test_packages=(clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm man-db)
+test_packages=(clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm man-db
+               pkgconf dpkg-dev file)
 benchmark_packages=(libcgal-dev)
 
 as_root=()
