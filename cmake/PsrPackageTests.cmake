@@ -22,7 +22,9 @@ add_test(
     -D "SCRATCH=${PROJECT_BINARY_DIR}/test/package" -D "CPACK=${CMAKE_CPACK_COMMAND}"
     -D "DPKG_DEB=${PSR_DPKG_DEB}" -P
     "${CMAKE_CURRENT_SOURCE_DIR}/package/make_and_unpack.cmake")
-set_tests_properties(PackagesAreMade PROPERTIES FIXTURES_SETUP packages TIMEOUT 600)
+set_tests_properties(PackagesAreMade PROPERTIES FIXTURES_SETUP packages
+                                                FIXTURES_REQUIRED documentation TIMEOUT
+                                                                                600)
 
 if(PSR_DPKG_DEB AND psr_programs)
   foreach(psr_case IN ITEMS runtime dev tools doc common dependencies)

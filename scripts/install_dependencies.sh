@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Part of PclSurfaceRepair: installs the missing Debian packages, and only those.
 #
-# usage: install_dependencies.sh [demo|test|benchmark|--update]   (default: test)
+# usage: install_dependencies.sh [demo|test|benchmark|package|--update]   (default: test)
 #   demo       what it takes to build and run the programs
 #   test       that, and what the tests, the format check and the sanitizers need
 #   benchmark  that, and CGAL as a competitor
+#   package    what it takes to build the programs, the site and the Debian packages
 #   --update   installs nothing, renews apt's lists of packages
 
 set -euo pipefail
@@ -13,8 +14,9 @@ set -euo pipefail
 packages=(build-essential cmake ninja-build ccache libpcl-dev libeigen3-dev
           libflann-dev libboost-program-options-dev nlohmann-json3-dev
           libnanoflann-dev xvfb xauth)
-test_packages=(clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm man-db
-               pkgconf dpkg-dev file)
+test_packages=(clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm doxygen
+               man-db pkgconf dpkg-dev file)
+package_packages=(doxygen dpkg-dev file lintian)
 benchmark_packages=(libcgal-dev)
 
 as_root=()
@@ -38,6 +40,7 @@ case $purpose in
   demo) ;;
   test) packages+=("${test_packages[@]}") ;;
   benchmark) packages+=("${test_packages[@]}" "${benchmark_packages[@]}") ;;
+  package) packages+=("${package_packages[@]}") ;;
   --update)
     retry "${as_root[@]}" apt-get update -qq
     exit

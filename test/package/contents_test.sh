@@ -80,6 +80,9 @@ case $check in
       holds doc "$docs/${page//./\\.}"
     done < <(cd "$source" && find doc -name '*.md' -o -path 'doc/examples/*.cpp')
     holds doc "$docs/README\.md" "$docs/test/consumer/Makefile"
+    if command -v doxygen >/dev/null; then
+      holds doc "$docs/html/index\.html"
+    fi
     ;;
   common)
     for package in runtime dev tools doc; do

@@ -9,7 +9,11 @@ if(NOT DPKG_DEB)
   run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${SCRATCH}/usr")
   return()
 endif()
-run("${CPACK}" --config "${BUILD_DIR}/CPackConfig.cmake" -G DEB)
+# Not compressed: that would take longer than all the rest.
+run("${CPACK}"
+    --config "${BUILD_DIR}/CPackConfig.cmake"
+    -G DEB
+    -D CPACK_DEBIAN_COMPRESSION_TYPE=none)
 file(GLOB packages "${PACKAGES}/*.deb")
 foreach(package IN LISTS packages)
   run("${DPKG_DEB}" -x "${package}" "${SCRATCH}")
