@@ -87,8 +87,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE "${PSR_PACKAGE_RELEASE}")
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${PSR_PACKAGE_MAINTAINER}")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 # Our own libraries belong to no installed package yet.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(psr_same_version "(= ${PROJECT_VERSION}-${PSR_PACKAGE_RELEASE})")
@@ -109,7 +107,17 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 psr_describe(RUNTIME libraries "the shared libraries")
 file(WRITE "${psr_debian}/triggers" "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${psr_debian}/triggers")
+# Which package others need that link the libraries. CPack would write it, too, but looks
+# at every file of every package for that.
+set(psr_soname_version "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+file(WRITE "${psr_debian}/shlibs" "")
+foreach(psr_library IN ITEMS pcl_surface_ccaa pcl_surface_repair)
+  file(APPEND "${psr_debian}/shlibs"
+       "lib${psr_library} ${psr_soname_version} ${psr_package_runtime} "
+       "(>= ${PROJECT_VERSION})\n")
+endforeach()
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${psr_debian}/triggers"
+                                               "${psr_debian}/shlibs")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME ${psr_package_dev})
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
