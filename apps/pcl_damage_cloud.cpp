@@ -28,7 +28,7 @@ like the sparse samples of a region in the scanner's shade. All other points sta
 they are, in order and with all fields; triangles at a removed point go.
 
 INPUT    )" +
-      std::string(app::cloud_endings) + " " + app::mesh_endings + R"(
+      std::string(app::cloud_endings) + R"(
 OUTPUT   )" +
       app::mesh_output_endings + " .pcd .xyz" + R"(
 
@@ -156,9 +156,7 @@ checkFiles(const app::DamageSettings& settings)
 app::Status
 readInput(const app::DamageSettings& settings, app::Model& model)
 {
-  const app::Status status = app::isMeshInput(settings.input)
-                                 ? app::readMesh(settings.input, model)
-                                 : app::readCloud(settings.input, model);
+  const app::Status status = app::readModel(settings.input, model);
   if (!status.ok())
     return status;
   if (model.mesh.polygons.empty() && !app::isCloudOutput(settings.output) &&

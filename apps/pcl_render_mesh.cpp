@@ -21,8 +21,8 @@ makeCommandLine()
        "MESH_OR_CLOUD OUTPUT.png [options]",
        "Takes a picture of a mesh or cloud, without a window and without perspective.\n"
        "Front faces are grey, back faces orange, boundary edges red, and edges of\n"
-       "three or more triangles magenta. Reads " +
-           std::string(app::mesh_endings) + " and clouds\n" + app::cloud_endings + ".",
+       "three or more triangles magenta. Reads\n" +
+           std::string(app::cloud_endings) + ".",
        "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --up 0,1,0\n"
        "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"});
   command_line.addPositional("MESH_OR_CLOUD");
@@ -47,8 +47,7 @@ app::Status
 loadParts(const std::string& path, app::MeshParts& parts)
 {
   app::Model model;
-  const app::Status status =
-      app::isMeshInput(path) ? app::readMesh(path, model) : app::readCloud(path, model);
+  const app::Status status = app::readModel(path, model);
   if (!status.ok())
     return status;
   parts = app::takeApart(model.mesh);

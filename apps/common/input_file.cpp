@@ -2,7 +2,10 @@
 // Part of PclSurfaceRepair: the bytes of an input file, mapped into memory.
 #include "input_file.h"
 
+#include "file_format.h"
+#include "interrupt.h"
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +14,24 @@
 #include <cstring>
 
 namespace app {
+namespace {
+
+/** A signal does not end a read() that waits, so the wait is done here.
+ * \return false when a signal has come. */
+bool
+waitForBytes(int descriptor)
+{
+  constexpr int patience_ms = 200;
+  pollfd request{descriptor, POLLIN, 0};
+  while (!interrupted()) {
+    const int ready = poll(&request, 1, patience_ms);
+    if (ready > 0 || (ready < 0 && errno != EINTR))
+      return true; // read() will tell what is wrong
+  }
+  return false;
+}
+
+} // namespace
 
 InputFile::~InputFile()
 {
@@ -20,6 +41,16 @@ InputFile::~InputFile()
 
 Status
 InputFile::open(const std::string& path)
+{
+  Status status = isStandardStream(path) ? readAll(STDIN_FILENO, "standard input")
+                                         : openNamed(path);
+  if (status.ok() && size_ == 0)
+    status = Status::error(nameForPeople(path) + " is empty");
+  return status;
+}
+
+Status
+InputFile::openNamed(const std::string& path)
 {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0)
@@ -38,25 +69,25 @@ InputFile::open(const std::string& path)
       data_ = static_cast<const char*>(bytes);
   }
   if (status.ok() && !mapped_)
-    status = readAll(descriptor, path);
+    status = readAll(descriptor, "'" + path + "'");
   ::close(descriptor);
-  if (status.ok() && size_ == 0)
-    status = Status::error("'" + path + "' is empty");
   return status;
 }
 
 Status
-InputFile::readAll(int descriptor, const std::string& path)
+InputFile::readAll(int descriptor, const std::string& name)
 {
   constexpr std::size_t block = std::size_t{1} << 20;
   std::size_t used = 0;
   for (;;) {
+    if (!waitForBytes(descriptor))
+      return Status::error("stopped by a signal while reading " + name);
     buffer_.resize(used + block);
     const ssize_t got = ::read(descriptor, buffer_.data() + used, block);
     if (got < 0 && errno == EINTR)
       continue;
     if (got < 0)
-      return Status::error("cannot read '" + path + "': " + std::strerror(errno));
+      return Status::error("cannot read " + name + ": " + std::strerror(errno));
     if (got == 0)
       break;
     used += static_cast<std::size_t>(got);

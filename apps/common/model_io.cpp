@@ -17,24 +17,22 @@
 #include "xyz_reader.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <string_view>
 
 namespace app {
 namespace {
 
-std::string
-endingOf(const std::string& path)
-{
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending)
-    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return ending;
-}
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/** What a caller can make use of. */
+enum class Wanted { CLOUD, MESH, EITHER };
 
 bool
-isOneOf(const std::string& ending, std::initializer_list<const char*> endings)
+holdsPolygons(FileFormat format)
 {
-  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  return format == FileFormat::PLY || format == FileFormat::VTK ||
+         format == FileFormat::OBJ || format == FileFormat::STL ||
+         format == FileFormat::OFF;
 }
 
 Status
@@ -43,45 +41,73 @@ unknownEnding(const std::string& path, const char* known)
   return Status::error("'" + path + "' has no ending known here: " + known);
 }
 
-bool
-isText(const std::string& ending)
-{
-  return isOneOf(ending, {".xyz", ".txt", ".pts", ".csv"});
-}
-
 Status
-parse(const std::string& ending, Contents contents, const InputFile& file, Model& model)
+parseAs(FileFormat format, Contents contents, InputFile& file, Model& model)
 {
-  if (ending == ".ply")
+  const bool has_mark =
+      std::string_view(file.begin(), file.size()).substr(0, 3) == byte_order_mark;
+  if (has_mark && format != FileFormat::STL)
+    file.skip(byte_order_mark.size());
+  switch (format) {
+  case FileFormat::PLY:
     return readPly(file, contents, model);
-  if (ending == ".pcd")
+  case FileFormat::PCD:
     return readPcd(file, model);
-  if (ending == ".obj")
+  case FileFormat::OBJ:
     return readObj(file, model);
-  if (ending == ".off")
+  case FileFormat::OFF:
     return readOff(file, model);
-  if (ending == ".stl")
+  case FileFormat::STL:
     return readStl(file, model);
-  if (ending == ".vtk")
+  case FileFormat::VTK:
     return readVtk(file, model);
-  return readXyz(file, model);
+  case FileFormat::XYZ:
+    return readXyz(file, model);
+  case FileFormat::UNKNOWN:
+    break;
+  }
+  return Status::error("its format is not known");
+}
+
+/** \a wanted tells what to read of a format that holds polygons. */
+Status
+parse(FileFormat format, Wanted wanted, InputFile& file, Model& model)
+{
+  if (wanted == Wanted::MESH && !holdsPolygons(format))
+    return Status::error("a mesh is needed, and this holds points only");
+  const bool with_polygons = wanted != Wanted::CLOUD;
+  Status status =
+      parseAs(format,
+              with_polygons ? Contents::POINTS_AND_POLYGONS : Contents::POINTS,
+              file,
+              model);
+  if (status.ok() && with_polygons)
+    status = checkPolygonIndices(model.mesh.polygons, pointCount(model.mesh.cloud));
+  if (status.ok())
+    checkPositions(model);
+  if (!with_polygons)
+    model.mesh.polygons.clear();
+  return status;
 }
 
 Status
-read(const std::string& path, Contents contents, Model& model)
+read(const std::string& path, Wanted wanted, Model& model)
 {
+  FileFormat format = formatOfPath(path);
+  const bool is_wanted =
+      wanted == Wanted::MESH ? holdsPolygons(format) : format != FileFormat::UNKNOWN;
+  if (!is_wanted && !isStandardStream(path))
+    return unknownEnding(path, wanted == Wanted::MESH ? mesh_endings : cloud_endings);
   InputFile file;
   Status status = file.open(path);
   if (!status.ok())
     return status;
-  status = parse(endingOf(path), contents, file, model);
-  const std::size_t points = pointCount(model.mesh.cloud);
-  if (status.ok() && contents == Contents::POINTS_AND_POLYGONS)
-    status = checkPolygonIndices(model.mesh.polygons, points);
-  if (!status.ok())
-    return Status::error("cannot read '" + path + "': " + status.message());
-  checkPositions(model);
-  return {};
+  if (isStandardStream(path))
+    format = formatOfBytes({file.begin(), file.size()});
+  status = parse(format, wanted, file, model);
+  return status.ok() ? status
+                     : Status::error("cannot read " + nameForPeople(path) + ": " +
+                                     status.message());
 }
 
 /** Names of the fields which a format that knows only \a kept cannot hold. */
@@ -93,7 +119,8 @@ warnAboutLostFields(const pcl::PCLPointCloud2& cloud,
 {
   std::string lost;
   for (const pcl::PCLPointField& field : cloud.fields)
-    if (field.name != "_" && !isOneOf(field.name, kept))
+    if (field.name != "_" &&
+        std::find(kept.begin(), kept.end(), field.name) == kept.end())
       lost += (lost.empty() ? "" : ", ") + field.name;
   if (!lost.empty())
     warnings.push_back(format + " cannot hold the fields " + lost);
@@ -102,52 +129,62 @@ warnAboutLostFields(const pcl::PCLPointCloud2& cloud,
 } // namespace
 
 bool
-isMeshInput(const std::string& path)
-{
-  return isOneOf(endingOf(path), {".ply", ".vtk", ".obj", ".stl", ".off"});
-}
-
-bool
 isCloudOutput(const std::string& path)
 {
-  return isOneOf(endingOf(path), {".pcd", ".ply", ".xyz"});
+  const FileFormat format = formatOfPath(path);
+  return format == FileFormat::PCD || format == FileFormat::PLY ||
+         formatOfPath(path) == FileFormat::XYZ;
 }
 
 bool
 isMeshOutput(const std::string& path)
 {
-  return isOneOf(endingOf(path), {".ply", ".vtk", ".obj", ".stl"});
+  const FileFormat format = formatOfPath(path);
+  return holdsPolygons(format) && format != FileFormat::OFF;
 }
 
 bool
 holdsFreePoints(const std::string& path)
 {
-  return endingOf(path) != ".stl";
+  return formatOfPath(path) != FileFormat::STL;
 }
 
 bool
 holdsFaceProperties(const std::string& path)
 {
-  return endingOf(path) == ".ply";
+  return formatOfPath(path) == FileFormat::PLY;
 }
 
 Status
 readCloud(const std::string& path, Model& model)
 {
-  const std::string ending = endingOf(path);
-  if (!isText(ending) && !isOneOf(ending, {".pcd", ".ply", ".obj"}))
-    return unknownEnding(path, cloud_endings);
-  const Status status = read(path, Contents::POINTS, model);
-  model.mesh.polygons.clear();
-  return status;
+  return read(path, Wanted::CLOUD, model);
 }
 
 Status
 readMesh(const std::string& path, Model& model)
 {
-  if (!isMeshInput(path))
-    return unknownEnding(path, mesh_endings);
-  return read(path, Contents::POINTS_AND_POLYGONS, model);
+  return read(path, Wanted::MESH, model);
+}
+
+Status
+readModel(const std::string& path, Model& model)
+{
+  return read(path, Wanted::EITHER, model);
+}
+
+Status
+parseCloud(FileFormat format, const char* bytes, std::size_t size, Model& model)
+{
+  InputFile file(bytes, size);
+  return parse(format, Wanted::CLOUD, file, model);
+}
+
+Status
+parseMesh(FileFormat format, const char* bytes, std::size_t size, Model& model)
+{
+  InputFile file(bytes, size);
+  return parse(format, Wanted::MESH, file, model);
 }
 
 Status
@@ -171,12 +208,12 @@ writeMesh(const std::string& path,
           OutputFile& file,
           Warnings& warnings)
 {
-  const std::string ending = endingOf(path);
-  if (ending == ".ply")
+  const FileFormat format = formatOfPath(path);
+  if (format == FileFormat::PLY)
     writePly(mesh, properties, true, file);
-  if (ending == ".vtk")
+  if (format == FileFormat::VTK)
     writeVtk(mesh, properties, file);
-  if (ending == ".obj") {
+  if (format == FileFormat::OBJ) {
     writeObj(mesh, file);
     warnAboutLostFields(
         mesh.cloud,
@@ -184,7 +221,7 @@ writeMesh(const std::string& path,
         "OBJ",
         warnings);
   }
-  if (ending == ".stl") {
+  if (format == FileFormat::STL) {
     writeStl(mesh, file);
     warnings.push_back(
         "STL holds triangles only: no points without a triangle, no order "
@@ -199,10 +236,10 @@ writeCloud(const std::string& path,
            const Viewpoint& viewpoint,
            OutputFile& file)
 {
-  const std::string ending = endingOf(path);
-  if (ending == ".pcd")
+  const FileFormat format = formatOfPath(path);
+  if (format == FileFormat::PCD)
     writePcd(cloud, viewpoint, file);
-  else if (ending == ".xyz")
+  else if (format == FileFormat::XYZ)
     writeXyz(cloud, file);
   else {
     pcl::PolygonMesh mesh;

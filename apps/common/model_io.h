@@ -3,18 +3,21 @@
 // name.
 #pragma once
 
+#include "file_format.h"
 #include "model.h"
 #include "output_file.h"
 
 namespace app {
 
 /** \brief Endings of names, for usage texts. */
-constexpr const char* cloud_endings = ".pcd .ply .obj .xyz (.txt .pts .csv)";
+constexpr const char* cloud_endings =
+    ".pcd .ply .obj .xyz (.txt .pts .csv) .vtk .stl .off";
 constexpr const char* mesh_endings = ".ply .vtk .obj .stl .off";
 constexpr const char* mesh_output_endings = ".ply .vtk .obj .stl";
 constexpr const char* cloud_output_endings = ".pcd .ply .xyz";
 
 /** \brief Read the points of a file with all their fields; a mesh gives its vertices.
+ * The ending of the name tells the format; of standard input ("-") its first bytes do.
  *
  * Fails with one sentence for a file that cannot be opened, is a folder, is cut off or
  * damaged, has an unknown ending or has no x, y, z; never takes more memory than a
@@ -27,9 +30,15 @@ readCloud(const std::string& path, Model& model);
 Status
 readMesh(const std::string& path, Model& model);
 
-/** \brief Whether \a path ends like a format for meshes (for input). */
-bool
-isMeshInput(const std::string& path);
+/** \brief Read polygons, too, if the format can hold any. */
+Status
+readModel(const std::string& path, Model& model);
+
+/** \brief The same for bytes in memory, with any bytes. */
+Status
+parseCloud(FileFormat format, const char* bytes, std::size_t size, Model& model);
+Status
+parseMesh(FileFormat format, const char* bytes, std::size_t size, Model& model);
 
 /** \brief Fails when \a path has no ending of a mesh to write, or cannot be written. */
 Status
