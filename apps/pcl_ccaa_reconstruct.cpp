@@ -3,13 +3,14 @@
 #include "common/cli.h"
 #include "common/hole_report.h"
 #include "common/model_io.h"
+#include "common/output_folder.h"
 #include "common/position_check.h"
 #include "common/reconstruct_options.h"
 #include "common/reconstruct_report.h"
 #include "common/reconstruct_run.h"
 #include <nlohmann/json.hpp>
 
-#include <iostream>
+#include <ostream>
 
 namespace {
 
@@ -18,9 +19,9 @@ app::Status
 checkFiles(const app::ReconstructSettings& settings)
 {
   app::Status status =
-      app::checkDifferentFiles({settings.input, settings.output, settings.report});
+      app::checkDifferentFiles({settings.input}, {settings.output, settings.report});
   if (status.ok())
-    status = app::checkMeshOutput(settings.output);
+    status = app::checkMeshOutput(settings.target());
   if (status.ok() && !settings.report.empty())
     status = app::OutputFile::check(settings.report);
   return status;
@@ -34,7 +35,7 @@ readInput(const app::ReconstructSettings& settings, app::ReconstructResult& resu
     return status;
   const std::size_t usable = app::countUsablePoints(result.model.mesh.cloud, 3);
   if (usable < 3)
-    return app::Status::error("'" + settings.input + "' has only " +
+    return app::Status::error(app::nameForPeople(settings.input) + " has only " +
                               std::to_string(usable) +
                               " usable points (finite, at different places); at least "
                               "three are needed");
@@ -51,32 +52,6 @@ faceProperties(const app::ReconstructSettings& settings,
   return {{"stage", {result.labels.begin(), result.labels.end()}}};
 }
 
-app::Status
-writeOutputs(const app::ReconstructSettings& settings,
-             const app::ReconstructResult& result,
-             app::Warnings& warnings)
-{
-  app::OutputFile mesh;
-  app::OutputFile report;
-  app::Status status = mesh.open(settings.output);
-  if (status.ok())
-    app::writeMesh(settings.output,
-                   result.model.mesh,
-                   faceProperties(settings, result),
-                   mesh,
-                   warnings);
-  if (status.ok() && !settings.report.empty()) {
-    status = report.open(settings.report);
-    if (status.ok())
-      app::writeReport(app::describeRun(settings, result, warnings), report);
-  }
-  if (status.ok())
-    status = mesh.commit();
-  if (status.ok() && !settings.report.empty())
-    status = report.commit();
-  return status;
-}
-
 app::Outcome
 judge(const app::ReconstructResult& result)
 {
@@ -85,18 +60,43 @@ judge(const app::ReconstructResult& result)
         app::INCOMPLETE,
         "no triangle could be made that is sure to be right (too few points, or all "
         "on a line?); the output holds the points alone",
-        result.model.warnings};
+        {}};
   if (result.filter.one_sided_components > 0)
     return {
         app::INCOMPLETE,
         std::to_string(result.filter.one_sided_components) +
             " regions are one-sided (like a Moebius band) and could not be oriented",
-        result.model.warnings};
+        {}};
   if (result.repair && !result.repair->complete())
-    return {app::INCOMPLETE,
-            app::tellShortfalls(*result.repair, result.model.mesh),
-            result.model.warnings};
-  return {app::DONE, "", result.model.warnings};
+    return {
+        app::INCOMPLETE, app::tellShortfalls(*result.repair, result.model.mesh), {}};
+  return {app::DONE, "", {}};
+}
+
+app::Status
+writeOutputs(const app::ReconstructSettings& settings,
+             const app::Outcome& outcome,
+             app::ReconstructResult& result)
+{
+  app::Model& model = result.model;
+  app::OutputFolder files;
+  app::writeMesh(settings.target(),
+                 model.mesh,
+                 {faceProperties(settings, result), model.viewpoint, model.remarks},
+                 files.addElsewhere(settings.output),
+                 model.warnings);
+  if (!settings.report.empty()) {
+    nlohmann::json report = app::describeRun(settings, result, model.warnings);
+    app::addRunFacts({"pcl_ccaa_reconstruct",
+                      settings.input,
+                      settings.output,
+                      outcome.code,
+                      report["total_seconds"],
+                      model.remarks},
+                     report);
+    app::writeReport(report, files.addElsewhere(settings.report));
+  }
+  return files.commit();
 }
 
 app::Outcome
@@ -121,22 +121,25 @@ reconstruct(const app::Arguments& arguments)
   if (status.ok() && settings.repair && bar.show("repair", 0))
     status = app::repairResult(settings, bar, result);
   if (!bar.show("writing", 0))
-    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
   if (!status.ok())
     return app::Outcome::badInput(status);
   if (result.chain.skipped_points > 0)
     result.model.warnings.push_back(
         std::to_string(result.chain.skipped_points) +
         " points have coordinates that are not finite; they stay without triangles");
-  status = writeOutputs(settings, result, result.model.warnings);
+  app::Outcome outcome = judge(result);
+  status = writeOutputs(settings, outcome, result);
   if (!status.ok())
     return app::Outcome::badInput(status);
   bar.clear();
+  std::ostream& people = app::peopleStream({settings.output, settings.report});
   if (!settings.quiet)
-    std::cout << app::summarizeRun(settings, result) << std::endl;
+    people << app::summarizeRun(settings, result) << std::endl;
   if (!settings.quiet && result.speedup)
-    std::cout << app::tabulateSpeedup(*result.speedup) << std::endl;
-  return judge(result);
+    people << app::tabulateSpeedup(*result.speedup) << std::endl;
+  outcome.notes = result.model.warnings;
+  return outcome;
 }
 
 } // namespace

@@ -4,10 +4,14 @@
 #include "common/damage_run.h"
 #include "common/interrupt.h"
 #include "common/model_io.h"
+#include "common/output_folder.h"
+#include "common/output_format.h"
 #include "common/point_columns.h"
+#include "common/report.h"
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <iostream>
+#include <ostream>
 
 namespace {
 
@@ -31,6 +35,8 @@ INPUT    )" +
       std::string(app::cloud_endings) + R"(
 OUTPUT   )" +
       app::mesh_output_endings + " .pcd .xyz" + R"(
+'-' stands for standard input (any of these formats, told by the first bytes) and
+standard output (PLY, or PCD where there are no triangles, unless --format is given).
 
 Places are shares of the bounding box (0.5,0.5,0.5 is its middle), radii are shares of
 its diagonal; offset and thickness of a slab are shares of the extent along its normal.)";
@@ -38,6 +44,7 @@ its diagonal; offset and thickness of a slab are shares of the extent along its 
       R"(  pcl_damage_cloud bunny.ply holes.ply --sphere 0.5,0.5,0.8,0.1
   pcl_damage_cloud bunny.ply islands.ply --slabs 5 --slab-size 0.06 --keep 0.05 \
       --noise 0.3 --seed 7 --removed truth.ply --free-points free.pcd
+  pcl_damage_cloud bunny.ply - --patches 3 | pcl_repair_holes - repaired.ply
 )";
   return usage;
 }
@@ -77,6 +84,8 @@ makeCommandLine()
   add("seed", po::value<long long>()->default_value(1), "same seed, same damage");
   add("removed", path(), "write what was taken out to this file");
   add("free-points", path(), "write the free points also to a cloud of their own");
+  add("report", path(), "write figures about the run to this JSON file");
+  app::addFormatOption(line, "ply, vtk, obj, off, stl, pcd or xyz");
   line.addPositional("INPUT");
   line.addPositional("OUTPUT");
   return line;
@@ -107,6 +116,14 @@ takeNumbers(const app::Arguments& arguments, app::DamageSettings& settings)
   return status;
 }
 
+bool
+usesStandardOutput(const app::DamageSettings& settings)
+{
+  return app::isStandardStream(settings.output) ||
+         app::isStandardStream(settings.removed) ||
+         app::isStandardStream(settings.free_points);
+}
+
 app::Status
 takeSettings(const app::Arguments& arguments, app::DamageSettings& settings)
 {
@@ -114,13 +131,16 @@ takeSettings(const app::Arguments& arguments, app::DamageSettings& settings)
   settings.output = app::takeText(arguments, "OUTPUT");
   settings.removed = app::takeText(arguments, "removed");
   settings.free_points = app::takeText(arguments, "free-points");
+  settings.report = app::takeText(arguments, "report");
   settings.absolute = arguments.count("absolute") != 0;
   settings.quiet = arguments.count("quiet") != 0;
   if (arguments.count("sphere") != 0)
     settings.spheres = arguments["sphere"].as<Texts>();
   if (arguments.count("slab") != 0)
     settings.slabs = arguments["slab"].as<Texts>();
-  const app::Status status = takeNumbers(arguments, settings);
+  app::Status status = takeNumbers(arguments, settings);
+  if (status.ok())
+    status = app::takeFormat(arguments, usesStandardOutput(settings), settings.format);
   if (!status.ok())
     return status;
   const bool has_region = !settings.spheres.empty() || !settings.slabs.empty() ||
@@ -133,23 +153,27 @@ takeSettings(const app::Arguments& arguments, app::DamageSettings& settings)
 }
 
 app::Status
-checkOutput(const std::string& path)
+checkOutput(const app::Target& target)
 {
-  return app::isCloudOutput(path) ? app::checkCloudOutput(path)
-                                  : app::checkMeshOutput(path);
+  return app::isCloudOutput(target) ? app::checkCloudOutput(target)
+                                    : app::checkMeshOutput(target);
 }
 
 app::Status
 checkFiles(const app::DamageSettings& settings)
 {
   app::Status status = app::checkDifferentFiles(
-      {settings.input, settings.output, settings.removed, settings.free_points});
+      {settings.input},
+      {settings.output, settings.removed, settings.free_points, settings.report});
   if (status.ok())
-    status = checkOutput(settings.output);
+    status = checkOutput(app::makeTarget(settings.output, settings.format));
   if (status.ok() && !settings.removed.empty())
-    status = checkOutput(settings.removed);
+    status = checkOutput(app::makeTarget(settings.removed, settings.format));
   if (status.ok() && !settings.free_points.empty())
-    status = app::checkCloudOutput(settings.free_points);
+    status =
+        app::checkCloudOutput(app::makeTarget(settings.free_points, settings.format));
+  if (status.ok() && !settings.report.empty())
+    status = app::OutputFile::check(settings.report);
   return status;
 }
 
@@ -159,72 +183,123 @@ readInput(const app::DamageSettings& settings, app::Model& model)
   const app::Status status = app::readModel(settings.input, model);
   if (!status.ok())
     return status;
-  if (model.mesh.polygons.empty() && !app::isCloudOutput(settings.output) &&
-      !app::holdsFreePoints(settings.output))
-    return app::Status::error("'" + settings.output + "' cannot hold points, and '" +
-                              settings.input + "' has no triangles");
+  const app::Target target = app::makeTarget(settings.output, settings.format);
+  if (model.mesh.polygons.empty() && !app::holdsFreePoints(target))
+    return app::Status::error(app::nameForPeople(settings.output, "standard output") +
+                              " cannot hold points, and " +
+                              app::nameForPeople(settings.input) + " has no triangles");
   const auto points = app::readPositions(model.mesh.cloud);
   const auto finite =
       std::count_if(points.begin(), points.end(), [](const Eigen::Vector3f& point) {
         return point.allFinite();
       });
   if (finite < 3)
-    return app::Status::error("'" + settings.input + "' has only " +
+    return app::Status::error(app::nameForPeople(settings.input) + " has only " +
                               std::to_string(finite) +
                               " usable points; at least three are needed");
   return {};
 }
 
-void
-writePart(const std::string& path,
-          const pcl::PolygonMesh& part,
-          const app::Viewpoint& viewpoint,
-          app::OutputFile& file,
-          app::Warnings& warnings)
+/** Without a name to tell the format, a cloud becomes PCD, which keeps most of it. */
+app::Target
+targetOf(const app::DamagePart& part, app::FileFormat format)
 {
-  const bool as_cloud = part.polygons.empty() && app::isCloudOutput(path);
-  if (!as_cloud && app::isMeshOutput(path)) {
-    app::writeMesh(path, part, {}, file, warnings);
+  if (format == app::FileFormat::UNKNOWN && part.mesh.polygons.empty())
+    format = app::FileFormat::PCD;
+  return app::makeTarget(part.path, format);
+}
+
+void
+writePart(const app::Target& target,
+          const pcl::PolygonMesh& part,
+          app::Model& model,
+          app::OutputFile& file)
+{
+  const bool as_cloud = part.polygons.empty() && app::isCloudOutput(target);
+  const app::FileExtras extras{{}, model.viewpoint, model.remarks};
+  if (!as_cloud && app::isMeshOutput(target)) {
+    app::writeMesh(target, part, extras, file, model.warnings);
     return;
   }
   if (!part.polygons.empty())
-    warnings.push_back("'" + path + "' holds points only, not the triangles");
-  app::writeCloud(path, part.cloud, viewpoint, file);
+    model.warnings.push_back(app::nameForPeople(target.path, "standard output") +
+                             " holds points only, not the triangles");
+  app::writeCloud(target, part.cloud, extras, file);
+}
+
+/** \brief What was done, for all who want to know. */
+struct Result {
+  std::ptrdiff_t removed = 0;
+  std::ptrdiff_t kept = 0;
+  double seconds = 0;
+  app::Outcome outcome;
+};
+
+Result
+judge(const app::Damage& damage, double seconds)
+{
+  Result result;
+  result.removed = std::count(damage.removed.begin(), damage.removed.end(), 1);
+  result.kept = std::count(damage.kept.begin(), damage.kept.end(), 1);
+  result.seconds = seconds;
+  if (result.removed == 0)
+    result.outcome = {app::INCOMPLETE,
+                      "no point lies in the regions: the output is the input unchanged",
+                      {}};
+  return result;
+}
+
+nlohmann::json
+describe(const app::DamageSettings& settings,
+         const app::Damage& damage,
+         const app::Model& model,
+         const Result& result)
+{
+  nlohmann::json report = {{"points", damage.removed.size()},
+                           {"removed_points", result.removed},
+                           {"free_points", result.kept},
+                           {"noise", damage.deviation},
+                           {"seed", settings.seed},
+                           {"warnings", model.warnings}};
+  app::addRunFacts({"pcl_damage_cloud",
+                    settings.input,
+                    settings.output,
+                    result.outcome.code,
+                    result.seconds,
+                    model.remarks},
+                   report);
+  return report;
 }
 
 app::Status
-writeParts(const std::vector<app::DamagePart>& parts, app::Model& model)
+writeFiles(const app::DamageSettings& settings,
+           const app::Damage& damage,
+           const std::vector<app::DamagePart>& parts,
+           const Result& result,
+           app::Model& model)
 {
-  std::vector<app::OutputFile> files(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const app::Status status = files[i].open(parts[i].path);
-    if (!status.ok())
-      return status;
-    writePart(parts[i].path, parts[i].mesh, model.viewpoint, files[i], model.warnings);
-  }
-  for (app::OutputFile& file : files) {
-    const app::Status status = file.commit();
-    if (!status.ok())
-      return status;
-  }
-  return {};
+  app::OutputFolder files;
+  for (const app::DamagePart& part : parts)
+    writePart(targetOf(part, settings.format),
+              part.mesh,
+              model,
+              files.addElsewhere(part.path));
+  if (!settings.report.empty())
+    app::writeReport(describe(settings, damage, model, result),
+                     files.addElsewhere(settings.report));
+  return files.commit();
 }
 
-app::Outcome
-finish(const app::DamageSettings& settings,
-       const app::Damage& damage,
-       const app::Model& model)
+void
+sumUp(const app::DamageSettings& settings,
+      const app::Damage& damage,
+      const Result& result)
 {
-  const auto removed = std::count(damage.removed.begin(), damage.removed.end(), 1);
-  const auto kept = std::count(damage.kept.begin(), damage.kept.end(), 1);
-  if (!settings.quiet)
-    std::cout << settings.output << ": of " << damage.removed.size() << " points "
-              << removed << " taken out, " << kept << " of them left as free points\n";
-  if (removed == 0)
-    return {app::INCOMPLETE,
-            "no point lies in the regions: the output is the input unchanged",
-            model.warnings};
-  return {app::DONE, "", model.warnings};
+  app::peopleStream(
+      {settings.output, settings.removed, settings.free_points, settings.report})
+      << app::summaryName(settings.output) << ": of " << damage.removed.size()
+      << " points " << result.removed << " taken out, " << result.kept
+      << " of them left as free points\n";
 }
 
 app::Outcome
@@ -239,15 +314,22 @@ damageModel(const app::Arguments& arguments)
   if (status.ok())
     status = readInput(settings, model);
   app::RandomNumbers random(settings.seed);
+  app::Stopwatch watch;
   if (status.ok())
     status = app::planDamage(settings, model.mesh, random, damage);
   if (!status.ok())
     return app::Outcome::badInput(status);
   const auto parts = app::makeParts(settings, damage, random, model.mesh);
+  Result result = judge(damage, watch.lap());
   if (app::interrupted())
-    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
-  status = writeParts(parts, model);
-  return status.ok() ? finish(settings, damage, model) : app::Outcome::badInput(status);
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
+  status = writeFiles(settings, damage, parts, result, model);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  if (!settings.quiet)
+    sumUp(settings, damage, result);
+  result.outcome.notes = model.warnings;
+  return result.outcome;
 }
 
 } // namespace

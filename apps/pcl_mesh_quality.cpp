@@ -11,7 +11,7 @@
 #include "common/report.h"
 #include <nlohmann/json.hpp>
 
-#include <iostream>
+#include <ostream>
 
 namespace {
 
@@ -30,9 +30,10 @@ Polygons with more than three corners are looked at as fans of triangles. The ex
 does not judge: it is 0 for a sound and for a broken mesh.
 
 MESH   )" +
-      std::string(app::mesh_endings);
+      std::string(app::mesh_endings) + "; '-' reads standard input";
   usage.examples = R"(  pcl_mesh_quality bunny.ply
   pcl_mesh_quality bunny.ply --quiet --report bunny.json
+  pcl_repair_holes bunny.ply - | pcl_mesh_quality - --report -
 )";
   return usage;
 }
@@ -42,7 +43,9 @@ makeCommandLine()
 {
   app::CommandLine line(usage());
   auto add = line.addOptions();
-  add("report", po::value<std::string>(), "write the facts to this JSON file");
+  add("report",
+      po::value<std::string>(),
+      "write the facts to this JSON file, or to standard output (-)");
   add("no-self-intersections",
       "do not look for triangles that cross each other, which takes longest");
   add("threads",
@@ -70,7 +73,7 @@ takeSettings(const app::Arguments& arguments, Settings& settings)
   app::Status status = app::takeCount(arguments, "threads", 0, 1024, threads);
   settings.options.threads = pcl::ccaa::resolveThreads(threads);
   if (status.ok())
-    status = app::checkDifferentFiles({settings.mesh, settings.report});
+    status = app::checkDifferentFiles({settings.mesh}, {settings.report});
   if (status.ok() && !settings.report.empty())
     status = app::OutputFile::check(settings.report);
   return status;
@@ -79,10 +82,13 @@ takeSettings(const app::Arguments& arguments, Settings& settings)
 app::Status
 saveReport(const Settings& settings,
            const pcl::ccaa::MeshFacts& facts,
+           double seconds,
            const app::Model& model)
 {
   nlohmann::json report = app::describeFacts(facts);
-  report["input"] = settings.mesh;
+  app::addRunFacts(
+      {"pcl_mesh_quality", settings.mesh, "", app::DONE, seconds, model.remarks},
+      report);
   report["polygons"] = model.mesh.polygons.size();
   report["warnings"] = model.warnings;
   app::OutputFile file;
@@ -105,20 +111,25 @@ measure(const app::Arguments& arguments)
     return app::Outcome::badInput(status);
   app::ProgressBar bar(settings.quiet);
   pcl::ccaa::RunControl control(bar.callback());
+  app::Stopwatch watch;
   const pcl::ccaa::MeshFacts facts =
       pcl::ccaa::measureMesh(pcl::ccaa::fanTriangles(model.mesh.polygons),
                              app::readPositions(model.mesh.cloud),
                              settings.options,
                              control);
   if (facts.cancelled)
-    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
+  const double seconds = watch.lap();
   if (!settings.report.empty())
-    status = saveReport(settings, facts, model);
+    status = saveReport(settings, facts, seconds, model);
   if (!status.ok())
     return app::Outcome::badInput(status);
   bar.clear();
   if (!settings.quiet)
-    std::cout << settings.mesh << '\n' << app::tabulateFacts(facts);
+    app::peopleStream({settings.report})
+        << (app::isStandardStream(settings.mesh) ? "standard input" : settings.mesh)
+        << '\n'
+        << app::tabulateFacts(facts);
   return {app::DONE, "", model.warnings};
 }
 

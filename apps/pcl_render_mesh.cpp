@@ -22,7 +22,8 @@ makeCommandLine()
        "Takes a picture of a mesh or cloud, without a window and without perspective.\n"
        "Front faces are grey, back faces orange, boundary edges red, and edges of\n"
        "three or more triangles magenta. Reads\n" +
-           std::string(app::cloud_endings) + ".",
+           std::string(app::cloud_endings) +
+           ".\n'-' reads standard input and writes the PNG to standard output.",
        "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --up 0,1,0\n"
        "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"});
   command_line.addPositional("MESH_OR_CLOUD");
@@ -35,10 +36,11 @@ app::Status
 checkOutput(const std::string& input, const std::string& output)
 {
   constexpr std::string_view ending = ".png";
-  if (output.size() <= ending.size() ||
-      output.substr(output.size() - ending.size()) != ending)
+  if (!app::isStandardStream(output) &&
+      (output.size() <= ending.size() ||
+       output.substr(output.size() - ending.size()) != ending))
     return app::Status::error("'" + output + "' must end in .png");
-  const app::Status different = app::checkDifferentFiles({input, output});
+  const app::Status different = app::checkDifferentFiles({input}, {output});
   return different.ok() ? app::OutputFile::check(output) : different;
 }
 
@@ -52,7 +54,8 @@ loadParts(const std::string& path, app::MeshParts& parts)
     return status;
   parts = app::takeApart(model.mesh);
   if (parts.positions.empty())
-    return app::Status::error("'" + path + "' has no finite point to show");
+    return app::Status::error(app::nameForPeople(path) +
+                              " has no finite point to show");
   return {};
 }
 

@@ -3,9 +3,11 @@
 // lacks.
 #include <pcl/surface_ccaa/threads.h>
 
+#include "common/batch.h"
 #include "common/bridge_layer.h"
 #include "common/cli.h"
 #include "common/cloud_normals.h"
+#include "common/dry_run.h"
 #include "common/hole_report.h"
 #include "common/inspection_files.h"
 #include "common/mesh_writers.h"
@@ -21,7 +23,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <iostream>
+#include <ostream>
 
 namespace {
 
@@ -45,7 +47,8 @@ makeCommandLine()
 {
   app::CommandLine line(
       {"pcl_repair_holes",
-       "INPUT_MESH [OUTPUT_MESH] [options]",
+       "INPUT_MESH [OUTPUT_MESH] [options]\n"
+       "       pcl_repair_holes INPUT_MESH... --output-folder DIR [options]",
        "Repairs a mesh: turns its islands outside out, joins them by bridges along\n"
        "force lines and closes the holes, smoothly and in the density of what is\n"
        "around. All points and triangles of the mesh are kept, with all fields. "
@@ -56,10 +59,18 @@ makeCommandLine()
        "INPUT_MESH   " +
            std::string(app::mesh_endings) + "\nOUTPUT_MESH  " +
            app::mesh_output_endings +
-           "; .ply keeps most; may be left out with --inspect",
+           "; .ply keeps most; may be left out with\n"
+           "             --inspect and --dry-run\n"
+           "'-' stands for standard input (the first bytes tell the format) and "
+           "standard output\n"
+           "(PLY unless --format is given); what is for people then goes to standard "
+           "error.",
        "  pcl_repair_holes scan.ply repaired.ply\n"
        "  pcl_repair_holes scan.ply repaired.ply --free-points sparse.pcd --report "
        "r.json\n"
+       "  pcl_repair_holes scan.ply --dry-run\n"
+       "  pcl_repair_holes a.ply b.ply c.ply --output-folder repaired\n"
+       "  pcl_repair_holes - - < scan.ply | pcl_mesh_quality -\n"
        "  pcl_repair_holes scan.ply --inspect found --report found.json\n"
        "  pcl_viewer found/origins.pcd found/islands.vtk found/loops.vtk\n"});
   app::addRepairOptions(line);
@@ -75,6 +86,7 @@ makeCommandLine()
       "X,Y,Z: direction that points up in the pictures; without it y or z");
   line.addPositional("INPUT_MESH");
   line.addOptionalPositional("OUTPUT_MESH");
+  line.addMorePositionals("MORE");
   return line;
 }
 
@@ -108,18 +120,15 @@ comesWithFolder(const app::RepairSettings& settings)
 app::Status
 checkFiles(const app::RepairSettings& settings)
 {
-  std::vector<std::string> files{settings.input,
-                                 settings.output,
-                                 settings.bridges,
-                                 settings.free_points,
-                                 settings.report,
-                                 settings.inspect};
+  std::vector<std::string> files{
+      settings.output, settings.bridges, settings.report, settings.inspect};
   if (!settings.inspect.empty())
     for (const std::string& name : app::inspectionNames())
       files.push_back(settings.inspect + "/" + name);
-  app::Status status = app::checkDifferentFiles(files);
+  app::Status status =
+      app::checkDifferentFiles({settings.input, settings.free_points}, files);
   if (status.ok() && !settings.output.empty())
-    status = app::checkMeshOutput(settings.output);
+    status = app::checkMeshOutput(settings.target());
   if (status.ok() && !settings.bridges.empty())
     status = app::OutputFile::check(settings.bridges);
   if (status.ok() && !settings.inspect.empty())
@@ -161,8 +170,8 @@ survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& resul
                               context);
   const std::string& problem = result.survey.reading.problem;
   if (!problem.empty())
-    return app::Status::error("'" + settings.input + "': " + problem);
-  if (!result.survey.cancelled)
+    return app::Status::error(app::nameForPeople(settings.input) + ": " + problem);
+  if (!result.survey.cancelled && !settings.inspect.empty())
     result.slice =
         sliceField(result.survey, settings.method.survey.field, SLICE_COLUMNS, context);
   return {};
@@ -177,9 +186,9 @@ repair(const app::RepairSettings& settings, app::ProgressBar& bar, Result& resul
                       bar,
                       result.model.mesh,
                       result.repair);
-  return status.ok()
-             ? status
-             : app::Status::error("'" + settings.input + "': " + status.message());
+  return status.ok() ? status
+                     : app::Status::error(app::nameForPeople(settings.input) + ": " +
+                                          status.message());
 }
 
 void
@@ -209,20 +218,49 @@ drawPictures(const app::InspectionView& view, Result& result)
                               "set DISPLAY or install Xvfb");
 }
 
-nlohmann::json
-describe(const app::RepairSettings& settings, const Result& result)
+/** \brief How the run ends if the files can be written. */
+app::Outcome
+judge(const app::RepairSettings& settings, const Result& result)
 {
-  if (settings.output.empty())
-    return app::describeSurvey(settings, result.survey, result.warnings);
-  nlohmann::json report = app::describeRun(settings, result.repair, result.warnings);
-  if (!settings.inspect.empty())
+  if (settings.dry_run) {
+    const app::RepairPlan plan = app::planRepair(result.survey);
+    return plan.isEmpty() ? app::Outcome()
+                          : app::Outcome{app::INCOMPLETE, app::summarizePlan(plan), {}};
+  }
+  if (settings.repairs() && !result.repair.complete())
+    return {app::INCOMPLETE, app::tellShortfalls(result.repair, result.model.mesh), {}};
+  return {};
+}
+
+nlohmann::json
+describe(const app::RepairSettings& settings,
+         const app::Outcome& outcome,
+         const Result& result)
+{
+  nlohmann::json report =
+      settings.repairs()
+          ? app::describeRun(settings, result.repair, result.warnings)
+          : app::describeSurvey(settings, result.survey, result.warnings);
+  if (settings.dry_run)
+    app::describePlan(settings, result.survey, report);
+  if (settings.repairs() && settings.surveys())
     report["survey"] = app::describeSurvey(settings, result.survey, {});
+  const double seconds = report[settings.repairs() ? "seconds" : "total_seconds"];
+  app::addRunFacts({"pcl_repair_holes",
+                    settings.input,
+                    settings.repairs() ? settings.output : "",
+                    outcome.code,
+                    seconds,
+                    result.model.remarks},
+                   report);
   return report;
 }
 
 /** \brief All files appear together or not at all. */
 app::Status
-writeOutputs(const app::RepairSettings& settings, Result& result)
+writeOutputs(const app::RepairSettings& settings,
+             const app::Outcome& outcome,
+             Result& result)
 {
   app::OutputFolder folder;
   app::Status status;
@@ -232,13 +270,13 @@ writeOutputs(const app::RepairSettings& settings, Result& result)
     return status;
   if (!settings.inspect.empty())
     writeInspection(result.layers, result.pictures, folder);
-  if (!settings.output.empty()) {
-    std::vector<app::FaceProperty> properties;
+  if (settings.repairs()) {
+    app::FileExtras extras{{}, result.model.viewpoint, result.model.remarks};
     if (settings.labels)
-      properties.push_back(app::originProperty(result.repair));
-    app::writeMesh(settings.output,
+      extras.properties.push_back(app::originProperty(result.repair));
+    app::writeMesh(settings.target(),
                    result.model.mesh,
-                   properties,
+                   extras,
                    folder.addElsewhere(settings.output),
                    result.warnings);
   }
@@ -247,18 +285,22 @@ writeOutputs(const app::RepairSettings& settings, Result& result)
     app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(settings.bridges));
   }
   if (!settings.report.empty())
-    app::writeReport(describe(settings, result), folder.addElsewhere(settings.report));
+    app::writeReport(describe(settings, outcome, result),
+                     folder.addElsewhere(settings.report));
   return folder.commit();
 }
 
 void
 sumUp(const app::RepairSettings& settings, const Result& result)
 {
-  if (!settings.inspect.empty())
-    std::cout << app::summarizeSurvey(settings, result.survey) << std::endl;
-  if (!settings.output.empty())
-    std::cout << settings.output << ": " << app::summarizeRepair(result.repair)
-              << std::endl;
+  std::ostream& people = app::peopleStream({settings.output, settings.report});
+  if (settings.surveys())
+    people << app::summarizeSurvey(settings, result.survey) << std::endl;
+  if (settings.dry_run)
+    people << app::tellPlan(settings, result.survey) << std::flush;
+  if (settings.repairs())
+    people << app::summaryName(settings.output) << ": "
+           << app::summarizeRepair(result.repair) << std::endl;
 }
 
 /** \brief Everything up to the files. */
@@ -270,9 +312,9 @@ work(const app::RepairSettings& settings,
 {
   bar.show("reading", 0);
   app::Status status = readInput(settings, result);
-  if (status.ok() && !settings.inspect.empty())
+  if (status.ok() && settings.surveys())
     status = survey(settings, bar, result);
-  if (status.ok() && !settings.output.empty() && bar.show("repairing", 0))
+  if (status.ok() && settings.repairs() && bar.show("repairing", 0))
     status = repair(settings, bar, result);
   if (status.ok() && !settings.inspect.empty() && bar.show("drawing", 0)) {
     makeLayers(result);
@@ -282,36 +324,74 @@ work(const app::RepairSettings& settings,
   return status;
 }
 
+/** \brief One input, from its file to all that is written. */
 app::Outcome
-run(const app::Arguments& arguments)
+runOne(const app::RepairSettings& settings,
+       const app::InspectionView& view,
+       Result& result)
 {
-  app::RepairSettings settings;
-  app::InspectionView view;
-  Result result;
-  app::Status status = app::takeRepairSettings(arguments, settings);
-  if (status.ok())
-    status = readView(arguments, view);
-  if (status.ok())
-    status = checkFiles(settings);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
   app::ProgressBar bar(settings.quiet);
-  status = work(settings, view, bar, result);
+  app::Status status = work(settings, view, bar, result);
   if (!status.ok())
     return app::Outcome::badInput(status);
   if (!bar.show("writing", 0))
-    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
-  status = writeOutputs(settings, result);
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
+  app::Outcome outcome = judge(settings, result);
+  status = writeOutputs(settings, outcome, result);
   if (!status.ok())
     return app::Outcome::badInput(status);
   bar.clear();
   if (!settings.quiet)
     sumUp(settings, result);
-  if (!settings.output.empty() && !result.repair.complete())
-    return {app::INCOMPLETE,
-            app::tellShortfalls(result.repair, result.model.mesh),
-            result.warnings};
-  return {app::DONE, "", result.warnings};
+  outcome.notes = result.warnings;
+  return outcome;
+}
+
+/** \brief All inputs, with one report about them. */
+app::Outcome
+runMany(const app::RepairSettings& settings, const app::InspectionView& view)
+{
+  const app::BatchSettings batch{"pcl_repair_holes",
+                                 settings.inputs,
+                                 settings.output_folder,
+                                 settings.report,
+                                 settings.format,
+                                 settings.quiet,
+                                 !settings.dry_run};
+  std::vector<app::BatchItem> items;
+  const app::Status status = app::planBatch(batch, items);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  return app::runBatch(
+      batch, items, [&](const app::BatchItem& item, nlohmann::json& report) {
+        app::RepairSettings one = settings;
+        one.input = item.input;
+        one.output = item.output;
+        one.report.clear();
+        Result result;
+        app::Outcome outcome = runOne(one, view, result);
+        if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
+          report = describe(one, outcome, result);
+        return outcome;
+      });
+}
+
+app::Outcome
+run(const app::Arguments& arguments)
+{
+  app::RepairSettings settings;
+  app::InspectionView view;
+  app::Status status = app::takeRepairSettings(arguments, settings);
+  if (status.ok())
+    status = readView(arguments, view);
+  if (status.ok() && !settings.inputs.empty())
+    return runMany(settings, view);
+  if (status.ok())
+    status = checkFiles(settings);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  Result result;
+  return runOne(settings, view, result);
 }
 
 } // namespace

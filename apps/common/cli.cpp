@@ -4,17 +4,20 @@
 
 #include <pcl/console/print.h>
 
+#include "file_format.h"
 #include "interrupt.h"
+#include "report.h"
+#include <sys/stat.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <new>
 #include <sstream>
-
-#ifndef PSR_VERSION
-#define PSR_VERSION "of an unknown version"
-#endif
 
 namespace app {
 namespace {
@@ -37,20 +40,10 @@ complain(const std::string& program, const std::string& reason)
   std::cerr << program << ": " << onOneLine(reason) << std::endl;
 }
 
-/** The body's outcome; what it or a library throws becomes an outcome, too. */
-Outcome
-runGuarded(const Arguments& arguments,
-           const std::function<Outcome(const Arguments&)>& body)
+std::string
+lastError()
 {
-  try {
-    return body(arguments);
-  }
-  catch (const std::bad_alloc&) {
-    return {BAD_INPUT, "not enough memory for this input", {}};
-  }
-  catch (const std::exception& error) {
-    return {BAD_INPUT, error.what(), {}};
-  }
+  return errno == 0 ? "the reason is not known" : std::strerror(errno);
 }
 
 bool
@@ -61,10 +54,13 @@ flushedStandardOutput()
 }
 
 int
-answer(const std::string& text)
+answer(const std::string& program, const std::string& text)
 {
   std::cout << text;
-  return flushedStandardOutput() ? DONE : BAD_INPUT;
+  if (flushedStandardOutput())
+    return DONE;
+  complain(program, "cannot write to standard output: " + lastError());
+  return BAD_INPUT;
 }
 
 template <typename T>
@@ -83,6 +79,54 @@ takeBetween(
   return Status::error(text.str());
 }
 
+Status
+sameFile(const std::string& first, const std::string& second)
+{
+  return Status::error("'" + first + "' and '" + second +
+                       "' are the same file; give each its own name");
+}
+
+/** What tells whether two names stand for one file. */
+struct Identity {
+  std::string canonical;
+  dev_t device = 0;
+  ino_t number = 0; // 0: there is no file yet
+};
+
+Identity
+identityOf(const std::string& path)
+{
+  std::error_code error;
+  Identity identity;
+  identity.canonical = std::filesystem::weakly_canonical(path, error).string();
+  struct stat info {};
+  if (stat(path.c_str(), &info) == 0) {
+    identity.device = info.st_dev;
+    identity.number = info.st_ino;
+  }
+  return identity;
+}
+
+Status
+checkDifferentPaths(const std::vector<std::string>& paths)
+{
+  std::map<std::string, std::string> by_name;
+  std::map<std::pair<dev_t, ino_t>, std::string> by_number;
+  for (const std::string& path : paths) {
+    const Identity identity = identityOf(path);
+    const auto [named, is_new_name] = by_name.emplace(identity.canonical, path);
+    if (!is_new_name)
+      return sameFile(named->second, path);
+    if (identity.number == 0)
+      continue;
+    const auto [numbered, is_new_number] =
+        by_number.emplace(std::pair(identity.device, identity.number), path);
+    if (!is_new_number)
+      return sameFile(numbered->second, path);
+  }
+  return {};
+}
+
 } // namespace
 
 CommandLine::CommandLine(Usage usage)
@@ -98,6 +142,13 @@ CommandLine::addPositional(const std::string& name)
 {
   addOptionalPositional(name);
   required_.push_back(name);
+}
+
+void
+CommandLine::addMorePositionals(const std::string& name)
+{
+  hidden_.add_options()(name.c_str(), po::value<std::vector<std::string>>());
+  positional_.add(name.c_str(), -1);
 }
 
 void
@@ -144,6 +195,31 @@ CommandLine::help() const
   return text.str();
 }
 
+Outcome
+runGuarded(const std::function<Outcome()>& work)
+{
+  try {
+    return work();
+  }
+  catch (const std::bad_alloc&) {
+    return {BAD_INPUT, "not enough memory for this input", {}};
+  }
+  catch (const std::exception& error) {
+    return {BAD_INPUT, error.what(), {}};
+  }
+}
+
+void
+tellOutcome(const std::string& who, const Outcome& outcome, bool quiet)
+{
+  const bool succeeded = outcome.code == DONE || outcome.code == INCOMPLETE;
+  if (succeeded && !quiet)
+    for (const std::string& note : outcome.notes)
+      complain(who, "note: " + note);
+  if (outcome.code != DONE)
+    complain(who, outcome.reason);
+}
+
 int
 runApp(const CommandLine& command_line,
        int argc,
@@ -151,6 +227,7 @@ runApp(const CommandLine& command_line,
        const std::function<Outcome(const Arguments&)>& body)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  installInterruptHandlers();
   Arguments arguments;
   const Status status = command_line.parse(argc, argv, arguments);
   if (!status.ok()) {
@@ -158,21 +235,20 @@ runApp(const CommandLine& command_line,
     return BAD_INPUT;
   }
   if (arguments.count("help") != 0)
-    return answer(command_line.help());
+    return answer(command_line.program(), command_line.help());
   if (arguments.count("version") != 0)
-    return answer(command_line.program() + " " PSR_VERSION "\n");
-  installInterruptHandlers();
-  Outcome outcome = runGuarded(arguments, body);
+    return answer(command_line.program(),
+                  command_line.program() + " " + version() + "\n");
+  Outcome outcome = runGuarded([&] { return body(arguments); });
   if (interrupted() && outcome.code == BAD_INPUT)
-    outcome = {INTERRUPTED, "stopped by a signal; nothing was written", {}};
+    outcome = {INTERRUPTED, stopped_by_signal, {}};
   const bool succeeded = outcome.code == DONE || outcome.code == INCOMPLETE;
-  if (succeeded && arguments.count("quiet") == 0)
-    for (const std::string& note : outcome.notes)
-      complain(command_line.program(), "note: " + note);
-  if (outcome.code != DONE)
-    complain(command_line.program(), outcome.reason);
-  flushedStandardOutput();
-  return outcome.code;
+  tellOutcome(command_line.program(), outcome, arguments.count("quiet") != 0);
+  // A reader that has seen enough of the summary (head) is no failure.
+  if (flushedStandardOutput() || errno == EPIPE || !succeeded)
+    return outcome.code;
+  complain(command_line.program(), "cannot write to standard output: " + lastError());
+  return INCOMPLETE;
 }
 
 Status
@@ -213,23 +289,37 @@ takeText(const Arguments& arguments, const std::string& name)
   return arguments.count(name) == 0 ? "" : arguments[name].as<std::string>();
 }
 
-Status
-checkDifferentFiles(const std::vector<std::string>& paths)
+std::vector<std::string>
+takeTexts(const Arguments& arguments, const std::string& name)
 {
-  namespace fs = std::filesystem;
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    for (std::size_t j = i + 1; j < paths.size(); ++j) {
-      if (paths[i].empty() || paths[j].empty())
-        continue;
-      std::error_code error;
-      const fs::path first = fs::weakly_canonical(paths[i], error);
-      const fs::path second = fs::weakly_canonical(paths[j], error);
-      const bool same_place = fs::equivalent(paths[i], paths[j], error) && !error;
-      if (first == second || same_place)
-        return Status::error("'" + paths[i] + "' and '" + paths[j] +
-                             "' are the same file; give each its own name");
-    }
-  return {};
+  return arguments.count(name) == 0 ? std::vector<std::string>()
+                                    : arguments[name].as<std::vector<std::string>>();
+}
+
+std::ostream&
+peopleStream(const std::vector<std::string>& outputs)
+{
+  const bool is_taken = std::any_of(outputs.begin(), outputs.end(), isStandardStream);
+  return is_taken ? std::cerr : std::cout;
+}
+
+Status
+checkDifferentFiles(const std::vector<std::string>& inputs,
+                    const std::vector<std::string>& outputs)
+{
+  if (std::count(inputs.begin(), inputs.end(), standard_stream) > 1)
+    return Status::error("standard input ('-') can be read once only");
+  if (std::count(outputs.begin(), outputs.end(), standard_stream) > 1)
+    return Status::error("standard output ('-') can take one output only");
+  std::vector<std::string> paths(inputs);
+  paths.insert(paths.end(), outputs.begin(), outputs.end());
+  paths.erase(std::remove_if(paths.begin(),
+                             paths.end(),
+                             [](const std::string& path) {
+                               return path.empty() || isStandardStream(path);
+                             }),
+              paths.end());
+  return checkDifferentPaths(paths);
 }
 
 } // namespace app

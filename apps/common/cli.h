@@ -7,6 +7,7 @@
 #include "status.h"
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Usage {
   std::string summary;  /**< what the program does, in a few lines */
   std::string examples; /**< lines a newcomer can copy */
 };
+
+/** \brief The sentence for the code INTERRUPTED. */
+constexpr const char* stopped_by_signal = "stopped by a signal; nothing was written";
 
 /** \brief How a run ended. */
 struct Outcome {
@@ -57,6 +61,10 @@ public:
   void
   addOptionalPositional(const std::string& name);
 
+  /** \brief Any number of further ones. */
+  void
+  addMorePositionals(const std::string& name);
+
   /** \brief Parse the arguments; abbreviations and unknown options are refused. */
   Status
   parse(int argc, const char* const* argv, Arguments& arguments) const;
@@ -87,6 +95,15 @@ runApp(const CommandLine& command_line,
        const char* const* argv,
        const std::function<Outcome(const Arguments&)>& body);
 
+/** \brief The outcome of \a work; what it or a library throws becomes one, too. */
+Outcome
+runGuarded(const std::function<Outcome()>& work);
+
+/** \brief Print the notes of a success, unless \a quiet, and the reason of anything
+ * else, after \a who. */
+void
+tellOutcome(const std::string& who, const Outcome& outcome, bool quiet);
+
 /** \brief Take a whole number from \a lowest to \a highest; the option has a default or
  * \a value stays as it is. */
 Status
@@ -112,8 +129,19 @@ realValue(double default_value);
 std::string
 takeText(const Arguments& arguments, const std::string& name);
 
-/** \brief Fails when two of the given files are the same one; empty names are none. */
+/** \brief Take the texts of an option that may come several times. */
+std::vector<std::string>
+takeTexts(const Arguments& arguments, const std::string& name);
+
+/** \brief What is for people goes to standard output, unless one of \a outputs does
+ * ("-"): then to standard error. */
+std::ostream&
+peopleStream(const std::vector<std::string>& outputs);
+
+/** \brief Fails when two of the given files are the same one; empty names are none. "-"
+ * may stand for standard input once and for standard output once. */
 Status
-checkDifferentFiles(const std::vector<std::string>& paths);
+checkDifferentFiles(const std::vector<std::string>& inputs,
+                    const std::vector<std::string>& outputs);
 
 } // namespace app

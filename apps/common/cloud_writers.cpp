@@ -3,6 +3,7 @@
 #include "cloud_writers.h"
 
 #include "point_columns.h"
+#include "remarks.h"
 
 #include <algorithm>
 
@@ -65,21 +66,30 @@ writeViewpoint(const Viewpoint& viewpoint, OutputFile& file)
   }
 }
 
+void
+writeComments(const Remarks& remarks, OutputFile& file)
+{
+  for (const std::string& line : asComments(remarks))
+    file.text("# " + line + "\n");
+}
+
 } // namespace
 
 void
-writePcd(const pcl::PCLPointCloud2& cloud, const Viewpoint& viewpoint, OutputFile& file)
+writePcd(const pcl::PCLPointCloud2& cloud, const FileExtras& extras, OutputFile& file)
 {
   std::vector<Field> fields;
   for (const Field& field : cloud.fields)
     if (field.name != "_" && scalarSize(field.datatype) > 0)
       fields.push_back(field);
   const std::size_t points = pointCount(cloud);
-  file.text("# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n");
+  file.text("# .PCD v0.7 - Point Cloud Data file format\n");
+  writeComments(extras.remarks, file);
+  file.text("VERSION 0.7\n");
   writeFields(fields, file);
   file.text("\nWIDTH " + std::to_string(cloud.width) + "\nHEIGHT " +
             std::to_string(cloud.height) + "\n");
-  writeViewpoint(viewpoint, file);
+  writeViewpoint(extras.viewpoint, file);
   file.text("\nPOINTS " + std::to_string(points) + "\nDATA binary\n");
   for (std::size_t i = 0; i < points; ++i)
     for (const Field& field : fields)
@@ -88,9 +98,10 @@ writePcd(const pcl::PCLPointCloud2& cloud, const Viewpoint& viewpoint, OutputFil
 }
 
 void
-writeXyz(const pcl::PCLPointCloud2& cloud, OutputFile& file)
+writeXyz(const pcl::PCLPointCloud2& cloud, const Remarks& remarks, OutputFile& file)
 {
   const std::vector<PointColumn> columns = listColumns(cloud);
+  writeComments(remarks, file);
   file.text("#");
   for (const PointColumn& column : columns)
     file.text(" " + column.name);

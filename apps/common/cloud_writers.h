@@ -7,15 +7,13 @@
 
 namespace app {
 
-/** \brief Binary PCD with all fields, sizes and the viewpoint. */
+/** \brief Binary PCD with all fields, sizes, the viewpoint and the remarks. */
 void
-writePcd(const pcl::PCLPointCloud2& cloud,
-         const Viewpoint& viewpoint,
-         OutputFile& file);
+writePcd(const pcl::PCLPointCloud2& cloud, const FileExtras& extras, OutputFile& file);
 
 /** \brief One line of numbers per point, under a comment line with their names, by
  * which readXyz() knows them again. */
 void
-writeXyz(const pcl::PCLPointCloud2& cloud, OutputFile& file);
+writeXyz(const pcl::PCLPointCloud2& cloud, const Remarks& remarks, OutputFile& file);
 
 } // namespace app

@@ -6,6 +6,7 @@
 #include <pcl/PolygonMesh.h>
 
 #include "damage_regions.h"
+#include "file_format.h"
 
 namespace app {
 
@@ -15,6 +16,8 @@ struct DamageSettings {
   std::string output;
   std::string removed;
   std::string free_points;
+  std::string report;
+  FileFormat format = FileFormat::UNKNOWN; /**< on standard output, if it was given */
   std::vector<std::string> spheres;
   std::vector<std::string> slabs;
   bool absolute = false;

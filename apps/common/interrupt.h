@@ -8,7 +8,7 @@ namespace app {
 
 /** \brief From now on SIGINT, SIGTERM and SIGHUP only set a flag, so that a run can
  * stop and clean up; a second signal removes temporary files and ends the program at
- * once. */
+ * once. A broken pipe becomes an error of the write. */
 void
 installInterruptHandlers();
 

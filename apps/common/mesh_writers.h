@@ -12,18 +12,17 @@ namespace app {
 /** \brief Binary little-endian PLY with all fields; colours as red, green, blue bytes
  * and normals as nx, ny, nz, as PCL and MeshLab expect. A mesh without polygons and a
  * cloud differ in nothing but an empty face element, left out for \a with_faces false.
- * 64-bit whole numbers, which PLY does not know, become doubles (exact up to 2^53). */
+ * A viewpoint becomes the element "camera" that PCL reads and writes. 64-bit whole
+ * numbers, which PLY does not know, become doubles (exact up to 2^53). */
 void
 writePly(const pcl::PolygonMesh& mesh,
-         const std::vector<FaceProperty>& properties,
+         const FileExtras& extras,
          bool with_faces,
          OutputFile& file);
 
 /** \brief Legacy VTK, binary, with all fields; colours as COLOR_SCALARS "RGB". */
 void
-writeVtk(const pcl::PolygonMesh& mesh,
-         const std::vector<FaceProperty>& properties,
-         OutputFile& file);
+writeVtk(const pcl::PolygonMesh& mesh, const FileExtras& extras, OutputFile& file);
 
 /** \brief The same for lines along the points of a cloud. */
 void
@@ -33,7 +32,11 @@ writeVtkLines(const pcl::PCLPointCloud2& cloud,
 
 /** \brief Wavefront OBJ with colours and normals; other fields have no place there. */
 void
-writeObj(const pcl::PolygonMesh& mesh, OutputFile& file);
+writeObj(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file);
+
+/** \brief ASCII OFF, COFF, NOFF or CNOFF: positions, normals and colours. */
+void
+writeOff(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file);
 
 /** \brief Binary STL: triangles only, no fields and no points without a triangle. */
 void

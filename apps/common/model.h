@@ -19,6 +19,21 @@ struct Viewpoint {
   bool known = false;
   Eigen::Vector3f position = Eigen::Vector3f::Zero(); /**< in the units of the cloud */
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
+
+  /** \brief Whether there is more to it than what files have that know none. */
+  bool
+  isTold() const
+  {
+    return !position.isZero(0) ||
+           !orientation.coeffs().isApprox(Eigen::Quaternionf::Identity().coeffs(), 0);
+  }
+};
+
+/** \brief Text of a file that is for people; units are often there. */
+struct Remarks {
+  std::vector<std::string> comments; /**< lines without their keyword or sign */
+  std::vector<std::string> infos;    /**< the obj_info lines of PLY */
+  std::string title;                 /**< of a VTK file; empty where it tells nothing */
 };
 
 /** \brief Contents of a file: a cloud with all its fields (x, y and z always float32)
@@ -26,6 +41,7 @@ struct Viewpoint {
 struct Model {
   pcl::PolygonMesh mesh;
   Viewpoint viewpoint;
+  Remarks remarks;
   Warnings warnings; /**< what the file holds that the model does not */
 };
 
@@ -33,6 +49,13 @@ struct Model {
 struct FaceProperty {
   std::string name;
   std::vector<std::int32_t> values;
+};
+
+/** \brief What a file gets besides points and polygons, as far as its format can. */
+struct FileExtras {
+  std::vector<FaceProperty> properties;
+  Viewpoint viewpoint;
+  Remarks remarks;
 };
 
 } // namespace app

@@ -12,6 +12,7 @@
 #include "point_columns.h"
 #include "polygon_builder.h"
 #include "position_check.h"
+#include "remarks.h"
 #include "stl_reader.h"
 #include "vtk_reader.h"
 #include "xyz_reader.h"
@@ -48,6 +49,9 @@ parseAs(FileFormat format, Contents contents, InputFile& file, Model& model)
       std::string_view(file.begin(), file.size()).substr(0, 3) == byte_order_mark;
   if (has_mark && format != FileFormat::STL)
     file.skip(byte_order_mark.size());
+  if (format == FileFormat::OBJ || format == FileFormat::OFF ||
+      format == FileFormat::PCD || format == FileFormat::XYZ)
+    readUnitComments(file, format == FileFormat::OFF ? 1 : 0, model.remarks);
   switch (format) {
   case FileFormat::PLY:
     return readPly(file, contents, model);
@@ -128,31 +132,34 @@ warnAboutLostFields(const pcl::PCLPointCloud2& cloud,
 
 } // namespace
 
+Target::Target(std::string name)
+: path(std::move(name))
+, format(isStandardStream(path) ? FileFormat::PLY : formatOfPath(path))
+{}
+
 bool
-isCloudOutput(const std::string& path)
+isCloudOutput(const Target& target)
 {
-  const FileFormat format = formatOfPath(path);
-  return format == FileFormat::PCD || format == FileFormat::PLY ||
-         formatOfPath(path) == FileFormat::XYZ;
+  return target.format == FileFormat::PCD || target.format == FileFormat::PLY ||
+         target.format == FileFormat::XYZ;
 }
 
 bool
-isMeshOutput(const std::string& path)
+isMeshOutput(const Target& target)
 {
-  const FileFormat format = formatOfPath(path);
-  return holdsPolygons(format) && format != FileFormat::OFF;
+  return holdsPolygons(target.format);
 }
 
 bool
-holdsFreePoints(const std::string& path)
+holdsFreePoints(const Target& target)
 {
-  return formatOfPath(path) != FileFormat::STL;
+  return target.format != FileFormat::STL;
 }
 
 bool
-holdsFaceProperties(const std::string& path)
+holdsFaceProperties(const Target& target)
 {
-  return formatOfPath(path) == FileFormat::PLY;
+  return target.format == FileFormat::PLY;
 }
 
 Status
@@ -188,40 +195,42 @@ parseMesh(FileFormat format, const char* bytes, std::size_t size, Model& model)
 }
 
 Status
-checkMeshOutput(const std::string& path)
+checkMeshOutput(const Target& target)
 {
-  return isMeshOutput(path) ? OutputFile::check(path)
-                            : unknownEnding(path, mesh_output_endings);
+  return isMeshOutput(target) ? OutputFile::check(target.path)
+                              : unknownEnding(target.path, mesh_output_endings);
 }
 
 Status
-checkCloudOutput(const std::string& path)
+checkCloudOutput(const Target& target)
 {
-  return isCloudOutput(path) ? OutputFile::check(path)
-                             : unknownEnding(path, cloud_output_endings);
+  return isCloudOutput(target) ? OutputFile::check(target.path)
+                               : unknownEnding(target.path, cloud_output_endings);
 }
 
 void
-writeMesh(const std::string& path,
+writeMesh(const Target& target,
           const pcl::PolygonMesh& mesh,
-          const std::vector<FaceProperty>& properties,
+          const FileExtras& extras,
           OutputFile& file,
           Warnings& warnings)
 {
-  const FileFormat format = formatOfPath(path);
-  if (format == FileFormat::PLY)
-    writePly(mesh, properties, true, file);
-  if (format == FileFormat::VTK)
-    writeVtk(mesh, properties, file);
-  if (format == FileFormat::OBJ) {
-    writeObj(mesh, file);
+  const bool is_obj = target.format == FileFormat::OBJ;
+  if (target.format == FileFormat::PLY)
+    writePly(mesh, extras, true, file);
+  if (target.format == FileFormat::VTK)
+    writeVtk(mesh, extras, file);
+  if (is_obj)
+    writeObj(mesh, extras.remarks, file);
+  if (target.format == FileFormat::OFF)
+    writeOff(mesh, extras.remarks, file);
+  if (is_obj || target.format == FileFormat::OFF)
     warnAboutLostFields(
         mesh.cloud,
         {"x", "y", "z", "rgb", "rgba", "normal_x", "normal_y", "normal_z"},
-        "OBJ",
+        is_obj ? "OBJ" : "OFF",
         warnings);
-  }
-  if (format == FileFormat::STL) {
+  if (target.format == FileFormat::STL) {
     writeStl(mesh, file);
     warnings.push_back(
         "STL holds triangles only: no points without a triangle, no order "
@@ -231,20 +240,19 @@ writeMesh(const std::string& path,
 }
 
 void
-writeCloud(const std::string& path,
+writeCloud(const Target& target,
            const pcl::PCLPointCloud2& cloud,
-           const Viewpoint& viewpoint,
+           const FileExtras& extras,
            OutputFile& file)
 {
-  const FileFormat format = formatOfPath(path);
-  if (format == FileFormat::PCD)
-    writePcd(cloud, viewpoint, file);
-  else if (format == FileFormat::XYZ)
-    writeXyz(cloud, file);
+  if (target.format == FileFormat::PCD)
+    writePcd(cloud, extras, file);
+  else if (target.format == FileFormat::XYZ)
+    writeXyz(cloud, extras.remarks, file);
   else {
     pcl::PolygonMesh mesh;
     mesh.cloud = cloud;
-    writePly(mesh, {}, false, file);
+    writePly(mesh, extras, false, file);
   }
 }
 

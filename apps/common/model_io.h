@@ -7,13 +7,16 @@
 #include "model.h"
 #include "output_file.h"
 
+#include <string>
+#include <utility>
+
 namespace app {
 
 /** \brief Endings of names, for usage texts. */
 constexpr const char* cloud_endings =
     ".pcd .ply .obj .xyz (.txt .pts .csv) .vtk .stl .off";
 constexpr const char* mesh_endings = ".ply .vtk .obj .stl .off";
-constexpr const char* mesh_output_endings = ".ply .vtk .obj .stl";
+constexpr const char* mesh_output_endings = ".ply .vtk .obj .off .stl";
 constexpr const char* cloud_output_endings = ".pcd .ply .xyz";
 
 /** \brief Read the points of a file with all their fields; a mesh gives its vertices.
@@ -40,46 +43,55 @@ parseCloud(FileFormat format, const char* bytes, std::size_t size, Model& model)
 Status
 parseMesh(FileFormat format, const char* bytes, std::size_t size, Model& model);
 
-/** \brief Fails when \a path has no ending of a mesh to write, or cannot be written. */
-Status
-checkMeshOutput(const std::string& path);
+/** \brief Where a model goes, and in which format. */
+struct Target {
+  /** \brief The ending tells the format; "-" is standard output, and PLY. */
+  Target(std::string name);                               // NOLINT: a name is a target
+  Target(const char* name) : Target(std::string(name)) {} // NOLINT
+  Target(std::string name, FileFormat as) : path(std::move(name)), format(as) {}
 
-/** \brief Fails when \a path has no ending of a cloud to write, or cannot be written.
+  std::string path;
+  FileFormat format;
+};
+
+/** \brief Fails when \a target has no format for a mesh, or cannot be written. */
+Status
+checkMeshOutput(const Target& target);
+
+/** \brief Fails when \a target has no format for a cloud, or cannot be written. */
+Status
+checkCloudOutput(const Target& target);
+
+/** \brief Whether the format can hold a cloud, or a mesh. */
+bool
+isCloudOutput(const Target& target);
+bool
+isMeshOutput(const Target& target);
+
+/** \brief Whether the format can hold points without a triangle (STL cannot). */
+bool
+holdsFreePoints(const Target& target);
+
+/** \brief Whether the format can hold numbers of single triangles under a name of ours
+ * (PLY). */
+bool
+holdsFaceProperties(const Target& target);
+
+/** \brief Write \a mesh into the file opened for \a target, in its format. Nothing has
+ * its name before OutputFile::commit(). \a warnings gets what the format cannot hold.
  */
-Status
-checkCloudOutput(const std::string& path);
-
-/** \brief Whether \a path ends like a cloud, or like a mesh, that can be written. */
-bool
-isCloudOutput(const std::string& path);
-bool
-isMeshOutput(const std::string& path);
-
-/** \brief Whether the format of \a path can hold points without a triangle (STL
- * cannot). */
-bool
-holdsFreePoints(const std::string& path);
-
-/** \brief Whether the format of \a path can hold numbers of single triangles under a
- * name of ours (PLY). */
-bool
-holdsFaceProperties(const std::string& path);
-
-/** \brief Write \a mesh into the file opened for \a path, in the format of its ending.
- * Nothing has its name before OutputFile::commit(). \a warnings gets what the format
- * cannot hold. */
 void
-writeMesh(const std::string& path,
+writeMesh(const Target& target,
           const pcl::PolygonMesh& mesh,
-          const std::vector<FaceProperty>& properties,
+          const FileExtras& extras,
           OutputFile& file,
           Warnings& warnings);
 
 /** \brief The same for the points alone. */
 void
-writeCloud(const std::string& path,
+writeCloud(const Target& target,
            const pcl::PCLPointCloud2& cloud,
-           const Viewpoint& viewpoint,
+           const FileExtras& extras,
            OutputFile& file);
 
 } // namespace app

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: writes Wavefront OBJ.
 #include "mesh_writers.h"
 #include "point_columns.h"
+#include "remarks.h"
 
 #include <array>
 
@@ -63,7 +64,7 @@ writeFace(const pcl::Vertices& polygon, bool has_normal, OutputFile& file)
 } // namespace
 
 void
-writeObj(const pcl::PolygonMesh& mesh, OutputFile& file)
+writeObj(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file)
 {
   const pcl::PCLPointCloud2& cloud = mesh.cloud;
   const std::vector<PointColumn> columns = listColumns(cloud);
@@ -73,7 +74,9 @@ writeObj(const pcl::PolygonMesh& mesh, OutputFile& file)
   const bool has_colour = findColour(cloud, colour);
   const bool has_normal = findNormal(cloud, normal);
   const std::size_t points = pointCount(cloud);
-  file.text("# PclSurfaceRepair\n");
+  file.text("# " + std::string(our_mark) + "\n");
+  for (const std::string& line : asComments(remarks))
+    file.text("# " + line + "\n");
   for (std::size_t i = 0; i < points; ++i) {
     file.text("v");
     writePosition(pointAt(cloud, i), axes, file);

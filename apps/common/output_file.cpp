@@ -2,11 +2,14 @@
 // Part of PclSurfaceRepair: an output file that is either whole or not there.
 #include "output_file.h"
 
+#include "file_format.h"
 #include "interrupt.h"
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -21,7 +24,8 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
 Status
 cannotWrite(const std::string& path, const std::string& why)
 {
-  return Status::error("cannot write '" + path + "': " + why);
+  return Status::error("cannot write " + nameForPeople(path, "standard output") + ": " +
+                       why);
 }
 
 /** A link is followed, so that renaming replaces what it points to and not the link. */
@@ -66,6 +70,30 @@ checkTarget(const std::string& path)
   return {};
 }
 
+/** A signal does not end a write() that waits for a slow reader, so the wait is done
+ * here. \return an errno, or 0. */
+int
+writeToStream(int descriptor, const std::vector<char>& bytes)
+{
+  constexpr int patience_ms = 200;
+  constexpr std::size_t portion = 4096; // what poll() promises to fit into a pipe
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    pollfd request{descriptor, POLLOUT, 0};
+    const int ready = poll(&request, 1, patience_ms);
+    if (interrupted())
+      return EINTR;
+    if (ready == 0 || (ready < 0 && errno == EINTR))
+      continue;
+    const ssize_t written = ::write(
+        descriptor, bytes.data() + done, std::min(portion, bytes.size() - done));
+    if (written < 0 && errno != EINTR && errno != EAGAIN)
+      return errno;
+    done += written > 0 ? static_cast<std::size_t>(written) : 0;
+  }
+  return 0;
+}
+
 } // namespace
 
 OutputFile::~OutputFile() { discard(); }
@@ -73,6 +101,8 @@ OutputFile::~OutputFile() { discard(); }
 Status
 OutputFile::check(const std::string& path)
 {
+  if (isStandardStream(path))
+    return {};
   const Status status = checkTarget(path);
   if (!status.ok() || isDevice(path))
     return status;
@@ -84,6 +114,13 @@ Status
 OutputFile::open(const std::string& path)
 {
   discard();
+  is_stream_ = isStandardStream(path);
+  if (is_stream_) {
+    path_ = path;
+    error_ = 0;
+    buffer_.reserve(buffer_bytes);
+    return {};
+  }
   Status status = checkTarget(path);
   if (!status.ok())
     return status;
@@ -115,6 +152,12 @@ OutputFile::write(const void* bytes, std::size_t count)
 void
 OutputFile::flush()
 {
+  if (is_stream_) {
+    held_back_.push_back(std::move(buffer_));
+    buffer_ = {};
+    buffer_.reserve(buffer_bytes);
+    return;
+  }
   std::size_t done = 0;
   while (done < buffer_.size() && error_ == 0) {
     const ssize_t written =
@@ -142,8 +185,21 @@ OutputFile::finish()
 }
 
 Status
+OutputFile::commitStream()
+{
+  flush();
+  for (const std::vector<char>& bytes : held_back_)
+    if (error_ == 0)
+      error_ = writeToStream(STDOUT_FILENO, bytes);
+  held_back_.clear();
+  return error_ == 0 ? Status() : cannotWrite(path_, std::strerror(error_));
+}
+
+Status
 OutputFile::commit()
 {
+  if (is_stream_)
+    return commitStream();
   if (!finish().ok())
     discard();
   if (error_ == 0 && !temporary_.empty() &&
@@ -168,6 +224,7 @@ OutputFile::discard()
     removeTemporaryFile(slot_);
   }
   temporary_.clear();
+  held_back_.clear();
 }
 
 } // namespace app

@@ -15,7 +15,8 @@ namespace app {
 
 /** \brief Writes to a temporary name in the folder of the target; commit() renames it.
  * Without commit(), after an error or a signal, the temporary file is removed, and a
- * target of an earlier run stays as it was. Devices and pipes are written directly. */
+ * target of an earlier run stays as it was. Devices and pipes are written directly.
+ * Standard output ("-") gets its first byte in commit(). */
 class OutputFile {
 public:
   OutputFile() = default;
@@ -64,6 +65,14 @@ public:
     write(reversed, sizeof(T));
   }
 
+  /** \brief Whether it is standard output, which nobody can take back: to be committed
+   * when all else is known to work. */
+  bool
+  isStandardOutput() const
+  {
+    return is_stream_;
+  }
+
   /** \brief Write the rest: all that can fail for lack of room. Nothing may be appended
    * any more. */
   Status
@@ -76,6 +85,8 @@ public:
 private:
   void
   flush();
+  Status
+  commitStream();
   void
   discard();
 
@@ -84,7 +95,9 @@ private:
   int slot_ = -1; /**< of the temporary file, see addTemporaryFile() */
   int descriptor_ = -1;
   int error_ = 0;
+  bool is_stream_ = false;
   std::vector<char> buffer_;
+  std::vector<std::vector<char>> held_back_; /**< for standard output */
 };
 
 } // namespace app

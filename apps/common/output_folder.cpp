@@ -95,9 +95,10 @@ OutputFolder::commit()
   for (const auto& file : files_)
     if (status_.ok())
       status_ = file->finish();
-  for (const auto& file : files_)
-    if (status_.ok())
-      status_ = file->commit();
+  for (const bool is_standard_output : {true, false})
+    for (const auto& file : files_)
+      if (status_.ok() && file->isStandardOutput() == is_standard_output)
+        status_ = file->commit();
   if (!status_.ok())
     return status_;
   made_.clear();

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: what a PLY file says it holds.
 #include "ply_header.h"
 
+#include "remarks.h"
+
 #include <array>
 #include <utility>
 
@@ -52,7 +54,14 @@ public:
   {
     TextScanner words(line.data(), line.data() + line.size());
     std::string_view keyword;
-    if (!words.nextWord(keyword) || keyword == "comment" || keyword == "obj_info")
+    if (!words.nextWord(keyword))
+      return {};
+    const std::string_view rest(words.position(), words.remaining());
+    if (keyword == "comment")
+      addComment(rest, header_.remarks);
+    if (keyword == "obj_info")
+      addInfo(rest);
+    if (keyword == "comment" || keyword == "obj_info")
       return {};
     if (keyword == "format")
       return addFormat(words);
@@ -75,6 +84,15 @@ private:
   {
     return Status::error("its header has the line '" + std::string(line.substr(0, 40)) +
                          "', which is not PLY");
+  }
+
+  void
+  addInfo(std::string_view text)
+  {
+    Remarks info;
+    addComment(text, info);
+    for (const std::string& line : info.comments)
+      header_.remarks.infos.push_back(line);
   }
 
   Status

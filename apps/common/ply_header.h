@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: what a PLY file says it holds.
 #pragma once
 
+#include "model.h"
 #include "scalar_types.h"
 #include "status.h"
 #include "text_scanner.h"
@@ -39,6 +40,7 @@ struct PlyElement {
 
 struct PlyHeader {
   PlyFormat format = PlyFormat::ASCII;
+  Remarks remarks;
   std::vector<PlyElement> elements;
 };
 

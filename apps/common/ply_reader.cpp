@@ -3,10 +3,12 @@
 #include "ply_reader.h"
 
 #include "ply_header.h"
+#include "point_columns.h"
 #include "point_table.h"
 #include "polygon_builder.h"
 
 #include <algorithm>
+#include <map>
 
 namespace app {
 namespace {
@@ -90,13 +92,14 @@ public:
   run()
   {
     Status status = readPlyHeader(scanner_, header_);
+    model_.remarks = header_.remarks;
+    const std::size_t wanted = wantedElements();
     bool has_vertices = false;
-    for (const PlyElement& element : header_.elements) {
-      if (!status.ok())
-        return status;
-      const bool wants_more = !has_vertices || contents_ != Contents::POINTS;
-      if (wants_more)
-        status = readElement(element);
+    for (std::size_t i = 0; status.ok() && i < wanted; ++i) {
+      const PlyElement& element = header_.elements[i];
+      if (has_vertices && element.name == "vertex")
+        return Status::error("it has two elements 'vertex'");
+      status = readElement(element);
       has_vertices = has_vertices || element.name == "vertex";
     }
     if (status.ok() && !has_vertices)
@@ -105,6 +108,20 @@ public:
   }
 
 private:
+  /** How many elements have to be gone through to have read all that is wanted. */
+  std::size_t
+  wantedElements() const
+  {
+    std::size_t wanted = header_.elements.size();
+    const auto is_point_element = [](const PlyElement& element) {
+      return element.name == "vertex" || element.name == "camera";
+    };
+    while (contents_ == Contents::POINTS && wanted > 0 &&
+           !is_point_element(header_.elements[wanted - 1]))
+      --wanted;
+    return wanted;
+  }
+
   Status
   readElement(const PlyElement& element)
   {
@@ -172,22 +189,60 @@ private:
   readCamera(const PlyElement& element)
   {
     ValueReader values(scanner_, header_.format);
-    Eigen::Vector3f& at = model_.viewpoint.position;
-    int found = 0;
+    std::map<std::string, float> numbers;
     for (const PlyProperty& property : element.properties) {
       float value = 0;
       if (property.isList() ? !values.skipProperty(property)
                             : !values.read(property.type, value))
         return truncated(element, 0);
-      for (int axis = 0; axis < 3; ++axis)
-        if (property.name == std::string("view_p") + "xyz"[axis]) {
-          at[axis] = value;
-          ++found;
-        }
+      numbers[property.name] = value;
     }
-    // PCL writes the origin when it knows no better.
-    model_.viewpoint.known = found == 3 && at.allFinite() && !at.isZero(0);
+    placeCamera(numbers);
+    organise(numbers["viewportx"], numbers["viewporty"]);
     return {};
+  }
+
+  /** PCL's size of the picture is that of an organised cloud. */
+  void
+  organise(float columns, float rows)
+  {
+    pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
+    constexpr float most = 1e6F;
+    if (!(columns >= 1 && columns <= most && rows >= 1 && rows <= most))
+      return;
+    const auto width = static_cast<std::uint64_t>(columns);
+    const auto height = static_cast<std::uint64_t>(rows);
+    if (width * height != pointCount(cloud))
+      return;
+    cloud.width = static_cast<pcl::uindex_t>(width);
+    cloud.height = static_cast<pcl::uindex_t>(height);
+    cloud.row_step = cloud.width * cloud.point_step;
+  }
+
+  void
+  placeCamera(const std::map<std::string, float>& numbers)
+  {
+    const auto take = [&](const std::string& name, float& value) {
+      const auto found = numbers.find(name);
+      if (found != numbers.end())
+        value = found->second;
+      return found != numbers.end();
+    };
+    Viewpoint& viewpoint = model_.viewpoint;
+    Eigen::Matrix3f axes;
+    bool has_place = true;
+    bool has_axes = true;
+    for (int i = 0; i < 3; ++i) {
+      const std::string name(1, "xyz"[i]);
+      has_place = take("view_p" + name, viewpoint.position[i]) && has_place;
+      for (int k = 0; k < 3; ++k)
+        has_axes = take(name + "_axis" + "xyz"[k], axes(i, k)) && has_axes;
+    }
+    if (has_axes && axes.allFinite() && axes.isUnitary(1e-3F))
+      viewpoint.orientation = Eigen::Quaternionf(axes).normalized();
+    // PCL writes the origin when it knows no better.
+    viewpoint.known =
+        has_place && viewpoint.position.allFinite() && !viewpoint.position.isZero(0);
   }
 
   static bool

@@ -2,8 +2,11 @@
 // Part of PclSurfaceRepair: writes binary PLY with all fields.
 #include "mesh_writers.h"
 #include "point_columns.h"
+#include "remarks.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace app {
 namespace {
@@ -41,21 +44,91 @@ isWide(ScalarType type)
   return type == Field::INT64 || type == Field::UINT64;
 }
 
+/** Numbers of the camera by the names that PCL reads, in its order. */
+constexpr std::array<const char*, 14> CAMERA_NUMBERS{"view_px",
+                                                     "view_py",
+                                                     "view_pz",
+                                                     "x_axisx",
+                                                     "x_axisy",
+                                                     "x_axisz",
+                                                     "y_axisx",
+                                                     "y_axisy",
+                                                     "y_axisz",
+                                                     "z_axisx",
+                                                     "z_axisy",
+                                                     "z_axisz",
+                                                     "viewportx",
+                                                     "viewporty"};
+
+bool
+isWhole(std::string_view name)
+{
+  return name == "viewportx" || name == "viewporty";
+}
+
+void
+writeRemarks(const Remarks& remarks, OutputFile& file)
+{
+  file.text("comment " + std::string(our_mark) + "\n");
+  if (!remarks.title.empty())
+    file.text("comment " + remarks.title + "\n");
+  for (const std::string& line : remarks.comments)
+    file.text("comment " + line + "\n");
+  for (const std::string& line : remarks.infos)
+    file.text("obj_info " + line + "\n");
+}
+
+void
+announceCamera(OutputFile& file)
+{
+  file.text("element camera 1\n");
+  for (const std::string name : CAMERA_NUMBERS)
+    file.text("property " + std::string(isWhole(name) ? "int " : "float ") + name +
+              "\n");
+}
+
+/** The axes are the rows of the rotation, as PCL writes them. Like PCL, the size of the
+ * picture stands for that of an organised cloud. */
+void
+writeCamera(const Viewpoint& viewpoint,
+            const pcl::PCLPointCloud2& cloud,
+            OutputFile& file)
+{
+  const Eigen::Matrix3f axes = viewpoint.orientation.toRotationMatrix();
+  std::vector<float> numbers(viewpoint.position.data(), viewpoint.position.data() + 3);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      numbers.push_back(axes(row, column));
+  numbers.resize(CAMERA_NUMBERS.size(), 0.0F);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string_view name = CAMERA_NUMBERS[i];
+    const auto size =
+        static_cast<std::int32_t>(name == "viewportx" ? cloud.width : cloud.height);
+    if (isWhole(name))
+      file.write(&size, sizeof(size));
+    else
+      file.write(&numbers[i], sizeof(float));
+  }
+}
+
 void
 writeHeader(const pcl::PolygonMesh& mesh,
             const std::vector<PointColumn>& columns,
-            const std::vector<FaceProperty>& properties,
+            const FileExtras& extras,
             const char* faces, // type of the corner count; null for a cloud
             OutputFile& file)
 {
-  file.text("ply\nformat binary_little_endian 1.0\ncomment PclSurfaceRepair\n");
+  file.text("ply\nformat binary_little_endian 1.0\n");
+  writeRemarks(extras.remarks, file);
   file.text("element vertex " + std::to_string(pointCount(mesh.cloud)) + "\n");
   for (const PointColumn& column : columns)
     file.text("property " + plyTypeName(column.type) + " " + column.name + "\n");
+  if (extras.viewpoint.isTold())
+    announceCamera(file);
   if (faces) {
     file.text("element face " + std::to_string(mesh.polygons.size()) + "\n");
     file.text("property list " + std::string(faces) + " int vertex_indices\n");
-    for (const FaceProperty& property : properties)
+    for (const FaceProperty& property : extras.properties)
       file.text("property int " + property.name + "\n");
   }
   file.text("end_header\n");
@@ -106,7 +179,7 @@ writeFaces(const pcl::PolygonMesh& mesh,
 
 void
 writePly(const pcl::PolygonMesh& mesh,
-         const std::vector<FaceProperty>& properties,
+         const FileExtras& extras,
          bool with_faces,
          OutputFile& file)
 {
@@ -116,10 +189,12 @@ writePly(const pcl::PolygonMesh& mesh,
         return polygon.vertices.size() > 255;
       });
   const char* const count_type = wide_count ? "int" : "uchar";
-  writeHeader(mesh, columns, properties, with_faces ? count_type : nullptr, file);
+  writeHeader(mesh, columns, extras, with_faces ? count_type : nullptr, file);
   writePoints(mesh.cloud, columns, file);
+  if (extras.viewpoint.isTold())
+    writeCamera(extras.viewpoint, mesh.cloud, file);
   if (with_faces)
-    writeFaces(mesh, properties, wide_count, file);
+    writeFaces(mesh, extras.properties, wide_count, file);
 }
 
 } // namespace app

@@ -26,12 +26,16 @@ mesh keeps all points of the cloud, in order and with all fields (colours, norma
 intensity, ...); points no triangle could be trusted with stay without triangles.
 
 INPUT_CLOUD   )" +
-      std::string(cloud_endings) + R"(; of a mesh only the points are read
+      std::string(cloud_endings) + R"(;
+              of a mesh only the points are read
 OUTPUT_MESH   )" +
-      mesh_output_endings + "; .ply keeps most";
+      mesh_output_endings + R"(; .ply keeps most
+'-' stands for standard input (the first bytes tell the format) and standard output
+(PLY unless --format is given); what is for people then goes to standard error.)";
   usage.examples = R"(  pcl_ccaa_reconstruct bunny.pcd bunny.ply
   pcl_ccaa_reconstruct scan.xyz scan.ply --threads 4 --report scan.json
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --repair
+  pcl_ccaa_reconstruct - - < bunny.pcd | pcl_repair_holes - bunny.ply
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --labels --normals --measure-speedup
 )";
   return usage;
@@ -66,7 +70,9 @@ addOutputs(po::options_description_easy_init add)
   add("normals",
       po::bool_switch(),
       "write a normal of the surface for each point, unless the cloud has normals");
-  add("report", text(), "write figures about the run to this JSON file");
+  add("report",
+      text(),
+      "write figures about the run to this JSON file, or to standard output (-)");
   add("measure-speedup",
       po::bool_switch(),
       "also run the base stage alone, and print whether the stages before it pay");
@@ -129,7 +135,7 @@ checkChoices(const ReconstructSettings& settings)
   if (settings.normals && settings.until == "start")
     return Status::error("--normals needs triangles that are wound alike; it does not "
                          "go with --until start");
-  if (settings.labels && !holdsFaceProperties(settings.output))
+  if (settings.labels && !holdsFaceProperties(settings.target()))
     return Status::error("--labels needs an output that ends in .ply, not '" +
                          settings.output + "'");
   return {};
@@ -143,6 +149,7 @@ makeReconstructCommandLine()
   CommandLine line(usage());
   addOutputs(line.addOptions());
   addSettings(line.addOptions());
+  addFormatOption(line, "ply, vtk, obj, off or stl");
   line.addPositional("INPUT_CLOUD");
   line.addPositional("OUTPUT_MESH");
   return line;
@@ -162,7 +169,10 @@ takeReconstructSettings(const Arguments& arguments, ReconstructSettings& setting
   settings.normals = arguments["normals"].as<bool>();
   settings.measure_speedup = arguments["measure-speedup"].as<bool>();
   settings.quiet = arguments.count("quiet") != 0;
-  Status status = checkChoices(settings);
+  Status status =
+      takeFormat(arguments, isStandardStream(settings.output), settings.format);
+  if (status.ok())
+    status = checkChoices(settings);
   if (status.ok())
     status = takeCount(arguments, "threads", 0, 1024, settings.threads);
   if (status.ok())

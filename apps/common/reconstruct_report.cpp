@@ -102,8 +102,6 @@ describeRun(const ReconstructSettings& settings,
   const std::size_t peak = peakMemoryBytes();
   const std::size_t added = peak - std::min(peak, result.memory_before);
   json report = {
-      {"input", settings.input},
-      {"output", settings.output},
       {"until", settings.until},
       {"N", points},
       {"usable_points", result.start.points},
@@ -146,7 +144,7 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
                 points,
                 result.chain.free_points,
                 result.model.mesh.polygons.size());
-  std::string line = settings.output + text;
+  std::string line = summaryName(settings.output) + text;
   if (result.repair)
     line += ", " + std::to_string(result.repair->new_triangles) + " of them by repair";
   if (result.boundary_loops)

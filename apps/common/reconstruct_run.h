@@ -10,6 +10,7 @@
 #include <pcl/point_types.h>
 
 #include "model.h"
+#include "output_format.h"
 #include "progress.h"
 #include "report.h"
 
@@ -25,6 +26,7 @@ struct ReconstructSettings {
   std::string input;
   std::string output;
   std::string report;
+  FileFormat format = FileFormat::UNKNOWN; // on standard output, if it was given
   std::string until = "base";
   std::string search = "fast";
   unsigned int threads = 0;
@@ -39,6 +41,12 @@ struct ReconstructSettings {
   bool measure_speedup = false;
   bool repair = false; // what the base stage left open
   bool quiet = false;
+
+  Target
+  target() const
+  {
+    return makeTarget(output, format);
+  }
 
   bool
   hasFilter() const

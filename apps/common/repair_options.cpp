@@ -100,6 +100,13 @@ addRunOptions(po::options_description_easy_init add)
       path(),
       "write what was found to this folder (made if missing): .vtk and .pcd files for "
       "pcl_viewer, PNG pictures, and legend.txt, which explains them");
+  add("dry-run",
+      "say what would be repaired, and write nothing but the report; exit code 0: "
+      "nothing to do, 2: something");
+  add("output-folder",
+      path(),
+      "write NAME.ply to this folder (made if missing) for each of any number of "
+      "inputs; --format chooses another ending");
   add("no-pictures", "leave out the pictures");
   add("free-points", path(), "a cloud of points of the missing regions");
   add("bridges",
@@ -108,7 +115,9 @@ addRunOptions(po::options_description_easy_init add)
   add("labels",
       "write how each triangle came about as the face property 'origin': 0 input, "
       "1 fan, 2 minimum weight, 3 completion; PLY only");
-  add("report", path(), "write figures about the model to this JSON file");
+  add("report",
+      path(),
+      "write figures about the model to this JSON file, or to standard output (-)");
   add("threads",
       po::value<long long>()->default_value(0),
       "number of threads, 0 = all; the result is the same for any");
@@ -247,20 +256,68 @@ takeClosingParameters(const Arguments& arguments, RepairParameters& parameters)
   return status;
 }
 
+Status
+checkManyInputs(const RepairSettings& settings)
+{
+  if (!settings.inspect.empty() || !settings.bridges.empty())
+    return Status::error("--inspect and --bridges tell about one model; they do not go "
+                         "with --output-folder");
+  const Target target("", settings.format);
+  if (!isMeshOutput(target))
+    return Status::error("--format for --output-folder must be one of ply, vtk, obj, "
+                         "off and stl");
+  if (settings.labels && !holdsFaceProperties(target))
+    return Status::error("--labels needs --format ply");
+  return {};
+}
+
 /** Options that do not go together, or ask for nothing. */
 Status
 checkOutputs(const RepairSettings& settings)
 {
-  if (settings.output.empty() && settings.inspect.empty())
+  if (!settings.repairs() && !settings.surveys() && settings.inputs.empty())
     return Status::error("nothing is asked for: name an OUTPUT_MESH for the repaired "
-                         "surface, or use --inspect DIR to see what is missing (try "
-                         "--help)");
+                         "surface, or use --inspect DIR or --dry-run to see what is "
+                         "missing (try --help)");
+  if (settings.dry_run && !settings.inspect.empty())
+    return Status::error("--dry-run writes nothing but the report; it does not go with "
+                         "--inspect");
+  if (!settings.inputs.empty())
+    return checkManyInputs(settings);
   if (settings.output.empty() && (!settings.bridges.empty() || settings.labels))
     return Status::error("--bridges and --labels tell about a repair; they need an "
                          "OUTPUT_MESH");
-  if (settings.labels && !holdsFaceProperties(settings.output))
+  if (settings.labels && !holdsFaceProperties(settings.target()))
     return Status::error("--labels needs an output that ends in .ply, not '" +
                          settings.output + "'");
+  return {};
+}
+
+/** With --output-folder all names are inputs. */
+Status
+takeManyInputs(const Arguments& arguments, RepairSettings& settings)
+{
+  std::vector<std::string> more = takeTexts(arguments, "MORE");
+  const bool is_many = arguments.count("output-folder") != 0;
+  const Status status = takeFormat(
+      arguments, is_many || isStandardStream(settings.output), settings.format);
+  if (!status.ok())
+    return status;
+  if (!is_many)
+    return more.empty() ? Status()
+                        : Status::error("'" + more.front() +
+                                        "' is one name too many; several inputs need "
+                                        "--output-folder (try --help)");
+  settings.output_folder = takeText(arguments, "output-folder");
+  if (settings.output_folder.empty())
+    return Status::error("--output-folder needs the name of a folder");
+  settings.inputs.push_back(settings.input);
+  if (!settings.output.empty())
+    settings.inputs.push_back(settings.output);
+  settings.inputs.insert(settings.inputs.end(), more.begin(), more.end());
+  settings.output.clear();
+  if (settings.format == FileFormat::UNKNOWN)
+    settings.format = FileFormat::PLY;
   return {};
 }
 
@@ -281,6 +338,7 @@ addRepairOptions(CommandLine& command_line)
   addRunOptions(command_line.addOptions());
   addMethodOptions(command_line.addOptions());
   addClosingOptions(command_line.addOptions());
+  addFormatOption(command_line, "ply, vtk, obj, off or stl");
 }
 
 Status
@@ -295,9 +353,12 @@ takeRepairSettings(const Arguments& arguments, RepairSettings& settings)
   settings.output = takeText(arguments, "OUTPUT_MESH");
   settings.bridges = takeText(arguments, "bridges");
   settings.labels = arguments.count("labels") != 0;
+  settings.dry_run = arguments.count("dry-run") != 0;
   if (arguments.count("inspect") != 0 && settings.inspect.empty())
     return Status::error("--inspect needs the name of a folder");
-  Status status = checkOutputs(settings);
+  Status status = takeManyInputs(arguments, settings);
+  if (status.ok())
+    status = checkOutputs(settings);
   if (status.ok())
     status = takeCount(arguments, "threads", 0, 1024, settings.threads);
   if (status.ok())

@@ -5,15 +5,21 @@
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "cli.h"
+#include "output_format.h"
 
 #include <string>
+#include <vector>
 
 namespace app {
 
 /** \brief What the user asked pcl_repair_holes for. */
 struct RepairSettings {
   std::string input;
-  std::string output;      /**< empty: none */
+  std::string output;                      /**< empty: none */
+  std::vector<std::string> inputs;         /**< of a run over many; else empty */
+  std::string output_folder;               /**< for their results */
+  FileFormat format = FileFormat::UNKNOWN; /**< where no name tells it */
+  bool dry_run = false;
   std::string bridges;     /**< empty: none */
   std::string inspect;     /**< folder; empty: none */
   std::string free_points; /**< empty: none */
@@ -23,6 +29,26 @@ struct RepairSettings {
   bool labels = false; /**< as a face property */
   unsigned int threads = 0;
   pcl::repair::RepairParameters method;
+
+  Target
+  target() const
+  {
+    return makeTarget(output, format);
+  }
+
+  /** \brief Whether a repaired mesh is asked for. */
+  bool
+  repairs() const
+  {
+    return !dry_run && !output.empty();
+  }
+
+  /** \brief Whether it is asked for what was found. */
+  bool
+  surveys() const
+  {
+    return dry_run || !inspect.empty();
+  }
 };
 
 /** \brief As it is written on the command line. */

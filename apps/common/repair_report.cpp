@@ -194,8 +194,7 @@ describeSurvey(const RepairSettings& settings,
                const Warnings& warnings)
 {
   const std::size_t points = survey.model.positions.size();
-  return {{"input", settings.input},
-          {"class", nameOf(survey.icm_class)},
+  return {{"class", nameOf(survey.icm_class)},
           {"triangles", survey.model.triangles.size()},
           {"vertices", points},
           {"free_points", survey.model.free_points.size()},
@@ -222,8 +221,6 @@ describeRun(const RepairSettings& settings,
             const Warnings& warnings)
 {
   json description = describeRepair(report);
-  description["input"] = settings.input;
-  description["output"] = settings.output;
   description["parameters"] = describeParameters(settings.method);
   description["peak_memory_bytes"] = peakMemoryBytes();
   description["threads"] = pcl::ccaa::resolveThreads(settings.threads);
@@ -234,11 +231,12 @@ describeRun(const RepairSettings& settings,
 std::string
 summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
 {
-  std::string text = settings.input + ": " + nameOf(survey.icm_class) + ", " +
-                     std::to_string(survey.counts.islands) +
-                     (survey.counts.islands == 1 ? " island, " : " islands, ") +
-                     std::to_string(survey.counts.simple_holes) + " simple and " +
-                     std::to_string(survey.counts.complex_holes) + " complex holes\n";
+  std::string text =
+      (isStandardStream(settings.input) ? "standard input" : settings.input) + ": " +
+      nameOf(survey.icm_class) + ", " + std::to_string(survey.counts.islands) +
+      (survey.counts.islands == 1 ? " island, " : " islands, ") +
+      std::to_string(survey.counts.simple_holes) + " simple and " +
+      std::to_string(survey.counts.complex_holes) + " complex holes\n";
   text += row("triangles", survey.model.triangles.size(), "");
   text +=
       tellIslands(survey) + tellLoops(survey) + tellLines(survey) + tellBridges(survey);

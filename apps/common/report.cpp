@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: times, memory and the JSON report of a run.
 #include "report.h"
 
+#include "remarks.h"
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -9,7 +10,17 @@
 #include <algorithm>
 #include <fstream>
 
+#ifndef PSR_VERSION
+#define PSR_VERSION "of an unknown version"
+#endif
+
 namespace app {
+
+std::string
+version()
+{
+  return PSR_VERSION;
+}
 
 double
 Stopwatch::lap()
@@ -48,6 +59,23 @@ describeStages(const StageTimes& stages, std::size_t points)
                     {"seconds", seconds},
                     {"us_per_point", seconds * 1e6 / divisor}});
   return list;
+}
+
+void
+addRunFacts(const RunFacts& facts, nlohmann::json& report)
+{
+  report["program"] = facts.program;
+  report["version"] = version();
+  report["input"] = facts.input;
+  report["output"] = nullptr;
+  if (!facts.output.empty())
+    report["output"] = facts.output;
+  report["exit_code"] = facts.exit_code;
+  report["complete"] = facts.exit_code == DONE;
+  report["seconds"] = facts.seconds;
+  const std::string units = namedUnits(facts.remarks);
+  if (!units.empty())
+    report["units"] = units;
 }
 
 void

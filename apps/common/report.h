@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: times, memory and the JSON report of a run.
 #pragma once
 
+#include "model.h"
 #include "output_file.h"
 #include <nlohmann/json_fwd.hpp>
 
@@ -26,6 +27,10 @@ private:
 /** \brief Name and wall-clock seconds of the stages of a run, in order. */
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
+/** \brief Of the project, such as "1.0.0". */
+std::string
+version();
+
 /** \brief Largest memory of this process so far, in bytes. */
 std::size_t
 peakMemoryBytes();
@@ -37,6 +42,21 @@ currentMemoryBytes();
 /** \brief Stages as [{name, seconds, us_per_point}]; \a points at least 1. */
 nlohmann::json
 describeStages(const StageTimes& stages, std::size_t points);
+
+/** \brief What the reports of all programs tell. */
+struct RunFacts {
+  std::string program;
+  std::string input;
+  std::string output; /**< empty: none */
+  ExitCode exit_code = DONE;
+  double seconds = 0; /**< of the work, without reading and writing files */
+  Remarks remarks;    /**< of the input; they may name units */
+};
+
+/** \brief Add program, version, input, output, exit_code, complete, seconds and, where
+ * the input names any, units. */
+void
+addRunFacts(const RunFacts& facts, nlohmann::json& report);
 
 /** \brief Write \a report, readable, into an opened file. */
 void

@@ -4,6 +4,7 @@
 
 #include "cloud_assembler.h"
 #include "polygon_builder.h"
+#include "remarks.h"
 #include "vtk_values.h"
 
 #include <algorithm>
@@ -48,7 +49,8 @@ private:
     if (!scanner_.nextLine(line) || line.substr(0, 5) != "# vtk")
       return Status::error(
           "it does not begin with '# vtk' (only legacy files are read)");
-    scanner_.nextLine(line); // a title of any kind
+    scanner_.nextLine(line);
+    keepTitle(line);
     scanner_.nextWord(word);
     is_binary_ = word == "BINARY";
     if (!is_binary_ && word != "ASCII")
@@ -59,6 +61,16 @@ private:
       return Status::error("it holds no DATASET POLYDATA");
     scanner_.nextLine(line);
     return {};
+  }
+
+  /** VTK writes "vtk output" for want of a title. */
+  void
+  keepTitle(std::string_view title)
+  {
+    Remarks kept;
+    addComment(title, kept);
+    if (!kept.comments.empty() && kept.comments[0] != "vtk output")
+      model_.remarks.title = kept.comments[0];
   }
 
   static bool

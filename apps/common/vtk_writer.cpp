@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: writes legacy binary VTK with all fields.
 #include "mesh_writers.h"
 #include "point_columns.h"
+#include "remarks.h"
 
 #include <algorithm>
 
@@ -87,9 +88,10 @@ writeCells(const std::string& keyword,
 }
 
 void
-writeHeader(OutputFile& file)
+writeHeader(const Remarks& remarks, OutputFile& file)
 {
-  file.text("# vtk DataFile Version 3.0\nPclSurfaceRepair\nBINARY\nDATASET POLYDATA\n");
+  file.text("# vtk DataFile Version 3.0\n" + asTitle(remarks) +
+            "\nBINARY\nDATASET POLYDATA\n");
 }
 
 void
@@ -154,16 +156,14 @@ writePointData(const pcl::PCLPointCloud2& cloud, OutputFile& file)
 } // namespace
 
 void
-writeVtk(const pcl::PolygonMesh& mesh,
-         const std::vector<FaceProperty>& properties,
-         OutputFile& file)
+writeVtk(const pcl::PolygonMesh& mesh, const FileExtras& extras, OutputFile& file)
 {
-  writeHeader(file);
+  writeHeader(extras.remarks, file);
   writePositions(mesh.cloud, file);
   writeCells("POLYGONS", mesh.polygons, file);
-  if (!properties.empty())
+  if (!extras.properties.empty())
     file.text("CELL_DATA " + std::to_string(mesh.polygons.size()) + "\n");
-  for (const FaceProperty& property : properties) {
+  for (const FaceProperty& property : extras.properties) {
     file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
     for (const std::int32_t value : property.values)
       file.bigEndian(value);
@@ -177,7 +177,7 @@ writeVtkLines(const pcl::PCLPointCloud2& cloud,
               const std::vector<pcl::Vertices>& lines,
               OutputFile& file)
 {
-  writeHeader(file);
+  writeHeader({}, file);
   writePositions(cloud, file);
   writeCells("LINES", lines, file);
   writePointData(cloud, file);

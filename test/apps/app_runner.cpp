@@ -46,14 +46,16 @@ TemporaryFolder::names() const
 
 namespace {
 
-/** A started program whose stdout and stderr go to two files. */
+/** A started program whose stdin, stdout and stderr are three files. */
 pid_t
 start(const std::string& program,
       const std::vector<std::string>& arguments,
+      const std::string& input,
       const std::string& output,
       const std::string& errors)
 {
-  const std::string path = std::string(PSR_APPS_DIR) + "/" + program;
+  const std::string path =
+      program.front() == '/' ? program : std::string(PSR_APPS_DIR) + "/" + program;
   std::vector<char*> words{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments)
     words.push_back(const_cast<char*>(argument.c_str()));
@@ -61,6 +63,7 @@ start(const std::string& program,
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, 0, input.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, output.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, errors.c_str(), flags, 0600);
   pid_t child = -1;
@@ -71,13 +74,16 @@ start(const std::string& program,
 }
 
 RunResult
-run(const std::string& program, const std::vector<std::string>& arguments, int delay_ms)
+run(const std::string& program,
+    const std::vector<std::string>& arguments,
+    const std::string& input,
+    int delay_ms)
 {
   const TemporaryFolder folder;
   const std::string output = folder.path("stdout");
   const std::string errors = folder.path("stderr");
   RunResult result;
-  const pid_t child = start(program, arguments, output, errors);
+  const pid_t child = start(program, arguments, input, output, errors);
   if (child < 0)
     return result;
   if (delay_ms >= 0) {
@@ -97,7 +103,24 @@ run(const std::string& program, const std::vector<std::string>& arguments, int d
 RunResult
 runApp(const std::string& program, const std::vector<std::string>& arguments)
 {
-  return run(program, arguments, -1);
+  return run(program, arguments, "/dev/null", -1);
+}
+
+RunResult
+runWithInput(const std::string& program,
+             const std::vector<std::string>& arguments,
+             const std::string& input)
+{
+  return run(program, arguments, input, -1);
+}
+
+RunResult
+runInShell(const std::string& commands)
+{
+  return run("/bin/bash",
+             {"-c", "set -o pipefail; PATH=" PSR_APPS_DIR ":$PATH; " + commands},
+             "/dev/null",
+             -1);
 }
 
 RunResult
@@ -105,7 +128,7 @@ runAndInterrupt(const std::string& program,
                 const std::vector<std::string>& arguments,
                 int delay_ms)
 {
-  return run(program, arguments, delay_ms);
+  return run(program, arguments, "/dev/null", delay_ms);
 }
 
 std::string

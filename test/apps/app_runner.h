@@ -43,7 +43,17 @@ struct RunResult {
 RunResult
 runApp(const std::string& program, const std::vector<std::string>& arguments);
 
-/** \brief The same, with SIGINT sent `delay_ms` after the start. */
+/** \brief The same with a file as standard input. */
+RunResult
+runWithInput(const std::string& program,
+             const std::vector<std::string>& arguments,
+             const std::string& input);
+
+/** \brief Commands of bash, which finds our programs by their names. */
+RunResult
+runInShell(const std::string& commands);
+
+/** \brief As runApp(), with SIGINT sent `delay_ms` after the start. */
 RunResult
 runAndInterrupt(const std::string& program,
                 const std::vector<std::string>& arguments,

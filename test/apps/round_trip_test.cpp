@@ -152,7 +152,7 @@ TEST(PlyWriter, WritesLabelsOfFaces)
   app::OutputFile file;
   app::Warnings warnings;
   ASSERT_TRUE(file.open(folder.path("a.ply")).ok());
-  app::writeMesh("a.ply", mesh, {origin}, file, warnings);
+  app::writeMesh("a.ply", mesh, {{origin}, {}, {}}, file, warnings);
   ASSERT_TRUE(file.commit().ok());
   EXPECT_NE(std::string::npos,
             readFile(folder.path("a.ply")).find("property int origin\n"));

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the lines of a file that are for people.
+#pragma once
+
+#include "input_file.h"
+#include "model.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/** \brief The mark that our own writers leave, which is not handed on. */
+constexpr std::string_view our_mark = "PclSurfaceRepair";
+
+/** \brief Add a comment, unless it is our own mark. */
+void
+addComment(std::string_view text, Remarks& remarks);
+
+/** \brief Of a text format with comment lines (# or //) at its beginning, behind
+ * \a lines_before others: keep those that name units. The rest tells of the file itself
+ * and goes stale. */
+void
+readUnitComments(const InputFile& file, std::size_t lines_before, Remarks& remarks);
+
+/** \brief All of them as comments, for formats that know nothing else. */
+std::vector<std::string>
+asComments(const Remarks& remarks);
+
+/** \brief One line, for formats with room for a title alone. */
+std::string
+asTitle(const Remarks& remarks);
+
+/** \brief The units that a remark names ("units mm", "unit: inch", "scale in metres" is
+ * none); empty if no remark does. */
+std::string
+namedUnits(const Remarks& remarks);
+
+} // namespace app
