@@ -17,4 +17,9 @@ namespace app {
 bool
 unpackLzf(const char* input, std::size_t input_size, std::vector<char>& output);
 
+/** \brief How many bytes \a input unpacks to.
+ * \return false when it is damaged. */
+bool
+measureLzf(const char* input, std::size_t input_size, std::size_t& output_size);
+
 } // namespace app

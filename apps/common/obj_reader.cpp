@@ -28,10 +28,21 @@ public:
   {
     TextScanner scanner(file.begin(), file.end());
     std::string_view line;
-    for (std::size_t number = 1; scanner.nextLine(line); ++number)
-      if (!readLine(line))
-        return Status::error("line " + std::to_string(number) +
+    for (std::size_t number = 1; scanner.nextLine(line); ++number) {
+      const std::size_t first = number;
+      std::string joined;
+      while (!line.empty() && line.back() == '\\') {
+        joined += std::string(line.substr(0, line.size() - 1)) + " ";
+        ++number;
+        if (!scanner.nextLine(line))
+          line = {};
+      }
+      if (!joined.empty())
+        line = joined += line;
+      if (!readLine(line.substr(0, line.find('#'))))
+        return Status::error("line " + std::to_string(first) +
                              " is not what OBJ allows there");
+    }
     if (positions_.empty())
       return Status::error("it holds no vertices");
     return finish();
@@ -49,13 +60,12 @@ private:
       return readVertex(words);
     if (keyword == "vn")
       return readVector(words, normals_);
-    if (keyword == "f")
+    if (keyword == "f" || keyword == "fo")
       return readFace(words);
     has_texture_ = has_texture_ || keyword == "vt";
     // Garbage has to be told from the many keywords that do not matter here.
     const auto is_word = [](char c) { return c >= ' ' && c <= '~'; };
-    return keyword.front() == '#' ||
-           std::all_of(keyword.begin(), keyword.end(), is_word);
+    return std::all_of(keyword.begin(), keyword.end(), is_word);
   }
 
   static bool
@@ -86,7 +96,7 @@ private:
       rest.push_back(value);
     }
     if (rest.size() >= 3)
-      appendColour(colours_, toByte(rest[0]), toByte(rest[1]), toByte(rest[2]));
+      colours_.insert(colours_.end(), rest.begin(), rest.begin() + 3);
     return true;
   }
 
@@ -149,6 +159,25 @@ private:
     return result;
   }
 
+  /** Shares of one, or, in files of some programs, whole numbers up to 255. */
+  FieldArray
+  packedColours() const
+  {
+    const bool are_bytes =
+        std::any_of(colours_.begin(), colours_.end(), [](float c) { return c > 1; }) &&
+        std::all_of(colours_.begin(), colours_.end(), [](float c) {
+          return c >= 0 && c <= 255 && c == std::trunc(c);
+        });
+    const float unit = are_bytes ? 255.0F : 1.0F;
+    FieldArray packed{"rgb", pcl::PCLPointField::FLOAT32, 1, {}};
+    for (std::size_t i = 0; i + 2 < colours_.size(); i += 3)
+      appendColour(packed,
+                   toByte(colours_[i] / unit),
+                   toByte(colours_[i + 1] / unit),
+                   toByte(colours_[i + 2] / unit));
+    return packed;
+  }
+
   Status
   finish()
   {
@@ -163,8 +192,10 @@ private:
     std::vector<FieldArray> arrays;
     if (!normals.bytes.empty())
       arrays.push_back(std::move(normals));
-    if (!colours_.bytes.empty())
-      arrays.push_back(std::move(colours_));
+    if (colours_.size() == positions_.size())
+      arrays.push_back(packedColours());
+    else if (!colours_.empty())
+      model_.warnings.push_back("the colours are not taken over: some vertex has none");
     const Status status = polygons_.finish(model_.warnings);
     return status.ok() ? assembleCloud(positions_, arrays, model_.mesh.cloud) : status;
   }
@@ -173,7 +204,7 @@ private:
   PolygonBuilder polygons_;
   std::vector<float> positions_;
   std::vector<float> normals_;
-  FieldArray colours_{"rgb", pcl::PCLPointField::FLOAT32, 1, {}};
+  std::vector<float> colours_;
   std::vector<std::int64_t> corners_;
   std::vector<std::pair<std::int64_t, std::int64_t>> normal_of_corner_;
   bool has_texture_ = false;

@@ -12,6 +12,9 @@
 namespace app {
 namespace {
 
+/** "3 0 1 2"; faces of fewer corners are not kept. */
+constexpr std::size_t least_face_bytes = 7;
+
 class OffParser {
 public:
   OffParser(const InputFile& file, Model& model)
@@ -64,6 +67,31 @@ private:
     return true;
   }
 
+  /** "OFF" with letters before it for what else a vertex has. Some files go on with the
+   * counts without a space, others have no keyword at all. */
+  Status
+  readKeyword(std::string_view& line)
+  {
+    while (!line.empty() && TextScanner::isSpace(line.front()))
+      line.remove_prefix(1);
+    const std::size_t off = line.substr(0, 6).find("OFF");
+    const bool is_bare = line.front() >= '0' && line.front() <= '9';
+    if (is_bare && off == std::string_view::npos)
+      return {};
+    const std::string_view letters = line.substr(0, off);
+    const bool is_known = letters.empty() || letters == "C" || letters == "N" ||
+                          letters == "CN" || letters == "ST" || letters == "STC" ||
+                          letters == "STN" || letters == "STCN";
+    if (off == std::string_view::npos || !is_known)
+      return Status::error("it does not begin with OFF, COFF, NOFF or CNOFF");
+    has_colours_ = letters.find('C') != std::string_view::npos;
+    has_normals_ = letters.find('N') != std::string_view::npos;
+    if (letters.substr(0, 2) == "ST")
+      model_.warnings.push_back("texture coordinates are not taken over");
+    line.remove_prefix(off + 3);
+    return {};
+  }
+
   /** The keyword and the counts, which may stand on the same line. */
   Status
   readHeader()
@@ -71,16 +99,9 @@ private:
     std::string_view line;
     if (!nextDataLine(line))
       return Status::error("it is not OFF");
-    TextScanner words(line.data(), line.data() + line.size());
-    std::string_view keyword;
-    words.nextWord(keyword);
-    const bool is_off = keyword == "OFF" || keyword == "COFF" || keyword == "NOFF" ||
-                        keyword == "CNOFF";
-    if (!is_off)
-      return Status::error("it does not begin with OFF, COFF, NOFF or CNOFF");
-    has_colours_ = keyword.front() == 'C';
-    has_normals_ = keyword.find('N') != std::string_view::npos;
-    line = line.substr(static_cast<std::size_t>(words.position() - line.data()));
+    const Status status = readKeyword(line);
+    if (!status.ok())
+      return status;
     if (std::all_of(line.begin(), line.end(), TextScanner::isSpace) &&
         !nextDataLine(line))
       return Status::error("its counts are missing");
@@ -141,7 +162,7 @@ private:
   readFaces()
   {
     PolygonBuilder builder(model_.mesh.polygons);
-    builder.reserve(faces_);
+    builder.reserve(std::min(faces_, scanner_.remaining() / least_face_bytes));
     std::string_view line;
     for (std::size_t i = 0; i < faces_; ++i)
       if (!nextDataLine(line) || !readFace(line, builder))

@@ -45,6 +45,7 @@ struct PcdHeader {
   std::size_t height = 1;
   std::size_t points = 0;
   bool has_points = false;
+  bool has_width = false;
   std::string data;
 };
 
@@ -95,7 +96,7 @@ readHeaderLine(std::string_view line, PcdHeader& header)
   else if (keyword == "COUNT")
     return readNumbers(words, header.counts);
   else if (keyword == "WIDTH")
-    return readSize(words, header.width);
+    return header.has_width = readSize(words, header.width);
   else if (keyword == "HEIGHT")
     return readSize(words, header.height);
   else if (keyword == "VIEWPOINT")
@@ -123,6 +124,11 @@ readHeader(TextScanner& scanner, PcdHeader& header)
       return Status::error("its header has the line '" +
                            std::string(line.substr(0, 40)) + "', which is not PCD");
   }
+  // Old files have no WIDTH.
+  if (header.has_points && !header.has_width) {
+    header.width = header.points;
+    header.height = 1;
+  }
   if (header.width != 0 &&
       header.height > std::numeric_limits<int>::max() / header.width)
     return Status::error("its WIDTH times HEIGHT is too large");
@@ -144,8 +150,7 @@ makeColumns(const PcdHeader& header, std::vector<SourceColumn>& columns)
   for (std::size_t i = 0; i < fields; ++i) {
     const ScalarType type = pcdType(header.kinds[i].front(), header.sizes[i]);
     const std::size_t count = has_counts ? header.counts[i] : 1;
-    // Longer fields than any known descriptor mean a damaged header.
-    if (type == 0 || count == 0 || count > 100000)
+    if (type == 0 || count == 0 || count > most_numbers)
       return Status::error("its field '" + header.names[i] + "' has no valid type");
     columns.push_back({header.names[i], type, count});
   }
@@ -159,27 +164,43 @@ tooShort(const PcdHeader& header)
                        " points its header announces (truncated?)");
 }
 
+/** Lengths of compressed data, which stand before it. */
+constexpr std::size_t length_bytes = 8;
+
+/** Whether the compressed data unpacks to what the header announces. Looks at all of it
+ * without taking memory, since three bytes may stand for 264. */
+Status
+checkCompressed(const TextScanner& scanner, std::size_t points, const TablePlan& plan)
+{
+  if (scanner.remaining() < length_bytes)
+    return points == 0 ? Status() : Status::error("its compressed data is cut off");
+  const char* const data = scanner.position() + length_bytes;
+  const auto packed = loadScalar<std::uint32_t>(scanner.position(), false);
+  const auto unpacked = loadScalar<std::uint32_t>(scanner.position() + 4, false);
+  if (unpacked != points * plan.source_stride ||
+      packed > scanner.remaining() - length_bytes)
+    return Status::error("its compressed data is cut off or damaged");
+  std::size_t length = 0;
+  return measureLzf(data, packed, length) && length == unpacked
+             ? Status()
+             : Status::error("its compressed data is damaged");
+}
+
 /** Compressed data holds all values of the first field, then of the second, ... */
 Status
-readCompressed(TextScanner& scanner,
+readCompressed(const TextScanner& scanner,
                const std::vector<SourceColumn>& columns,
                const TablePlan& plan,
                pcl::PCLPointCloud2& cloud)
 {
   const std::size_t points = cloud.width;
-  if (scanner.remaining() < 8)
-    return points == 0 ? Status() : Status::error("its compressed data is cut off");
+  if (points == 0)
+    return {};
   const auto packed = loadScalar<std::uint32_t>(scanner.position(), false);
-  const auto unpacked = loadScalar<std::uint32_t>(scanner.position() + 4, false);
-  scanner.skip(8);
-  // LZF makes at most 264 bytes out of 3.
-  if (unpacked != points * plan.source_stride || packed > scanner.remaining() ||
-      unpacked / 88 > packed)
-    return Status::error("its compressed data is cut off or damaged");
-  std::vector<char> data(unpacked);
-  if (!unpackLzf(scanner.position(), packed, data))
+  std::vector<char> data(points * plan.source_stride);
+  if (!unpackLzf(scanner.position() + length_bytes, packed, data))
     return Status::error("its compressed data is damaged");
-  std::vector<char> records(unpacked);
+  std::vector<char> records(data.size());
   std::size_t source = 0;
   std::size_t offset = 0;
   for (const SourceColumn& column : columns) {
@@ -194,20 +215,17 @@ readCompressed(TextScanner& scanner,
 
 /** Refuses before any memory is taken what the rest of the file cannot hold. */
 Status
-checkLength(const PcdHeader& header, const TablePlan& plan, std::size_t bytes_left)
+checkLength(const PcdHeader& header, const TablePlan& plan, const TextScanner& scanner)
 {
-  std::size_t point = plan.source_stride;
-  if (header.data == "ascii") {
-    point = 2 * plan.slots.size();
-    ++bytes_left;
-  }
-  else if (header.data == "binary_compressed")
-    bytes_left = bytes_left > std::numeric_limits<std::size_t>::max() / 88
-                     ? bytes_left
-                     : bytes_left * 88;
-  else if (header.data != "binary")
+  if (header.data == "binary_compressed")
+    return checkCompressed(scanner, header.points, plan);
+  const bool is_ascii = header.data == "ascii";
+  if (!is_ascii && header.data != "binary")
     return Status::error("its DATA is '" + header.data.substr(0, 40) +
                          "', not ascii, binary or binary_compressed");
+  // The last number of an ASCII file needs no space behind it.
+  const std::size_t point = is_ascii ? 2 * plan.slots.size() : plan.source_stride;
+  const std::size_t bytes_left = scanner.remaining() + (is_ascii ? 1 : 0);
   return header.points > bytes_left / point ? tooShort(header) : Status();
 }
 
@@ -238,7 +256,7 @@ readPcd(const InputFile& file, Model& model)
   if (status.ok())
     status = planTable(columns, Naming::PCL, plan);
   if (status.ok())
-    status = checkLength(header, plan, scanner.remaining());
+    status = checkLength(header, plan, scanner);
   if (status.ok())
     status = allocateCloud(plan, header.points, cloud);
   if (!status.ok())

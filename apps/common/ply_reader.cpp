@@ -38,6 +38,23 @@ public:
     return true;
   }
 
+  /** A word straight into the \a point, bytes into the \a record. */
+  bool
+  readInto(const Slot& slot, std::uint8_t* point, char* record)
+  {
+    if (is_text_) {
+      std::string_view word;
+      return scanner_.nextWord(word) &&
+             decodeWord(word, slot.target_type, point + slot.target_offset);
+    }
+    const std::size_t bytes = scalarSize(slot.source_type);
+    if (scanner_.remaining() < bytes)
+      return false;
+    std::copy_n(scanner_.position(), bytes, record + slot.source_offset);
+    scanner_.skip(bytes);
+    return true;
+  }
+
   bool
   skip(ScalarType type, std::size_t count)
   {
@@ -155,18 +172,58 @@ private:
     return {};
   }
 
+  /** All but lists; "diffuse_red" is what old programs call "red". */
+  static std::vector<SourceColumn>
+  columnsOf(const PlyElement& element)
+  {
+    const auto& properties = element.properties;
+    const bool has_red =
+        std::any_of(properties.begin(), properties.end(), [](const auto& property) {
+          return property.name == "red";
+        });
+    std::vector<SourceColumn> columns;
+    for (const PlyProperty& property : properties) {
+      std::string name = property.name;
+      if (!has_red &&
+          (name == "diffuse_red" || name == "diffuse_green" || name == "diffuse_blue"))
+        name = name.substr(std::string("diffuse_").size());
+      if (!property.isList())
+        columns.push_back({name, property.type, 1});
+    }
+    return columns;
+  }
+
+  /** Rows of different lengths: a cloud cannot hold their lists. */
+  Status
+  readRowsWithLists(const PlyElement& element, const TablePlan& plan)
+  {
+    model_.warnings.push_back("lists of numbers at vertices are not taken over");
+    pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
+    ValueReader values(scanner_, header_.format);
+    std::string record(plan.source_stride, '\0');
+    for (std::size_t row = 0; row < element.rows; ++row) {
+      std::uint8_t* const point = cloud.data.data() + row * plan.point_step;
+      auto slot = plan.slots.begin();
+      for (const PlyProperty& property : element.properties) {
+        const bool good = property.isList()
+                              ? values.skipProperty(property)
+                              : values.readInto(*slot, point, record.data());
+        if (!good)
+          return truncated(element, row);
+        slot += property.isList() ? 0 : 1;
+      }
+      if (header_.format != PlyFormat::ASCII)
+        decodeRecord(
+            plan, record.data(), header_.format == PlyFormat::BINARY_BIG, point);
+    }
+    return {};
+  }
+
   Status
   readVertices(const PlyElement& element)
   {
-    std::vector<SourceColumn> columns;
-    bool has_list = false;
-    for (const PlyProperty& property : element.properties) {
-      has_list = has_list || property.isList();
-      columns.push_back({property.name, property.type, 1});
-    }
-    if (has_list)
-      return Status::error("its vertices have list properties, which a point cloud "
-                           "cannot hold");
+    const std::vector<SourceColumn> columns = columnsOf(element);
+    const bool has_list = columns.size() < element.properties.size();
     TablePlan plan;
     Status status = planTable(columns, Naming::PLY, plan);
     pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
@@ -174,6 +231,8 @@ private:
       status = allocateCloud(plan, element.rows, cloud);
     if (!status.ok())
       return status;
+    if (has_list)
+      return readRowsWithLists(element, plan);
     if (header_.format == PlyFormat::ASCII)
       return decodeText(plan, scanner_, cloud);
     if (element.rows > scanner_.remaining() / plan.source_stride)
@@ -276,7 +335,9 @@ private:
     warnAboutFaceProperties(element);
     ValueReader values(scanner_, header_.format);
     PolygonBuilder builder(model_.mesh.polygons);
-    builder.reserve(element.rows);
+    // Faces of fewer corners than three take less room, but are not kept.
+    constexpr std::size_t least_bytes = 4;
+    builder.reserve(std::min(element.rows, scanner_.remaining() / least_bytes));
     std::vector<std::int64_t> corners;
     for (std::size_t row = 0; row < element.rows; ++row) {
       if (!readFace(properties, values, corners))

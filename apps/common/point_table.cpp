@@ -201,6 +201,13 @@ convertSlot(const Slot& slot, const char* record, bool swapped, std::uint8_t* po
 Status
 planTable(const std::vector<SourceColumn>& columns, Naming naming, TablePlan& plan)
 {
+  std::size_t numbers = 0;
+  for (const SourceColumn& column : columns)
+    numbers += column.count;
+  // More than any known descriptor has: a damaged file.
+  if (numbers > most_numbers)
+    return Status::error("its points have " + std::to_string(numbers) +
+                         " numbers each, which is too many");
   const Status status = checkColumns(columns);
   if (!status.ok())
     return status;
@@ -255,6 +262,17 @@ decodeBinary(const TablePlan& plan,
     record += plan.source_stride;
     point += plan.point_step;
   }
+}
+
+void
+decodeRecord(const TablePlan& plan,
+             const char* record,
+             bool swapped,
+             std::uint8_t* point)
+{
+  for (const Slot& slot : plan.slots)
+    if (slot.target_type != 0)
+      convertSlot(slot, record, swapped, point);
 }
 
 bool

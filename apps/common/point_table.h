@@ -13,6 +13,9 @@
 
 namespace app {
 
+/** \brief Numbers that a point may have; the plan for them takes memory. */
+constexpr std::size_t most_numbers = 100000;
+
 /** \brief One named column of a file's point records. */
 struct SourceColumn {
   std::string name;
@@ -60,6 +63,13 @@ decodeBinary(const TablePlan& plan,
              const char* records,
              bool swapped,
              pcl::PCLPointCloud2& cloud);
+
+/** \brief The same for one record and its point. */
+void
+decodeRecord(const TablePlan& plan,
+             const char* record,
+             bool swapped,
+             std::uint8_t* point);
 
 /** \brief Parse \a word as a number of type \a type into \a target; type 0 checks only
  * that it is a number. */

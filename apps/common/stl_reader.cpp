@@ -81,6 +81,27 @@ readBinary(const InputFile& file,
   return builder.finish(model.warnings);
 }
 
+/** STL is written in small letters, and by some programs in capitals. */
+bool
+isWord(std::string_view word, std::string_view small)
+{
+  return std::equal(
+      word.begin(), word.end(), small.begin(), small.end(), [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;
+      });
+}
+
+/** Binary data has bytes among the first that no text has. */
+bool
+looksLikeText(const InputFile& file)
+{
+  TextScanner words(file.begin(), file.end());
+  std::string_view word;
+  const std::string_view start(file.begin(), std::min<std::size_t>(file.size(), 512));
+  return words.nextWord(word) && isWord(word, "solid") &&
+         start.find('\0') == std::string_view::npos;
+}
+
 Status
 readAscii(const InputFile& file, CornerMerger& merger, Model& model)
 {
@@ -89,13 +110,14 @@ readAscii(const InputFile& file, CornerMerger& merger, Model& model)
   std::vector<std::int64_t> corners;
   std::string_view word;
   std::string_view line;
-  scanner.nextLine(line); // "solid" and a name of any kind
+  scanner.nextWord(word);
+  scanner.nextLine(line); // a name of any kind
   bool is_closed = false;
   while (scanner.nextWord(word)) {
-    is_closed = word == "endsolid";
-    if (is_closed || word == "solid")
+    is_closed = isWord(word, "endsolid");
+    if (is_closed || isWord(word, "solid"))
       scanner.nextLine(line);
-    if (word == "vertex") {
+    if (isWord(word, "vertex")) {
       Corner corner{};
       for (float& value : corner)
         if (!scanner.nextWord(word) || !parseNumber(word, value))
@@ -104,7 +126,7 @@ readAscii(const InputFile& file, CornerMerger& merger, Model& model)
                                " is damaged or cut off");
       corners.push_back(merger.indexOf(corner));
     }
-    if (word == "endloop") {
+    if (isWord(word, "endloop")) {
       builder.addPolygon(corners);
       corners.clear();
     }
@@ -121,18 +143,18 @@ readStl(const InputFile& file, Model& model)
 {
   CornerMerger merger;
   Status status;
-  const std::string_view start(file.begin(), std::min<std::size_t>(file.size(), 5));
+  const bool is_text = looksLikeText(file);
   std::size_t facets = 0;
   if (file.size() >= header_bytes)
     facets = loadScalar<std::uint32_t>(file.begin() + 80, false);
   // Many binary files begin with "solid", too, and some have a tail; the length tells.
   const std::size_t body = file.size() < header_bytes ? 0 : file.size() - header_bytes;
   const bool is_exact = file.size() >= header_bytes && body == facets * facet_bytes;
-  const bool has_tail = start != "solid" && facets > 0 && body > facets * facet_bytes;
+  const bool has_tail = !is_text && facets > 0 && body > facets * facet_bytes;
   const bool is_binary = is_exact || has_tail;
   if (is_binary)
     status = readBinary(file, facets, merger, model);
-  else if (start == "solid")
+  else if (is_text)
     status = readAscii(file, merger, model);
   else
     status = Status::error("it is neither ASCII STL nor as long as the header of "

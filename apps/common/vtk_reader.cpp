@@ -5,6 +5,7 @@
 #include "cloud_assembler.h"
 #include "polygon_builder.h"
 #include "remarks.h"
+#include "vtk_cells.h"
 #include "vtk_values.h"
 
 #include <algorithm>
@@ -29,12 +30,14 @@ public:
     while (status.ok() && scanner_.nextLine(line)) {
       TextScanner words(line.data(), line.data() + line.size());
       std::string_view keyword;
-      if (words.nextWord(keyword) && !readSection(keyword, words))
+      if (words.nextWord(keyword) && !readSection(inCapitals(keyword), words))
         status = Status::error("its section '" + std::string(keyword.substr(0, 40)) +
                                "' is damaged, cut off or not known");
     }
     if (status.ok() && positions_.empty())
       return Status::error("it holds no points");
+    if (status.ok() && !addSurfaceCells(cells_, cell_types_, builder_, model_.warnings))
+      return Status::error("its cells and their types do not fit together");
     if (status.ok())
       status = builder_.finish(model_.warnings);
     return status.ok() ? assembleCloud(positions_, arrays_, model_.mesh.cloud) : status;
@@ -52,13 +55,14 @@ private:
     scanner_.nextLine(line);
     keepTitle(line);
     scanner_.nextWord(word);
-    is_binary_ = word == "BINARY";
-    if (!is_binary_ && word != "ASCII")
+    is_binary_ = inCapitals(word) == "BINARY";
+    if (!is_binary_ && inCapitals(word) != "ASCII")
       return Status::error("it is neither ASCII nor BINARY");
     scanner_.nextWord(word);
-    const bool is_dataset = word == "DATASET" && scanner_.nextWord(word);
-    if (!is_dataset || word != "POLYDATA")
-      return Status::error("it holds no DATASET POLYDATA");
+    const bool is_dataset = inCapitals(word) == "DATASET" && scanner_.nextWord(word);
+    const std::string kind = is_dataset ? inCapitals(word) : "";
+    if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
+      return Status::error("its DATASET is neither POLYDATA nor UNSTRUCTURED_GRID");
     scanner_.nextLine(line);
     return {};
   }
@@ -71,6 +75,16 @@ private:
     addComment(title, kept);
     if (!kept.comments.empty() && kept.comments[0] != "vtk output")
       model_.remarks.title = kept.comments[0];
+  }
+
+  /** VTK does not mind how its keywords are written. */
+  static std::string
+  inCapitals(std::string_view word)
+  {
+    std::string capitals(word);
+    for (char& c : capitals)
+      c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    return capitals;
   }
 
   static bool
@@ -91,16 +105,21 @@ private:
   }
 
   bool
-  readSection(std::string_view keyword, TextScanner& words)
+  readSection(const std::string& keyword, TextScanner& words)
   {
     if (keyword == "POINTS")
       return readPoints(words);
     if (keyword == "POLYGONS" || keyword == "TRIANGLE_STRIPS" || keyword == "LINES" ||
-        keyword == "VERTICES")
+        keyword == "VERTICES" || keyword == "CELLS")
       return readCells(keyword, words);
     if (keyword == "POINT_DATA" || keyword == "CELL_DATA") {
       is_point_data_ = keyword == "POINT_DATA";
       return nextCount(words, data_rows_);
+    }
+    if (keyword == "CELL_TYPES") {
+      std::size_t rows = 0;
+      return nextCount(words, rows) &&
+             VtkValues(scanner_, is_binary_).read(Field::INT32, rows, cell_types_);
     }
     if (keyword == "METADATA")
       return skipMetadata();
@@ -182,8 +201,14 @@ private:
             : VtkValues(scanner_, is_binary_).read(Field::INT32, size, cells);
     if (!good)
       return false;
+    if (keyword == "LINES" && rows > 0)
+      model_.warnings.push_back("lines are not taken over");
     if (keyword == "LINES" || keyword == "VERTICES")
       return true;
+    if (keyword == "CELLS") {
+      cells_ = std::move(cells);
+      return true;
+    }
     std::vector<std::int64_t> corners;
     for (std::size_t at = 0; at < cells.size();) {
       const std::int64_t count = cells[at++];
@@ -327,6 +352,8 @@ private:
   std::size_t data_rows_ = 0;
   std::vector<float> positions_;
   std::vector<FieldArray> arrays_;
+  std::vector<std::int64_t> cells_;      // of an unstructured grid
+  std::vector<std::int64_t> cell_types_; // of the same
 };
 
 } // namespace

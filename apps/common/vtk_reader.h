@@ -8,8 +8,9 @@
 namespace app {
 
 /** \brief Read a legacy .vtk file with DATASET POLYDATA, ASCII or binary, as VTK 3 to 9
- * writes it: points, polygons, triangle strips and all point data. Lines, single
- * vertices and cell data are not taken over. */
+ * writes it: points, polygons, triangle strips and all point data; of an
+ * UNSTRUCTURED_GRID the flat cells. Lines, single vertices and cell data are not taken
+ * over. */
 Status
 readVtk(const InputFile& file, Model& model);
 

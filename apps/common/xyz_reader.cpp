@@ -121,10 +121,12 @@ badLine(std::size_t number, const std::string& what)
 Status
 surveyPoint(const Words& words, std::size_t line_number, Survey& survey)
 {
-  if (survey.points == 0)
-    survey.columns.resize(words.size());
+  if (words.size() > most_numbers)
+    return badLine(line_number, "has too many numbers for a point");
   if (words.size() < 3)
     return badLine(line_number, "has fewer than three numbers");
+  if (survey.points == 0)
+    survey.columns.resize(words.size());
   if (words.size() != survey.columns.size())
     return badLine(line_number,
                    "has " + std::to_string(words.size()) +

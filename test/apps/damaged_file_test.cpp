@@ -27,6 +27,21 @@ reads(const std::string& path)
   return status.ok();
 }
 
+/** The same for bytes that stand for a file of this name. */
+bool
+readsBytes(const std::string& name, const std::string& bytes)
+{
+  app::Model model;
+  const app::FileFormat format = app::formatOfPath(name);
+  const bool is_cloud =
+      format == app::FileFormat::PCD || format == app::FileFormat::XYZ;
+  const app::Status status =
+      is_cloud ? app::parseCloud(format, bytes.data(), bytes.size(), model)
+               : app::parseMesh(format, bytes.data(), bytes.size(), model);
+  EXPECT_TRUE(status.ok() || !status.message().empty());
+  return status.ok();
+}
+
 /** A small sound file of the format; "c.pcd" stands for a compressed one. */
 std::string
 soundFile(const TemporaryFolder& folder, const std::string& name)
@@ -57,13 +72,10 @@ protected:
 
 TEST_P(DamagedFile, CutOffAnywhereNeverCrashes)
 {
-  const std::string path = folder_.path(GetParam());
-  ASSERT_TRUE(reads(path));
+  ASSERT_TRUE(readsBytes(GetParam(), bytes_));
   const std::size_t step = std::max<std::size_t>(1, bytes_.size() / 400);
-  for (std::size_t length = 0; length < bytes_.size(); length += step) {
-    writeFile(path, bytes_.substr(0, length));
-    reads(path);
-  }
+  for (std::size_t length = 0; length < bytes_.size(); length += step)
+    readsBytes(GetParam(), bytes_.substr(0, length));
 }
 
 TEST_P(DamagedFile, BinaryFormatsRefuseAnyCut)
@@ -71,19 +83,18 @@ TEST_P(DamagedFile, BinaryFormatsRefuseAnyCut)
   const std::string name = GetParam();
   if (name == "b.xyz" || name == "b.obj" || name == "a.pcd")
     GTEST_SKIP() << "text without a length: the part before the cut is a sound file";
-  const std::string path = folder_.path(name);
   // A cut of the last point data of VTK may still leave its line end behind.
   for (const std::size_t lost : {3U, 20U, 200U, 2000U}) {
-    if (lost >= bytes_.size())
+    // The last number of OFF may lose a digit without anybody knowing.
+    if (lost >= bytes_.size() || (name == "b.off" && lost < 20))
       continue;
-    writeFile(path, bytes_.substr(0, bytes_.size() - lost));
-    EXPECT_FALSE(reads(path)) << lost << " bytes cut off";
+    EXPECT_FALSE(readsBytes(name, bytes_.substr(0, bytes_.size() - lost)))
+        << lost << " bytes cut off";
   }
 }
 
 TEST_P(DamagedFile, ChangedBytesNeverCrash)
 {
-  const std::string path = folder_.path(GetParam());
   pcl::ccaa::test::RandomSource random(7);
   for (int round = 0; round < 300; ++round) {
     std::string damaged = bytes_;
@@ -93,8 +104,7 @@ TEST_P(DamagedFile, ChangedBytesNeverCrash)
       damaged[random.below(std::min(range, damaged.size()))] =
           static_cast<char>(random.below(256));
     }
-    writeFile(path, damaged);
-    reads(path);
+    readsBytes(GetParam(), damaged);
   }
 }
 
@@ -115,16 +125,22 @@ TEST_P(DamagedFile, GarbageIsRefused)
   EXPECT_FALSE(reads(path));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats,
-    DamagedFile,
-    testing::Values(
-        "b.ply", "b.vtk", "b.obj", "b.stl", "b.pcd", "a.pcd", "c.pcd", "b.xyz"),
-    [](const auto& test) {
-      std::string name = test.param;
-      name[1] = '_';
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Formats,
+                         DamagedFile,
+                         testing::Values("b.ply",
+                                         "b.vtk",
+                                         "b.obj",
+                                         "b.off",
+                                         "b.stl",
+                                         "b.pcd",
+                                         "a.pcd",
+                                         "c.pcd",
+                                         "b.xyz"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           name[1] = '_';
+                           return name;
+                         });
 
 /** Header, then nothing that could fill it. */
 class LyingHeader : public testing::TestWithParam<std::pair<const char*, const char*>> {
@@ -172,7 +188,27 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair("d.pcd",
                   "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 300000000\nHEIGHT 1\n"
                   "DATA binary_compressed\n\x01\x01\x01\x01\x01\x01\x01\x01"),
+        std::pair("e.pcd",
+                  "FIELDS x y z a b c d e\nSIZE 4 4 4 4 4 4 4 4\n"
+                  "TYPE F F F F F F F F\nCOUNT 1 1 1 99999 99999 99999 99999 99999\n"
+                  "WIDTH 0\nHEIGHT 1\nDATA ascii\n"),
+        std::pair("f.ply",
+                  "ply\nformat binary_little_endian 1.0\n"
+                  "element vertex 1000000000000000000\nproperty list uint int a\n"
+                  "property float x\nproperty float y\nproperty float z\n"
+                  "end_header\n\xff\xff\xff\xff"),
+        std::pair("g.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                  "property float y\nproperty float z\nelement tristrips 1\n"
+                  "property list int int vertex_indices\nend_header\n0 0 0\n"
+                  "2147483647 0 0 0\n"),
         std::pair("a.off", "OFF\n2000000000 1 0\n0 0 0\n"),
+        std::pair("b.off", "OFF\n1e308 1e308 0\n0 0 0\n"),
+        std::pair("c.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
+        std::pair("c.vtk",
+                  "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\n"
+                  "POINTS 1 float\n0 0 0\nPOLYGONS 4000000000000000000 6\n"
+                  "OFFSETS vtktypeint64\n0 3\n"),
         std::pair("a.vtk",
                   "# vtk DataFile Version 3.0\nx\nBINARY\nDATASET POLYDATA\n"
                   "POINTS 1500000000 float\n"),
@@ -180,6 +216,29 @@ INSTANTIATE_TEST_SUITE_P(
             "b.vtk",
             "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n"
             "0 0 0\nPOLYGONS 1 9000000000000000000\n3 0 0 0\n")));
+
+/** A run of equal bytes packs 88 to one: what is announced may be true. */
+TEST(LyingCompression, IsFoundBeforeMemoryIsTaken)
+{
+  std::string packed("\x00\x00", 2); // one byte to copy
+  for (int i = 0; i < 100000; ++i)
+    packed += std::string("\xe0\xff\x00", 3); // 264 bytes each
+  packed.back() = '\x07';                     // beyond what is there
+  packed += std::string("\xff\xff\xff", 3);
+  const auto unpacked = std::uint32_t{12} * ((100001 * 264 + 1) / 12);
+  const auto size = static_cast<std::uint32_t>(packed.size());
+  std::string bytes = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH " +
+                      std::to_string(unpacked / 12) +
+                      "\nHEIGHT 1\nDATA binary_compressed\n";
+  bytes.append(reinterpret_cast<const char*>(&size), sizeof(size));
+  bytes.append(reinterpret_cast<const char*>(&unpacked), sizeof(unpacked));
+  bytes += packed;
+  const std::size_t before = app::peakMemoryBytes();
+  app::Model model;
+  EXPECT_FALSE(
+      app::parseCloud(app::FileFormat::PCD, bytes.data(), bytes.size(), model).ok());
+  EXPECT_LT(app::peakMemoryBytes() - before, 10U << 20);
+}
 
 /** Sound but for one index. */
 class BadIndex : public testing::TestWithParam<std::pair<const char*, const char*>> {};
