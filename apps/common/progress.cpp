@@ -32,20 +32,32 @@ ProgressBar::callback()
 bool
 ProgressBar::show(const std::string& stage, double fraction)
 {
+  if (!visible_)
+    return !interrupted();
   const auto now = std::chrono::steady_clock::now();
-  const bool is_due = stage != last_stage_ || now - last_time_ >= redraw_interval;
-  if (visible_ && is_due) {
-    const double share = std::clamp(std::isfinite(fraction) ? fraction : 0.0, 0.0, 1.0);
-    const auto filled = static_cast<std::size_t>(share * bar_width);
-    std::cerr << "\r[" << std::string(filled, '#')
-              << std::string(bar_width - filled, '.') << "] "
-              << static_cast<int>(share * 100) << " % " << stage << "\x1b[K"
-              << std::flush;
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  time_left_.update(fraction, elapsed);
+  if (stage != last_stage_ || now - last_time_ >= redraw_interval) {
+    const double share = std::isfinite(fraction) ? fraction : 0.0;
+    draw(stage, std::clamp(share, 0.0, 1.0), elapsed);
     drawn_ = true;
     last_stage_ = stage;
     last_time_ = now;
   }
   return !interrupted();
+}
+
+void
+ProgressBar::draw(const std::string& stage, double share, double elapsed) const
+{
+  const auto filled = static_cast<std::size_t>(share * bar_width);
+  std::cerr << "\r[" << std::string(filled, '#') << std::string(bar_width - filled, '.')
+            << "] " << static_cast<int>(share * 100) << " % " << stage;
+  if (elapsed >= TimeLeft::patience)
+    std::cerr << ", " << clockText(elapsed, false);
+  if (const auto left = time_left_.seconds())
+    std::cerr << ", step about " << clockText(*left, true) << " more";
+  std::cerr << "\x1b[K" << std::flush;
 }
 
 void

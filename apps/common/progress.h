@@ -4,13 +4,17 @@
 
 #include <pcl/surface_ccaa/run_control.h>
 
+#include "time_left.h"
+
 #include <chrono>
 #include <string>
 
 namespace app {
 
 /** \brief Draws a bar on stderr, when that is a terminal, and passes Ctrl-C on to the
- * run. Nothing is drawn for \a quiet or when stderr goes to a file or pipe. */
+ * run. A run of some seconds is told how long it has taken, and how long its present
+ * step will take yet. Nothing is drawn for \a quiet or when stderr goes to a file or
+ * pipe. */
 class ProgressBar {
 public:
   explicit ProgressBar(bool quiet);
@@ -34,7 +38,12 @@ public:
   clear();
 
 private:
+  void
+  draw(const std::string& stage, double share, double elapsed) const;
+
   bool visible_;
+  TimeLeft time_left_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   bool drawn_ = false;
   std::string last_stage_;
   std::chrono::steady_clock::time_point last_time_;
