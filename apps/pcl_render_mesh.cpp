@@ -21,11 +21,13 @@ makeCommandLine()
        "MESH_OR_CLOUD OUTPUT.png [options]",
        "Takes a picture of a mesh or cloud, without a window and without perspective.\n"
        "Front faces are grey, back faces orange, boundary edges red, and edges of\n"
-       "three or more triangles magenta. Reads\n" +
-           std::string(app::cloud_endings) +
-           ".\n'-' reads standard input and writes the PNG to standard output.",
+        "three or more triangles magenta; --new-since shows what a program has added.\n"
+        "Reads\n" +
+            std::string(app::cloud_endings) +
+            ".\n'-' reads standard input and writes the PNG to standard output.",
        "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --up 0,1,0\n"
-       "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"});
+       "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"
+       "  pcl_render_mesh repaired.ply patches.png --new-since scan.ply\n"});
   command_line.addPositional("MESH_OR_CLOUD");
   command_line.addPositional("OUTPUT");
   app::addRenderOptions(command_line);
@@ -44,19 +46,45 @@ checkOutput(const std::string& input, const std::string& output)
   return different.ok() ? app::OutputFile::check(output) : different;
 }
 
-/** \brief Load \a path and take it apart; fails when there is nothing to see. */
 app::Status
-loadParts(const std::string& path, app::MeshParts& parts)
+readParts(const std::string& path, app::MeshParts& parts)
 {
   app::Model model;
   const app::Status status = app::readModel(path, model);
+  if (status.ok())
+    parts = app::takeApart(model.mesh);
+  return status;
+}
+
+/** \brief Load \a path and take it apart; fails when what \a settings want to show is
+ * not in it. */
+app::Status
+loadParts(const std::string& path,
+          const app::RenderSettings& settings,
+          app::MeshParts& parts)
+{
+  const app::Status status = readParts(path, parts);
   if (!status.ok())
     return status;
-  parts = app::takeApart(model.mesh);
   if (parts.positions.empty())
     return app::Status::error(app::nameForPeople(path) +
                               " has no finite point to show");
+  if (settings.coloring == app::Coloring::RGB && !parts.colors)
+    return app::Status::error("the points of " + app::nameForPeople(path) +
+                              " have no colours");
   return {};
+}
+
+/** \brief Load the faces of an earlier state where there is the option for it. */
+app::Status
+loadEarlierFaces(const app::Arguments& arguments, app::MeshParts& parts)
+{
+  if (arguments.count("new-since") == 0)
+    return {};
+  app::MeshParts earlier;
+  const app::Status status = readParts(app::takeText(arguments, "new-since"), earlier);
+  parts.earlier_faces = earlier.faces;
+  return status;
 }
 
 app::Status
@@ -85,7 +113,9 @@ renderMesh(const app::Arguments& arguments)
     return status;
 
   app::MeshParts parts;
-  status = loadParts(input, parts);
+  status = loadParts(input, settings, parts);
+  if (status.ok())
+    status = loadEarlierFaces(arguments, parts);
   if (!status.ok())
     return status;
   const app::Display display;

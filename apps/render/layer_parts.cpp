@@ -5,7 +5,6 @@
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkUnsignedCharArray.h>
 
 #include "common/point_columns.h"
 
@@ -38,7 +37,8 @@ makeDots(std::size_t points)
   return array;
 }
 
-/** \brief The field rgb as VTK wants it. */
+} // namespace
+
 vtkSmartPointer<vtkUnsignedCharArray>
 makeColors(const pcl::PCLPointCloud2& cloud)
 {
@@ -57,8 +57,6 @@ makeColors(const pcl::PCLPointCloud2& cloud)
   }
   return colors;
 }
-
-} // namespace
 
 vtkSmartPointer<vtkPolyData>
 makePart(const InspectionLayer& layer)

@@ -6,6 +6,7 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include "common/inspection.h"
 
@@ -17,6 +18,12 @@ namespace app {
  * colour a point. */
 vtkSmartPointer<vtkPolyData>
 makePart(const InspectionLayer& layer);
+
+/** \brief Red, green and blue of each point from the field rgb or rgba; empty without
+ * it.
+ */
+vtkSmartPointer<vtkUnsignedCharArray>
+makeColors(const pcl::PCLPointCloud2& cloud);
 
 std::vector<Eigen::Vector3d>
 positionsOf(const InspectionLayer& layer);

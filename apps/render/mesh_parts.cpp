@@ -10,6 +10,8 @@
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 
+#include "render/layer_parts.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -37,6 +39,21 @@ insertFinitePoints(const pcl::PolygonMesh& mesh,
     }
   }
   return indices;
+}
+
+/** \brief Red, green and blue of each finite point; null for a cloud without them. */
+vtkSmartPointer<vtkUnsignedCharArray>
+colorsOfFinitePoints(const pcl::PCLPointCloud2& cloud, const VtkIndices& indices)
+{
+  const auto all = makeColors(cloud);
+  if (all->GetNumberOfTuples() == 0)
+    return nullptr;
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (indices[i] >= 0)
+      colors->InsertNextTuple(static_cast<vtkIdType>(i), all);
+  return colors;
 }
 
 /** \brief The polygon in VTK's indices; empty when it cannot be drawn. */
@@ -123,6 +140,7 @@ takeApart(const pcl::PolygonMesh& mesh)
   MeshParts parts;
   const auto points = vtkSmartPointer<vtkPoints>::New();
   const VtkIndices indices = insertFinitePoints(mesh, *points, parts.positions);
+  parts.colors = colorsOfFinitePoints(mesh.cloud, indices);
   for (auto* part : {&parts.faces,
                      &parts.boundaries,
                      &parts.overfull,

@@ -8,6 +8,7 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <vector>
 
@@ -21,6 +22,9 @@ struct MeshParts {
   vtkSmartPointer<vtkPolyData> free_points; /**< points of no polygon */
   vtkSmartPointer<vtkPolyData> boundary_points; /**< ends of boundary edges */
   std::vector<Eigen::Vector3d> positions;       /**< all finite points */
+  vtkSmartPointer<vtkUnsignedCharArray> colors; /**< of these; null without colours */
+  vtkSmartPointer<vtkPolyData> earlier_faces; /**< of the same mesh before something was
+                                                   done to it; null: not asked for */
 };
 
 /** \brief Take \a mesh apart. A cloud is a mesh without polygons. Points that are not

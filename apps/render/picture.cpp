@@ -35,6 +35,10 @@ addParts(const MeshParts& parts, const RenderSettings& settings, vtkRenderer& re
   const auto faces = makeSurface(parts, settings);
   if (settings.coloring == Coloring::COMPONENT)
     showColors(colorComponents(parts), *faces);
+  else if (settings.coloring == Coloring::RGB)
+    showColors(colorAsPoints(parts, *parts.faces), *faces);
+  else if (parts.earlier_faces)
+    showColors(colorNewFaces(parts), *faces);
   renderer.AddActor(faces);
 
   const auto add_marks = [&](vtkPolyData* part, const Color& color, double size) {
@@ -42,7 +46,10 @@ addParts(const MeshParts& parts, const RenderSettings& settings, vtkRenderer& re
   };
   if (parts.faces->GetNumberOfPolys() == 0) {
     const auto dots = makeMarks(parts.free_points, FREE, settings.point_size);
-    showColors(colorByDepth(parts, settings.view), *dots);
+    showColors(settings.coloring == Coloring::RGB
+                   ? colorAsPoints(parts, *parts.free_points)
+                   : colorByDepth(parts, settings.view),
+               *dots);
     renderer.AddActor(dots);
     return;
   }

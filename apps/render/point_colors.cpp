@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: parts of a mesh with a colour for each point.
 #include "render/point_colors.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataConnectivityFilter.h>
@@ -14,24 +16,49 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <set>
+#include <vector>
 
 namespace app {
 namespace {
 
-/** \brief Give point i of \a part the colour \a color_of(i). */
-void
-setPointColors(vtkPolyData& part, const std::function<Color(vtkIdType)>& color_of)
+/** \brief The colours \a color_of(0), ..., \a color_of(count - 1) as VTK wants them. */
+vtkSmartPointer<vtkUnsignedCharArray>
+makeColors(vtkIdType count, const std::function<Color(vtkIdType)>& color_of)
 {
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   colors->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < part.GetNumberOfPoints(); ++i) {
+  for (vtkIdType i = 0; i < count; ++i) {
     std::array<unsigned char, 3> bytes{};
     const Color color = color_of(i);
     for (std::size_t channel = 0; channel < 3; ++channel)
       bytes[channel] = static_cast<unsigned char>(std::lround(255.0 * color[channel]));
     colors->InsertNextTypedTuple(bytes.data());
   }
-  part.GetPointData()->SetScalars(colors);
+  return colors;
+}
+
+void
+setPointColors(vtkPolyData& part, const std::function<Color(vtkIdType)>& color_of)
+{
+  part.GetPointData()->SetScalars(makeColors(part.GetNumberOfPoints(), color_of));
+}
+
+/** \brief Points that a polygon joins. */
+using Corners = std::vector<vtkIdType>;
+
+/** \brief The corners of every polygon, each in ascending order. */
+std::vector<Corners>
+sortedCorners(vtkCellArray& cells)
+{
+  std::vector<Corners> all;
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  for (cells.InitTraversal(); cells.GetNextCell(count, corners) != 0;) {
+    all.emplace_back(corners, corners + count);
+    std::sort(all.back().begin(), all.back().end());
+  }
+  return all;
 }
 
 /** \brief Neighbouring numbers differ well in hue. */
@@ -100,6 +127,30 @@ colorByDepth(const MeshParts& parts, const Eigen::Vector3d& view)
     return colorOfNearness(std::clamp((height - lowest) / range, 0.0, 1.0));
   });
   return parts.free_points;
+}
+
+vtkSmartPointer<vtkPolyData>
+colorAsPoints(const MeshParts& parts, vtkPolyData& part)
+{
+  part.GetPointData()->SetScalars(parts.colors);
+  return &part;
+}
+
+vtkSmartPointer<vtkPolyData>
+colorNewFaces(const MeshParts& parts)
+{
+  constexpr Color old_color{0.62, 0.74, 0.86}; // grey blue
+  constexpr Color new_color{0.35, 0.75, 0.30}; // green
+  const auto faces = sortedCorners(*parts.faces->GetPolys());
+  const auto before = sortedCorners(*parts.earlier_faces->GetPolys());
+  const std::set<Corners> known(before.begin(), before.end());
+  const auto color_of = [&](vtkIdType face) {
+    return known.count(faces[static_cast<std::size_t>(face)]) > 0 ? old_color
+                                                                  : new_color;
+  };
+  parts.faces->GetCellData()->SetScalars(
+      makeColors(static_cast<vtkIdType>(faces.size()), color_of));
+  return parts.faces;
 }
 
 } // namespace app

@@ -15,4 +15,13 @@ colorComponents(const MeshParts& parts);
 vtkSmartPointer<vtkPolyData>
 colorByDepth(const MeshParts& parts, const Eigen::Vector3d& view);
 
+/** \brief A part in the colours of its points, which must be there. */
+vtkSmartPointer<vtkPolyData>
+colorAsPoints(const MeshParts& parts, vtkPolyData& part);
+
+/** \brief The faces, those in one colour that were there before, wound either way, and
+ * those in another one that were not. */
+vtkSmartPointer<vtkPolyData>
+colorNewFaces(const MeshParts& parts);
+
 } // namespace app

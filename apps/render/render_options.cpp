@@ -48,8 +48,10 @@ parseColoring(const std::string& text, Coloring& coloring)
     coloring = Coloring::ROLE;
   else if (text == "component")
     coloring = Coloring::COMPONENT;
+  else if (text == "rgb")
+    coloring = Coloring::RGB;
   else
-    return Status::error("--color-by takes none, role or component, not '" + text +
+    return Status::error("--color-by takes none, role, component or rgb, not '" + text +
                          "'");
   return {};
 }
@@ -75,7 +77,12 @@ addRenderOptions(CommandLine& command_line)
   add("color-by",
       value<std::string>()->default_value("none"),
       "none: front faces grey, back faces orange; role: also free points (blue dots) "
-      "and boundary points (red dots); component: a colour per connected component");
+      "and boundary points (red dots); component: a colour per connected component; "
+      "rgb: the colours of the "
+      "points");
+  add("new-since",
+      value<std::string>(),
+      "MESH: an earlier state of the mesh; triangles that it has not are green");
   add("point-size", value<double>()->default_value(2.0), "size of dots in pixels");
 }
 
@@ -125,6 +132,10 @@ readRenderSettings(const Arguments& arguments, RenderSettings& settings)
     status = parsePlace("focus",
                         takeText(arguments, "focus"),
                         settings.focus.emplace(Eigen::Vector3d::Zero()));
+  const bool colors_faces =
+      settings.coloring == Coloring::COMPONENT || settings.coloring == Coloring::RGB;
+  if (status.ok() && colors_faces && arguments.count("new-since") > 0)
+    return Status::error("--new-since goes with --color-by none or role only");
   return status;
 }
 

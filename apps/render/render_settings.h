@@ -10,9 +10,10 @@ namespace app {
 
 /** \brief What the colours of a picture tell. */
 enum class Coloring {
-  NONE,     /**< one colour for front faces, another for back faces */
-  ROLE,     /**< that, and free points as blue dots, boundary points as red ones */
-  COMPONENT /**< each connected component in a colour of its own */
+  NONE,      /**< one colour for front faces, another for back faces */
+  ROLE,      /**< that, and free points as blue dots, boundary points as red ones */
+  COMPONENT, /**< each connected component in a colour of its own */
+  RGB        /**< the colours of the points */
 };
 
 /** \brief Camera and style. Directions need no unit length. */

@@ -75,6 +75,39 @@ TEST_F(RenderMesh, TakesPictureOfCloudInEveryColoring)
   }
 }
 
+TEST_F(RenderMesh, ColoursWhatIsNewSinceAnEarlierState)
+{
+  app_test::writeFile(path("square.obj"),
+                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 3 2 1\nf 2 4 3\n");
+  const auto picture = [&](const std::string& name, const std::string& earlier) {
+    const auto run = render({path("square.obj"),
+                             path(name),
+                             "--size",
+                             "60x60",
+                             "--new-since",
+                             path(earlier)});
+    EXPECT_EQ(0, run.exit_code) << run.errors;
+    return app_test::readFile(path(name));
+  };
+  // The triangle is there, the other way round; the rest of the square is not.
+  EXPECT_NE(picture("half.png", "triangle.obj"), picture("none.png", "square.obj"));
+  EXPECT_NE(picture("half.png", "triangle.obj"), picture("all.png", "cloud.xyz"));
+}
+
+TEST_F(RenderMesh, ShowsTheColoursOfThePoints)
+{
+  const auto picture = [&](const std::string& name, const std::string& colour) {
+    app_test::writeFile(path("coloured.obj"),
+                        "v 0 0 0 " + colour + "\nv 1 0 0 " + colour + "\nv 0 1 0 " +
+                            colour + "\nf 1 2 3\n");
+    const auto run = render(
+        {path("coloured.obj"), path(name), "--size", "60x60", "--color-by", "rgb"});
+    EXPECT_EQ(0, run.exit_code) << run.errors;
+    return app_test::readFile(path(name));
+  };
+  EXPECT_NE(picture("red.png", "1 0 0"), picture("blue.png", "0 0 1"));
+}
+
 TEST_F(RenderMesh, NeedsNoDisplay)
 {
   unsetenv("DISPLAY");
@@ -98,6 +131,9 @@ TEST_F(RenderMesh, RefusesBadUsageWithOneLineAndNoFile)
       {input, output, "--view", "0,0,0"},
       {input, output, "--up", "1,2"},
       {input, output, "--color-by", "mood"},
+      {input, output, "--color-by", "rgb"},
+      {input, output, "--new-since", path("missing.ply")},
+      {input, output, "--new-since", input, "--color-by", "component"},
       {input, output, "--zoom", "-1"},
       {input, output, "--unknown"}};
   for (const auto& arguments : refused) {
