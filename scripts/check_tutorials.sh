@@ -51,9 +51,9 @@ expected() {
   ' "$1"
 }
 
-# Links of the file $1 that lead nowhere.
+# Links of the file $1, but for code, that lead nowhere.
 broken_links() {
-  grep -oE '\]\([^)]+\)' "$1" | sed -E 's/^\]\(//; s/\)$//; s/#.*//' | sort -u |
+  awk '/^```/ { code = !code } !code' "$1" | grep -oE '\]\([^)]+\)' | sed -E 's/^\]\(//; s/\)$//; s/#.*//' | sort -u |
     while read -r link; do
       [[ -z $link || $link == *://* || -e $(dirname "$1")/$link ]] || echo "$1: no $link"
     done

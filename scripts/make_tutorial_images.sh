@@ -55,6 +55,96 @@ tutorial_1() {
   size=560x340 picture 1_closed whole.ply "${below[@]}" --new-since bunny.ply
 }
 
+tutorial_2() {
+  run_commands 2_islands
+  local name view=(--view 0.2,0,1)
+  for name in loops islands lines; do
+    size=520x360 layer=$name lines "2_$name" pieces.ply "${view[@]}"
+  done
+  picture 2_before pieces.ply "${view[@]}"
+  picture 2_after repaired.ply "${view[@]}" --new-since pieces.ply
+  local toy=$scans/parasaurolophus/parasaurolophus_low_normals2.ply
+  [[ -f $toy ]] || return 0
+  pcl_repair_holes "$toy" toy.ply --quiet || (($? == 2))
+  other_meshes "$toy" filtered.ply
+  pcl_repair_holes filtered.ply filtered_toy.ply --quiet || (($? == 2))
+  view=(--view=-1,0,0.3 --up 0,1,0 --focus=40,10,-655 --zoom 2.2)
+  picture 2_scan_before "$toy" "${view[@]}"
+  picture 2_scan_after toy.ply "${view[@]}" --new-since "$toy"
+  picture 2_scan_filtered filtered_toy.ply "${view[@]}" --new-since filtered.ply
+}
+
+tutorial_3() {
+  run_commands 3_free_points
+  local name trust size=340x300
+  local view=(--view 0.8,0.1,1 --focus 0.75,-0.55,0 --zoom 2.6)
+  picture 3_hole without.ply "${view[@]}"
+  for name in few some more; do
+    picture "3_${name}_hole" "$name.ply" "${view[@]}" --color-by role --point-size 4
+  done
+  for name in without few some more; do
+    picture "3_$name" "$name.repaired.ply" "${view[@]}" --new-since "$name.ply"
+  done
+  for trust in 0 0.1 0.5 0.99; do
+    picture "3_trust_$trust" "noisy.$trust.ply" "${view[@]}" --new-since noisy.ply
+  done
+}
+
+tutorial_4() {
+  run_commands 4_pcl_pipeline
+  local near=(--zoom 6 --focus=-0.45,0.45,0.5 --edges)
+  size=340x300 picture 4_raw raw.ply
+  size=300x260 picture 4_raw_near raw.ply "${near[@]}"
+  picture 4_mesh mesh.ply
+  size=300x260 picture 4_mesh_near mesh.ply "${near[@]}"
+  picture 4_front front.ply
+  picture 4_back back.ply
+}
+
+tutorial_5() {
+  run_commands 5_other_meshes
+  picture 5_faulty faulty.obj
+  picture 5_filtered filtered.ply
+  size=340x300 picture 5_raw raw.ply
+  picture 5_gp3 gp3.ply
+  picture 5_gp3_whole gp3_whole.ply --new-since gp3.ply
+  local mask=$scans/holes/holes.ply
+  [[ -f $mask ]] || return 0
+  other_meshes "$mask" mask.ply >>log
+  layer=loops lines 5_loops mask.ply
+}
+
+# strip NAME MESH OPTION "VALUES" OPTIONS...: force lines, a picture for each value.
+strip() {
+  local value
+  for value in $4; do
+    lines "6_$1_$value" "$2" "$3" "$value" "${@:5}"
+  done
+}
+
+tutorial_6() {
+  run_commands 6_tuning
+  local spacing size=460x300
+  local above=(--view 0,0,1) aside=(--view 0.2,-1,0.2 --up 0,0,1)
+  lines 6_default disc.ply "${above[@]}"
+  strip room disc.ply --room "1.2 5" "${above[@]}"
+  strip chi disc.ply --falloff-exponent "1 6" "${above[@]}"
+  strip near disc.ply --near "0.02 0.3" "${above[@]}"
+  strip spacing disc.ply --line-spacing "0.08 1" "${above[@]}"
+  strip k_i bar.ply --interpolation "0 20" "${above[@]}"
+  strip T hole.ply --hole-threshold "0.05 0.25 0.45" "${above[@]}"
+  for spacing in 0.1 0.5; do
+    size=360x250 picture "6_bridges_$spacing" "bridges_$spacing.ply" "${above[@]}" \
+      --edges --new-since disc.ply --zoom 1.45
+  done
+  size=460x190
+  local samples=(--free-points dome.xyz)
+  strip R2 hole.ply --free-point-far "0.05 0.2 0.6" "${samples[@]}" "${aside[@]}"
+  samples+=(--free-point-far 0.6)
+  strip k_t hole.ply --trust "0 0.5 0.95" "${samples[@]}" "${aside[@]}"
+  strip gamma hole.ply --free-point-exponent "0.5 4" "${samples[@]}" "${aside[@]}"
+}
+
 [[ -f build/demo/bunny_cloud.obj && -x build/release/bin/scan_to_mesh ]] || {
   scripts/demo.sh
   cmake --preset release
@@ -62,7 +152,7 @@ tutorial_1() {
     other_meshes
 }
 mkdir -p "$images"
-for number in "${@:-1}"; do
+for number in "${@:-1 2 3 4 5 6}"; do
   (tutorial_"$number")
 done
 find "$images" -name '*.png' -size +150k -exec echo "larger than 150 KB: {}" \;

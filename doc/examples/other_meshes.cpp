@@ -2,11 +2,12 @@
 // Part of PclSurfaceRepair: example, what is wrong with a mesh of another program.
 //
 // Usage: other_meshes MESH.ply|MESH.obj FILTERED.ply
-//        other_meshes CLOUD.ply|CLOUD.obj FILTERED.ply -gp3 RADIUS
+//        other_meshes CLOUD.ply|CLOUD.obj FILTERED.ply -gp3 RADIUS [-raw MADE.ply]
 //
 // Takes out of a mesh what is no correct surface, writes what is left, and prints one
 // line for each boundary: what it bounds, how sure that is, its edges and its length.
-// With -gp3 the mesh is made first, by PCL's greedy projection triangulation.
+// With -gp3 the mesh is made first, by PCL's greedy projection triangulation; -raw
+// writes what that made.
 #include <pcl/console/parse.h>
 #include <pcl/console/print.h>
 #include <pcl/features/normal_3d.h>
@@ -126,9 +127,10 @@ printBoundaries(const pcl::PolygonMesh::ConstPtr& mesh)
 int
 main(int argc, char** argv)
 {
-  if (argc != 3 && argc != 5) {
-    std::fprintf(
-        stderr, "usage: other_meshes INPUT.ply|INPUT.obj FILTERED.ply [-gp3 RADIUS]\n");
+  if (argc < 3) {
+    std::fprintf(stderr,
+                 "usage: other_meshes INPUT.ply|INPUT.obj FILTERED.ply "
+                 "[-gp3 RADIUS [-raw MADE.ply]]\n");
     return 1;
   }
   pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
@@ -140,6 +142,9 @@ main(int argc, char** argv)
   double radius = 0;
   if (pcl::console::parse_argument(argc, argv, "-gp3", radius) >= 0)
     triangulate(radius, *mesh);
+  std::string raw;
+  if (pcl::console::parse_argument(argc, argv, "-raw", raw) >= 0)
+    pcl::io::savePLYFileBinary(raw, *mesh);
   const pcl::PolygonMesh::Ptr correct = filtered(mesh);
   if (pcl::io::savePLYFileBinary(argv[2], *correct) < 0) {
     std::fprintf(stderr, "other_meshes: cannot write %s\n", argv[2]);
