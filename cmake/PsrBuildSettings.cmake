@@ -29,7 +29,8 @@ endif()
 # and a file that lacks an include may go unnoticed.
 option(PSR_UNITY_BUILD "Compile the files of each folder as one" OFF)
 
-# psr_unite_folders(<target>): what is marked SKIP_UNITY_BUILD_INCLUSION stays apart.
+# psr_unite_folders(<target>): what is marked SKIP_UNITY_BUILD_INCLUSION stays apart, and
+# so do kernels, one file a processor, whose macros have the same names.
 function(psr_unite_folders target)
   if(NOT PSR_UNITY_BUILD)
     return()
@@ -40,6 +41,9 @@ function(psr_unite_folders target)
     get_filename_component(folder "${source}" DIRECTORY)
     get_filename_component(group "${folder}" NAME)
     set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+    if(source MATCHES "_(baseline|avx2|avx512)\\.cpp$")
+      set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
   endforeach()
 endfunction()
 
