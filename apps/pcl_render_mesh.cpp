@@ -21,10 +21,10 @@ makeCommandLine()
        "MESH_OR_CLOUD OUTPUT.png [options]",
        "Takes a picture of a mesh or cloud, without a window and without perspective.\n"
        "Front faces are grey, back faces orange, boundary edges red, and edges of\n"
-        "three or more triangles magenta; --new-since shows what a program has added.\n"
-        "Reads\n" +
-            std::string(app::cloud_endings) +
-            ".\n'-' reads standard input and writes the PNG to standard output.",
+       "three or more triangles magenta; --new-since shows what a program has added.\n"
+       "Reads\n" +
+           std::string(app::cloud_endings) +
+           ".\n'-' reads standard input and writes the PNG to standard output.",
        "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --up 0,1,0\n"
        "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"
        "  pcl_render_mesh repaired.ply patches.png --new-since scan.ply\n"});

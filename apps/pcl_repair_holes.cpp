@@ -74,32 +74,11 @@ makeCommandLine()
        "  pcl_repair_holes scan.ply --inspect found --report found.json\n"
        "  pcl_viewer found/origins.pcd found/islands.vtk found/loops.vtk\n"});
   app::addRepairOptions(line);
-  using boost::program_options::value;
-  auto add = line.addOptions();
-  add("size", value<std::string>()->default_value("1600x900"), "of the pictures, WxH");
-  add("view",
-      value<std::string>(),
-      "X,Y,Z: direction from the model to the camera; without it one or two are chosen "
-      "that show most of the boundary");
-  add("up",
-      value<std::string>(),
-      "X,Y,Z: direction that points up in the pictures; without it y or z");
+  app::addViewOptions(line, "1600x900");
   line.addPositional("INPUT_MESH");
   line.addOptionalPositional("OUTPUT_MESH");
   line.addMorePositionals("MORE");
   return line;
-}
-
-app::Status
-readView(const app::Arguments& arguments, app::InspectionView& view)
-{
-  app::Status status = app::readSize(arguments, view.width, view.height);
-  for (const auto& [option, direction] :
-       {std::pair{"view", &view.view}, std::pair{"up", &view.up}})
-    if (status.ok() && arguments.count(option) > 0)
-      status = app::readDirection(
-          arguments, option, direction->emplace(Eigen::Vector3d::Zero()));
-  return status;
 }
 
 /** The report may lie in the folder that is yet to be made. */
@@ -383,7 +362,7 @@ run(const app::Arguments& arguments)
   app::InspectionView view;
   app::Status status = app::takeRepairSettings(arguments, settings);
   if (status.ok())
-    status = readView(arguments, view);
+    status = app::readView(arguments, view);
   if (status.ok() && !settings.inputs.empty())
     return runMany(settings, view);
   if (status.ok())

@@ -124,7 +124,7 @@ addRunOptions(po::options_description_easy_init add)
 }
 
 void
-addMethodOptions(po::options_description_easy_init add)
+addSurveyOptions(po::options_description_easy_init add)
 {
   const SurveyParameters defaults;
   add("mode",
@@ -336,9 +336,22 @@ void
 addRepairOptions(CommandLine& command_line)
 {
   addRunOptions(command_line.addOptions());
-  addMethodOptions(command_line.addOptions());
+  addMethodOptions(command_line);
+}
+
+void
+addMethodOptions(CommandLine& command_line)
+{
+  addSurveyOptions(command_line.addOptions());
   addClosingOptions(command_line.addOptions());
   addFormatOption(command_line, "ply, vtk, obj, off or stl");
+}
+
+Status
+takeMethod(const Arguments& arguments, RepairParameters& method)
+{
+  const Status status = takeSurveyParameters(arguments, method.survey);
+  return status.ok() ? takeClosingParameters(arguments, method) : status;
 }
 
 Status
@@ -362,9 +375,7 @@ takeRepairSettings(const Arguments& arguments, RepairSettings& settings)
   if (status.ok())
     status = takeCount(arguments, "threads", 0, 1024, settings.threads);
   if (status.ok())
-    status = takeSurveyParameters(arguments, settings.method.survey);
-  if (status.ok())
-    status = takeClosingParameters(arguments, settings.method);
+    status = takeMethod(arguments, settings.method);
   return status;
 }
 

@@ -60,6 +60,14 @@ nameOf(pcl::repair::DarningChoice choice);
 void
 addRepairOptions(CommandLine& command_line);
 
+/** \brief Add the options of the method alone. */
+void
+addMethodOptions(CommandLine& command_line);
+
+/** \brief Take these; fails with one sentence for a value out of range. */
+Status
+takeMethod(const Arguments& arguments, pcl::repair::RepairParameters& method);
+
 /** \brief Take the settings; fails with one sentence for a value out of range or when
  * nothing is asked for. */
 Status

@@ -112,6 +112,36 @@ readDirection(const Arguments& arguments,
   return status;
 }
 
+void
+addViewOptions(CommandLine& command_line, const char* default_size)
+{
+  using boost::program_options::value;
+  auto add = command_line.addOptions();
+  add("size",
+      value<std::string>()->default_value(default_size),
+      "of the pictures, WxH in pixels");
+  add("view",
+      value<std::string>(),
+      "X,Y,Z: direction from the model to the camera; without it chosen to show most "
+      "of "
+      "the boundary");
+  add("up",
+      value<std::string>(),
+      "X,Y,Z: direction that points up in the pictures; without it y or z");
+}
+
+Status
+readView(const Arguments& arguments, InspectionView& view)
+{
+  Status status = readSize(arguments, view.width, view.height);
+  for (const auto& [option, direction] :
+       {std::pair{"view", &view.view}, std::pair{"up", &view.up}})
+    if (status.ok() && arguments.count(option) > 0)
+      status =
+          readDirection(arguments, option, direction->emplace(Eigen::Vector3d::Zero()));
+  return status;
+}
+
 Status
 readRenderSettings(const Arguments& arguments, RenderSettings& settings)
 {

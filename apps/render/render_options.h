@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/cli.h"
+#include "render/inspection_pictures.h"
 #include "render/render_settings.h"
 
 #include <string>
@@ -20,6 +21,15 @@ readRenderSettings(const Arguments& arguments, RenderSettings& settings);
 /** \brief Read --size, which was given or has a default: WxH in pixels. */
 Status
 readSize(const Arguments& arguments, int& width, int& height);
+
+/** \brief Add --size, --view and --up of pictures whose view is chosen unless it is
+ * given. */
+void
+addViewOptions(CommandLine& command_line, const char* default_size);
+
+/** \brief Turn them into \a view, or say which value is no use. */
+Status
+readView(const Arguments& arguments, InspectionView& view);
 
 /** \brief Read X,Y,Z of an option that was given; fails for zero. */
 Status
