@@ -18,6 +18,22 @@ bestQuality(const std::vector<pcl::RepairBridge>& bridges)
   return best;
 }
 
+void
+addLegend(const std::vector<pcl::RepairBridge>& bridges, LayerBuilder& builder)
+{
+  if (bridges.empty())
+    return;
+  const auto within_holes = std::count_if(
+      bridges.begin(), bridges.end(), [](const auto& b) { return b.within_hole; });
+  const auto between_islands =
+      static_cast<std::ptrdiff_t>(bridges.size()) - within_holes;
+  builder.addLegend(colorOfBridge(1.0), "strong bridge");
+  builder.addLegend(colorOfBridge(0.0),
+                    "weak bridge; in all " + std::to_string(between_islands) +
+                        " join boundaries, " + std::to_string(within_holes) +
+                        " divide holes");
+}
+
 } // namespace
 
 InspectionLayer
@@ -46,6 +62,7 @@ showBridges(const std::vector<pcl::RepairBridge>& bridges)
     const std::size_t size = bridge.points.size();
     builder.addLine(last + 1 - static_cast<pcl::index_t>(size), size, false);
   }
+  addLegend(bridges, builder);
   return builder.finish("normal: external; quality: mean force; bridge: number; "
                         "begin_island, end_island: that it joins; within_hole: 1 if it "
                         "divides a hole");

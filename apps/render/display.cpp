@@ -19,14 +19,6 @@ namespace {
 
 constexpr int SECONDS_TO_START = 30;
 
-bool
-answers()
-{
-  // Never closed: a virtual server starts afresh when its last client leaves, and for a
-  // moment refuses the next one.
-  return XOpenDisplay(nullptr) != nullptr;
-}
-
 /** \brief Become the server, which writes the number of its display to \a output. Only
  * what a forked process may call. */
 [[noreturn]] void
@@ -91,12 +83,20 @@ startServer()
 
 } // namespace
 
-Display::Display() : ready_(answers())
+bool
+hasDisplay()
+{
+  // Never closed: a virtual server starts afresh when its last client leaves, and for a
+  // moment refuses the next one.
+  return XOpenDisplay(nullptr) != nullptr;
+}
+
+Display::Display() : ready_(hasDisplay())
 {
   if (ready_)
     return;
   server_ = startServer();
-  ready_ = server_ > 0 && answers();
+  ready_ = server_ > 0 && hasDisplay();
 }
 
 Display::~Display()

@@ -29,4 +29,9 @@ private:
   pid_t server_ = -1; /**< the virtual display, if one was started */
 };
 
+/** \brief Whether $DISPLAY names a display that answers, for a window that somebody is
+ * to see. */
+bool
+hasDisplay();
+
 } // namespace app

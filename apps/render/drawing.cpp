@@ -6,7 +6,6 @@
 #include <vtkPNGWriter.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -25,24 +24,6 @@ makeActor(vtkPolyData* part, const Color& color)
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   return actor;
-}
-
-std::string
-encodePng(vtkRenderWindow& window)
-{
-  const auto image = vtkSmartPointer<vtkWindowToImageFilter>::New();
-  image->SetInput(&window);
-  image->ReadFrontBufferOff();
-  image->Update();
-  const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (bytes == nullptr)
-    return {};
-  const unsigned char* begin = bytes->GetPointer(0);
-  return {begin, begin + bytes->GetNumberOfValues()};
 }
 
 } // namespace
@@ -100,19 +81,50 @@ makeRenderer()
   return renderer;
 }
 
+Painter::Painter(int width, int height)
+: window_(vtkSmartPointer<vtkRenderWindow>::New())
+{
+  window_->SetOffScreenRendering(1);
+  window_->SetMultiSamples(8);
+  window_->SetSize(width, height);
+}
+
+std::string
+Painter::draw(const std::vector<vtkSmartPointer<vtkRenderer>>& renderers)
+{
+  for (const auto& renderer : renderers)
+    window_->AddRenderer(renderer);
+  window_->Render();
+  const std::string bytes = encodePng(*window_);
+  for (const auto& renderer : renderers)
+    window_->RemoveRenderer(renderer);
+  return bytes;
+}
+
 std::string
 drawPng(const std::vector<vtkSmartPointer<vtkRenderer>>& renderers,
         int width,
         int height)
 {
-  const auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8);
-  window->SetSize(width, height);
-  for (const auto& renderer : renderers)
-    window->AddRenderer(renderer);
-  window->Render();
-  return encodePng(*window);
+  return Painter(width, height).draw(renderers);
+}
+
+std::string
+encodePng(vtkRenderWindow& window)
+{
+  const auto image = vtkSmartPointer<vtkWindowToImageFilter>::New();
+  image->SetInput(&window);
+  image->ReadFrontBufferOff();
+  image->Update();
+  const auto writer = vtkSmartPointer<vtkPNGWriter>::New();
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (bytes == nullptr)
+    return {};
+  const unsigned char* begin = bytes->GetPointer(0);
+  return {begin, begin + bytes->GetNumberOfValues()};
 }
 
 } // namespace app

@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
+#include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -39,12 +40,30 @@ showColors(vtkPolyData* part, vtkActor& actor);
 vtkSmartPointer<vtkRenderer>
 makeRenderer();
 
-/** \brief Draw off-screen and return the picture as the bytes of a PNG file; empty when
- * no picture could be taken. Each renderer fills its viewport. Needs a display (see
- * display.h). */
+/** \brief Draws pictures of one size off-screen. Making one takes longer than many a
+ * picture. Needs a display (see display.h), which has to outlive it. */
+class Painter {
+public:
+  Painter(int width, int height);
+
+  /** \brief A picture as the bytes of a PNG file; empty when none could be taken. Each
+   * renderer fills its viewport. */
+  std::string
+  draw(const std::vector<vtkSmartPointer<vtkRenderer>>& renderers);
+
+private:
+  vtkSmartPointer<vtkRenderWindow> window_;
+};
+
+/** \brief The same for a single picture. */
 std::string
 drawPng(const std::vector<vtkSmartPointer<vtkRenderer>>& renderers,
         int width,
         int height);
+
+/** \brief What a window shows, drawn anew, as the bytes of a PNG file; empty when no
+ * picture could be taken. */
+std::string
+encodePng(vtkRenderWindow& window);
 
 } // namespace app

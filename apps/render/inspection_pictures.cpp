@@ -11,6 +11,7 @@
 #include "render/drawing.h"
 #include "render/layer_parts.h"
 #include "render/legend.h"
+#include "render/surface_colors.h"
 #include "render/view_choice.h"
 
 #include <algorithm>
@@ -22,11 +23,9 @@ namespace {
 
 using Parts = std::map<std::string, vtkSmartPointer<vtkPolyData>>;
 
-constexpr Color PALE{0.90, 0.90, 0.88};
-constexpr Color PALE_BACK{0.62, 0.58, 0.54};
-constexpr Color INNER_SIDE{0.35, 0.35, 0.38};
-constexpr Rgb PALE_BACK_BYTES{158, 148, 138};
-constexpr Rgb INNER_SIDE_BYTES{89, 89, 97};
+constexpr Color PALE = toColor(OUTER_SIDE_PALE);
+constexpr Color PALE_BACK = toColor(INNER_SIDE_PALE);
+constexpr Color INNER_SIDE = toColor(INNER_SIDE_DARK);
 
 /** \brief Widths of lines and dots, in pixels of a picture 900 high. */
 constexpr double THICK = 4.0;
@@ -80,9 +79,8 @@ makeColored(vtkPolyData* part, double size)
 vtkSmartPointer<vtkActor>
 makeThinBoundary(const Studio& studio)
 {
-  constexpr Color grey{
-      BOUNDARY_GREY[0] / 255.0, BOUNDARY_GREY[1] / 255.0, BOUNDARY_GREY[2] / 255.0};
-  return makeMarks(studio.parts.at("loops.vtk"), grey, studio.scaled(THIN));
+  return makeMarks(
+      studio.parts.at("loops.vtk"), toColor(BOUNDARY_GREY), studio.scaled(THIN));
 }
 
 double
@@ -99,7 +97,7 @@ loopScene(const Studio& studio)
 {
   return {"loops.png",
           {"loops.vtk"},
-          {{PALE_BACK_BYTES, "inner side of the surface"}},
+          {{INNER_SIDE_PALE, "inner side of the surface"}},
           [&studio](vtkRenderer& renderer) {
             renderer.AddActor(
                 makeSurface(studio.parts.at("islands.vtk"), PALE, PALE_BACK));
@@ -113,7 +111,7 @@ islandScene(const Studio& studio)
 {
   return {"islands.png",
           {"islands.vtk"},
-          {{INNER_SIDE_BYTES, "inner side of the surface"}},
+          {{INNER_SIDE_DARK, "inner side of the surface"}},
           [&studio](vtkRenderer& renderer) {
             const auto& part = studio.parts.at("islands.vtk");
             // Colours of points are those of both sides: each side is drawn by itself.

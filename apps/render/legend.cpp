@@ -19,23 +19,17 @@ namespace {
 
 constexpr Rgb FRAME{150, 150, 150};
 constexpr std::size_t LETTERS_PER_LINE = 22;
+constexpr std::size_t SMALL_LETTERS_PER_LINE = 29;
 
-/** \brief Pixels that can be read, also in a small picture. */
-int
-letterHeight(int picture_height)
-{
-  return std::max(picture_height / 45, 11);
-}
-
-/** \brief The text with line ends in place of some spaces. */
+/** \brief The text with line ends in place of some spaces, so many letters a line. */
 std::string
-wrap(const std::string& text)
+wrap(const std::string& text, std::size_t letters)
 {
   std::istringstream words(text);
   std::string wrapped;
   std::size_t length = 0;
   for (std::string word; words >> word; length += word.size() + 1) {
-    const bool fits = length + word.size() <= LETTERS_PER_LINE;
+    const bool fits = length + word.size() <= letters;
     if (!wrapped.empty())
       wrapped += fits ? " " : "\n";
     if (!fits)
@@ -49,21 +43,6 @@ int
 linesOf(const std::string& text)
 {
   return 1 + static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
-
-/** \brief Text whose upper left corner is at a place in pixels. */
-vtkSmartPointer<vtkTextActor>
-makeText(const std::string& text, int left, int top, int size)
-{
-  auto actor = vtkSmartPointer<vtkTextActor>::New();
-  actor->SetInput(text.c_str());
-  actor->SetPosition(left, top);
-  vtkTextProperty* const property = actor->GetTextProperty();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(size);
-  property->SetColor(0.1, 0.1, 0.1);
-  property->SetVerticalJustificationToTop();
-  return actor;
 }
 
 /** \brief A filled square whose upper left corner is at a place in pixels. */
@@ -87,12 +66,105 @@ makeSquare(const Rgb& color, int left, int top, int side)
   return actor;
 }
 
+/** \brief Writes from the upper end of the column downwards. */
+class LegendColumn {
+public:
+  LegendColumn(vtkRenderer& renderer, int height)
+  : renderer_(renderer)
+  , letter_(letterHeight(height))
+  , top_(height - letterHeight(height))
+  {}
+
+  void
+  addTitle(const std::string& title)
+  {
+    const std::string wrapped = wrap(title, LETTERS_PER_LINE);
+    const auto heading = makeText(wrapped, letter_, top_, letter_);
+    heading->GetTextProperty()->BoldOn();
+    renderer_.AddActor2D(heading);
+    top_ -= letter_ * (3 + 6 * linesOf(wrapped)) / 5;
+  }
+
+  void
+  addText(const std::string& text)
+  {
+    const std::string wrapped = wrap(text, SMALL_LETTERS_PER_LINE);
+    renderer_.AddActor2D(makeText(wrapped, letter_, top_, small()));
+    top_ -= small() * (4 + 6 * linesOf(wrapped)) / 5;
+  }
+
+  void
+  addGap()
+  {
+    top_ -= letter_;
+  }
+
+  void
+  addEntry(const LegendEntry& entry)
+  {
+    const std::string text = wrap(entry.meaning, LETTERS_PER_LINE);
+    renderer_.AddActor2D(makeSquare(FRAME, letter_ - 1, top_ + 1, letter_ + 2));
+    renderer_.AddActor2D(makeSquare(entry.color, letter_, top_, letter_));
+    renderer_.AddActor2D(makeText(text, letter_ * 5 / 2, top_, letter_));
+    top_ -= letter_ * (4 + 6 * linesOf(text)) / 5;
+  }
+
+  /** \brief The lines end at the lower end of the column. */
+  void
+  addNotes(const std::vector<LegendNote>& notes)
+  {
+    const int line = small() * 13 / 10;
+    int top = letter_ + line * static_cast<int>(notes.size());
+    for (const LegendNote& note : notes) {
+      for (const auto& [text, left] :
+           {std::pair{note.key, letter_}, std::pair{note.meaning, letter_ * 4}}) {
+        const auto words = makeText(text, left, top, small());
+        if (note.pale)
+          words->GetTextProperty()->SetColor(0.65, 0.65, 0.65);
+        renderer_.AddActor2D(words);
+      }
+      top -= line;
+    }
+  }
+
+private:
+  int
+  small() const
+  {
+    return std::max(letter_ * 17 / 20, 10);
+  }
+
+  vtkRenderer& renderer_;
+  int letter_;
+  int top_;
+};
+
 } // namespace
+
+int
+letterHeight(int height)
+{
+  return std::max(height / 45, 11);
+}
 
 int
 legendWidth(int height)
 {
   return 15 * letterHeight(height);
+}
+
+vtkSmartPointer<vtkTextActor>
+makeText(const std::string& text, int left, int top, int size)
+{
+  auto actor = vtkSmartPointer<vtkTextActor>::New();
+  actor->SetInput(text.c_str());
+  actor->SetPosition(left, top);
+  vtkTextProperty* const property = actor->GetTextProperty();
+  property->SetFontFamilyToArial();
+  property->SetFontSize(size);
+  property->SetColor(0.1, 0.1, 0.1);
+  property->SetVerticalJustificationToTop();
+  return actor;
 }
 
 vtkSmartPointer<vtkRenderer>
@@ -102,21 +174,14 @@ makeLegend(const Legend& legend, int width, int height)
   renderer->SetBackground(1.0, 1.0, 1.0);
   renderer->SetViewport(
       0.0, 0.0, static_cast<double>(legendWidth(height)) / width, 1.0);
-  const int letter = letterHeight(height);
-  const int left = letter;
-  int top = height - letter;
-  const std::string title = wrap(legend.title);
-  const auto heading = makeText(title, left, top, letter);
-  heading->GetTextProperty()->BoldOn();
-  renderer->AddActor2D(heading);
-  top -= letter * (3 + 6 * linesOf(title)) / 5 + letter;
-  for (const LegendEntry& entry : legend.entries) {
-    const std::string text = wrap(entry.meaning);
-    renderer->AddActor2D(makeSquare(FRAME, left - 1, top + 1, letter + 2));
-    renderer->AddActor2D(makeSquare(entry.color, left, top, letter));
-    renderer->AddActor2D(makeText(text, left + letter * 3 / 2, top, letter));
-    top -= letter * (4 + 6 * linesOf(text)) / 5;
-  }
+  LegendColumn column(*renderer, height);
+  column.addTitle(legend.title);
+  if (!legend.text.empty())
+    column.addText(legend.text);
+  column.addGap();
+  for (const LegendEntry& entry : legend.entries)
+    column.addEntry(entry);
+  column.addNotes(legend.notes);
   return renderer;
 }
 

@@ -9,8 +9,6 @@
 #include <vtkPolyDataConnectivityFilter.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "render/drawing.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,18 +70,6 @@ colorOfComponent(double component)
   return rgb;
 }
 
-/** \brief From dark blue at 1, nearest to the camera, to light blue at 0. */
-Color
-colorOfNearness(double nearness)
-{
-  constexpr Color far{0.74, 0.84, 0.95};
-  constexpr Color near{0.03, 0.10, 0.35};
-  Color color{};
-  for (std::size_t i = 0; i < 3; ++i)
-    color[i] = far[i] + nearness * (near[i] - far[i]);
-  return color;
-}
-
 /** \brief The value that \a share of all values are less than. */
 double
 quantile(std::vector<double> values, double share)
@@ -95,6 +81,17 @@ quantile(std::vector<double> values, double share)
 }
 
 } // namespace
+
+Color
+colorOfNearness(double nearness)
+{
+  constexpr Color far{0.74, 0.84, 0.95};
+  constexpr Color near{0.03, 0.10, 0.35};
+  Color color{};
+  for (std::size_t i = 0; i < 3; ++i)
+    color[i] = far[i] + nearness * (near[i] - far[i]);
+  return color;
+}
 
 vtkSmartPointer<vtkPolyData>
 colorComponents(const MeshParts& parts)

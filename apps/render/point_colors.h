@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: parts of a mesh with a colour for each point.
 #pragma once
 
+#include "render/drawing.h"
 #include "render/mesh_parts.h"
 
 namespace app {
@@ -9,6 +10,10 @@ namespace app {
 /** \brief The faces, each connected component in a colour of its own. */
 vtkSmartPointer<vtkPolyData>
 colorComponents(const MeshParts& parts);
+
+/** \brief From dark blue at 1, nearest to the camera, to light blue at 0. */
+Color
+colorOfNearness(double nearness);
 
 /** \brief The free points, dark near the camera and light far from it. \a view is the
  * direction towards the camera. */

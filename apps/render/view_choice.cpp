@@ -106,6 +106,16 @@ chooseViews(const ModelSurvey& survey)
 }
 
 Eigen::Vector3d
+chooseView(const ModelSurvey& survey)
+{
+  const std::vector<Eigen::Vector3d> views = chooseViews(survey);
+  if (views.size() == 1)
+    return views.front();
+  const Weights boundary = boundaryWeights(survey);
+  return bestDirection(boundary.empty() ? areaWeights(survey) : boundary, false);
+}
+
+Eigen::Vector3d
 chooseUp(const ModelSurvey& survey, const Eigen::Vector3d& view)
 {
   Eigen::AlignedBox3d box;

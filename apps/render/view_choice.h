@@ -15,6 +15,11 @@ namespace app {
 std::vector<Eigen::Vector3d>
 chooseViews(const pcl::repair::ModelSurvey& survey);
 
+/** \brief The one direction, of the same, from which most of the boundary is seen; of a
+ * model without one most of the surface. */
+Eigen::Vector3d
+chooseView(const pcl::repair::ModelSurvey& survey);
+
 /** \brief Up in a picture seen from \a view: y or z, in which of them the model is
  * taller, unless the view goes along it. */
 Eigen::Vector3d
