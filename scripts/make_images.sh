@@ -67,3 +67,16 @@ if [[ -f $head ]]; then
     cp "build/demo/head_$k/lines.png" "$images/interpolation_$k.png"
   done
 fi
+
+# Stages as the viewer shows them.
+viewer=$bin/pcl_repair_viewer
+if [[ -x $viewer ]]; then
+  for stage in filter base; do
+    "$viewer" build/demo/bunny_cloud.obj --points-only --stage "$stage" --quiet \
+      --screenshot "$images/viewer_bunny_$stage.png" --size 560x380
+  done
+fi
+if [[ -x $viewer && -f $data/range_maps/lato180.ply ]]; then
+  "$viewer" "$data/range_maps/lato180.ply" --stage holes --quiet \
+    --screenshot "$images/viewer_scan_holes.png" --size 640x420
+fi

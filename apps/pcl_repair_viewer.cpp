@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: program that shows a repair stage by stage.
+#include "common/cli.h"
+#include "common/hole_report.h"
+#include "common/interrupt.h"
+#include "common/output_file.h"
+#include "common/output_folder.h"
+#include "common/point_columns.h"
+#include "common/progress.h"
+#include "render/display.h"
+#include "render/drawing.h"
+#include "render/view_choice.h"
+#include "viewer/stage_view.h"
+#include "viewer/stages.h"
+#include "viewer/viewer_options.h"
+#include "viewer/viewer_window.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/** Picture files of a folder, numbered so that they sort like the stages. */
+std::string
+pictureName(std::size_t stage, const std::vector<app::Stage>& stages)
+{
+  return std::to_string(stage + 1) + "_" + stages[stage].name + ".png";
+}
+
+/** All that can be known to fail before the work begins. */
+app::Status
+checkOutputs(const app::ViewerSettings& settings)
+{
+  if (!settings.offScreen() && !app::hasDisplay())
+    return app::Status::error("no X display to open a window on: set DISPLAY, or use "
+                              "--screenshot FILE.png");
+  app::Status status = app::checkDifferentFiles(
+      {settings.task.input, settings.task.free_points, settings.screenshot});
+  if (status.ok() && !settings.screenshot.empty())
+    status = app::OutputFile::check(settings.screenshot);
+  if (status.ok() && !settings.folder.empty())
+    status = app::OutputFolder::check(settings.folder);
+  return status;
+}
+
+/** A stage that this input does not have is told before the long work. */
+app::Status
+checkStage(const app::ViewerSettings& settings, bool from_cloud)
+{
+  const auto& names = app::stageNames();
+  const bool of_mesh = settings.stage == names.back();
+  const bool of_cloud =
+      std::find(names.begin(), names.begin() + 4, settings.stage) != names.begin() + 4;
+  if (from_cloud && of_mesh)
+    return app::Status::error("'" + settings.task.input +
+                              "' is a cloud; it has no stage 'mesh' (try base)");
+  if (!from_cloud && of_cloud)
+    return app::Status::error("'" + settings.task.input +
+                              "' is a mesh; it has no stage '" + settings.stage +
+                              "' (try mesh, or --points-only)");
+  return {};
+}
+
+app::StageCamera
+aim(const app::InspectionView& view, const app::ViewerRun& run)
+{
+  app::StageCamera camera;
+  camera.positions = run.survey.model.positions;
+  if (camera.positions.empty())
+    for (const auto& position : app::readPositions(run.input.mesh.cloud))
+      if (position.allFinite())
+        camera.positions.push_back(position.cast<double>());
+  camera.view = view.view ? *view.view : app::chooseView(run.survey);
+  camera.up = view.up ? *view.up : app::chooseUp(run.survey, camera.view);
+  return camera;
+}
+
+app::StageView
+makeView(const app::ViewerSettings& settings, const app::ViewerRun& run)
+{
+  const app::StageCamera camera = aim(settings.view, run);
+  return {app::makeStages(run, camera.view),
+          camera,
+          fs::path(settings.task.input).filename().string()};
+}
+
+/** Bridges and what follows take longest: a picture of what comes before needs none. */
+bool
+needsRepair(const app::ViewerSettings& settings)
+{
+  if (settings.screenshot.empty() || !settings.folder.empty() || settings.stage.empty())
+    return true;
+  for (const char* stage : {"bridges", "holes", "result"})
+    if (settings.stage == stage)
+      return true;
+  return false;
+}
+
+/** The stage asked for, else the given one. */
+std::size_t
+chosenStage(const app::ViewerSettings& settings,
+            const std::vector<app::Stage>& stages,
+            std::size_t otherwise)
+{
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    if (stages[i].name == settings.stage)
+      return i;
+  return otherwise;
+}
+
+/** Pictures of the stages appear together or not at all. */
+app::Status
+writePictures(const app::ViewerSettings& settings, app::StageView& view)
+{
+  const auto& stages = view.stages();
+  const app::Display display;
+  if (!display.ready())
+    return app::Status::error("no X display to draw with: set DISPLAY or install Xvfb");
+  app::Painter painter(settings.view.width, settings.view.height);
+  app::OutputFolder folder;
+  app::Status status;
+  const auto draw = [&](std::size_t stage, app::OutputFile& file) {
+    const std::string bytes =
+        drawStage(view, stage, settings.view.width, settings.view.height, painter);
+    if (bytes.empty())
+      status = app::Status::error("the picture could not be drawn");
+    file.text(bytes);
+  };
+  if (!settings.folder.empty())
+    status = folder.open(settings.folder);
+  if (status.ok() && !settings.screenshot.empty())
+    draw(chosenStage(settings, stages, stages.size() - 1),
+         folder.addElsewhere(settings.screenshot));
+  const std::size_t pictures = settings.folder.empty() ? 0 : stages.size();
+  for (std::size_t i = 0; status.ok() && !app::interrupted() && i < pictures; ++i)
+    draw(i, folder.add(pictureName(i, stages)));
+  return status.ok() && !app::interrupted() ? folder.commit() : status;
+}
+
+/** The picture goes beside no earlier one of the same name. */
+void
+keepScreenshot(const app::ViewerSettings& settings,
+               const std::string& stage,
+               const std::string& bytes)
+{
+  const std::string stem = fs::path(settings.task.input).stem().string() + "_" + stage;
+  std::string name = stem + ".png";
+  std::error_code ignored;
+  for (int i = 2; fs::exists(name, ignored); ++i)
+    name = stem + "_" + std::to_string(i) + ".png";
+  app::OutputFile file;
+  app::Status status = file.open(name);
+  if (status.ok()) {
+    file.text(bytes);
+    status = file.commit();
+  }
+  if (!status.ok())
+    std::cerr << status.message() << std::endl;
+  else if (!settings.quiet)
+    std::cout << "screenshot: " << name << std::endl;
+}
+
+void
+showWindow(const app::ViewerSettings& settings, app::StageView& view)
+{
+  app::ViewerWindow window(view,
+                           settings.view.width,
+                           settings.view.height,
+                           "pcl_repair_viewer: " + settings.task.input,
+                           [&](const std::string& stage, const std::string& bytes) {
+                             keepScreenshot(settings, stage, bytes);
+                           });
+  window.goTo(chosenStage(settings, view.stages(), 0));
+  while (!app::interrupted() && window.update())
+    ;
+}
+
+void
+sumUp(const app::ViewerSettings& settings, const app::ViewerRun& run)
+{
+  if (settings.quiet || (run.problem.empty() && !run.repaired))
+    return;
+  std::cout << settings.task.input << ": "
+            << (run.repaired ? app::summarizeRepair(run.repair) : run.problem)
+            << std::endl;
+}
+
+app::Outcome
+run(const app::Arguments& arguments)
+{
+  app::ViewerSettings settings;
+  app::ViewerRun run;
+  app::Status status = app::takeViewerSettings(arguments, settings);
+  if (status.ok())
+    status = checkOutputs(settings);
+  settings.task.repairs = needsRepair(settings);
+  app::ProgressBar bar(settings.quiet);
+  bar.show("reading", 0);
+  if (status.ok())
+    status = readForViewer(settings.task, run);
+  if (status.ok())
+    status = checkStage(settings, run.from_cloud);
+  if (status.ok())
+    status = runForViewer(settings.task, bar, run);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  if (!bar.show("drawing", 0))
+    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
+  app::StageView view = makeView(settings, run);
+  bar.clear();
+  sumUp(settings, run);
+  if (settings.offScreen())
+    status = writePictures(settings, view);
+  else
+    showWindow(settings, view);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  if (app::interrupted())
+    return {app::INTERRUPTED, "stopped by a signal", {}};
+  return {app::DONE, "", run.input.warnings};
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  return app::runApp(app::makeViewerCommandLine(), argc, argv, run);
+}

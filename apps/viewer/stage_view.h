@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a stage with its legend, as renderers of a window.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include "viewer/stages.h"
+#include "viewer/view_state.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+class Painter;
+
+/** \brief What the camera sees at first. */
+struct StageCamera {
+  std::vector<Eigen::Vector3d> positions;          /**< what has to be in the picture */
+  Eigen::Vector3d view = Eigen::Vector3d::UnitZ(); /**< towards the camera */
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+};
+
+/** \brief Stages, seen by one camera that stays where it is from stage to stage. */
+class StageView {
+public:
+  /** \param[in] subject name of what is shown, for the legend */
+  StageView(std::vector<Stage> stages, StageCamera camera, std::string subject);
+
+  const std::vector<Stage>&
+  stages() const
+  {
+    return stages_;
+  }
+
+  /** \brief The model, the legend, and the list of stages; the first of them is always
+   * the same one. For a window of this size in pixels. */
+  std::vector<vtkSmartPointer<vtkRenderer>>
+  arrange(const ViewState& state, int width, int height, bool with_keys);
+
+  /** \brief Back to what the camera saw at first. */
+  void
+  fit(int width, int height);
+
+  /** \brief To the other side of the model. */
+  void
+  turnRound();
+
+  /** \brief The renderer of the model. */
+  vtkRenderer&
+  model()
+  {
+    return *model_;
+  }
+
+private:
+  void
+  showParts(const ViewState& state, int height);
+
+  std::vector<Stage> stages_;
+  StageCamera camera_;
+  std::string subject_;
+  vtkSmartPointer<vtkRenderer> model_;
+};
+
+/** \brief A picture of one stage with its legend, for a painter of this size: the bytes
+ * of a PNG file; empty when it could not be drawn. */
+std::string
+drawStage(StageView& view, std::size_t stage, int width, int height, Painter& painter);
+
+} // namespace app

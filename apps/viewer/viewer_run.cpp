@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the work whose stages the viewer shows.
+#include "viewer/viewer_run.h"
+
+#include <pcl/surface_ccaa/threads.h>
+
+#include "common/cloud_normals.h"
+#include "common/interrupt.h"
+#include "common/model_io.h"
+#include "common/position_check.h"
+#include "common/reconstruct_run.h"
+#include "common/repair_run.h"
+
+#include <utility>
+
+namespace app {
+namespace {
+
+/** Points of which a triangle can be made. */
+constexpr std::size_t FEWEST_POINTS = 3;
+
+Status
+readInput(const ViewerTask& task, ViewerRun& run)
+{
+  if (isMeshInput(task.input) && !task.points_only) {
+    const Status status = readMesh(task.input, run.input);
+    if (!status.ok() || !run.input.mesh.polygons.empty())
+      return status;
+  }
+  // A file for meshes that has no polygons holds a cloud.
+  run.from_cloud = true;
+  run.input = Model();
+  const Status status = readCloud(task.input, run.input);
+  if (!status.ok())
+    return status;
+  run.input.mesh.polygons.clear();
+  const std::size_t usable = countUsablePoints(run.input.mesh.cloud, FEWEST_POINTS);
+  if (usable < FEWEST_POINTS)
+    return Status::error("'" + task.input + "' has only " + std::to_string(usable) +
+                         " usable points (finite, at different places); at least "
+                         "three are needed");
+  return {};
+}
+
+ReconstructSettings
+chainSettings(const ViewerTask& task, const char* until)
+{
+  const pcl::ccaa::GreedyParameters greedy;
+  const auto degrees = [](double angle) { return angle * 180.0 / M_PI; };
+  ReconstructSettings settings;
+  settings.until = until;
+  settings.threads = task.threads;
+  settings.neighbors = greedy.neighbors;
+  settings.minimum_angle = degrees(greedy.minimum_angle);
+  settings.certified_minimum_angle = degrees(greedy.certified_minimum_angle);
+  settings.length_factor = greedy.length_factor;
+  settings.minimum_internal_points =
+      static_cast<unsigned int>(pcl::UmbrellaFilter().getMinimumInternalPoints());
+  return settings;
+}
+
+/** \brief The chain up to a stage; the triangles of its start stage come first. */
+Status
+runChain(const ViewerTask& task,
+         const char* until,
+         ProgressBar& bar,
+         const ViewerRun& run,
+         ReconstructResult& result)
+{
+  result.model = run.input;
+  return runReconstruction(chainSettings(task, until), bar, result);
+}
+
+Status
+reconstruct(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
+{
+  ReconstructResult start;
+  ReconstructResult base;
+  Status status = runChain(task, "start", bar, run, start);
+  if (status.ok() && !interrupted())
+    status = runChain(task, "base", bar, run, base);
+  if (!status.ok() || interrupted())
+    return status;
+  run.start = std::move(start.model.mesh.polygons);
+  for (std::size_t t = 0; t < base.model.mesh.polygons.size(); ++t)
+    (base.labels[t] == 0 ? run.filtered : run.added)
+        .push_back(std::move(base.model.mesh.polygons[t]));
+  return {};
+}
+
+/** \brief The mesh that is repaired. */
+pcl::PolygonMesh
+completeMesh(const ViewerRun& run)
+{
+  pcl::PolygonMesh mesh = run.input.mesh;
+  mesh.polygons.insert(mesh.polygons.end(), run.filtered.begin(), run.filtered.end());
+  mesh.polygons.insert(mesh.polygons.end(), run.added.begin(), run.added.end());
+  return mesh;
+}
+
+/** \brief Survey run.result, which is not repaired yet. */
+void
+survey(const ViewerTask& task,
+       const pcl::PCLPointCloud2* free_points,
+       ProgressBar& bar,
+       ViewerRun& run)
+{
+  const auto mesh = pcl::make_shared<pcl::PolygonMesh>(run.result);
+  appendViewpoint(run.input.viewpoint, mesh->cloud);
+  pcl::ccaa::RunControl control(bar.callback());
+  pcl::ccaa::LoopContext context;
+  context.threads = pcl::ccaa::resolveThreads(task.threads);
+  context.control = &control;
+  run.survey = surveyModel(mesh, free_points, task.method.survey, context);
+  run.problem = run.survey.reading.problem;
+}
+
+} // namespace
+
+Status
+readForViewer(const ViewerTask& task, ViewerRun& run)
+{
+  const Status status = readInput(task, run);
+  if (!status.ok() || task.free_points.empty())
+    return status;
+  return readCloud(task.free_points, run.free_points);
+}
+
+Status
+runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
+{
+  if (run.from_cloud) {
+    const Status status = reconstruct(task, bar, run);
+    if (!status.ok() || interrupted())
+      return status;
+  }
+  run.result = completeMesh(run);
+  if (run.result.polygons.empty()) {
+    run.problem = "no triangle could be made of these points";
+    return {};
+  }
+  const auto* const free_points =
+      task.free_points.empty() ? nullptr : &run.free_points.mesh.cloud;
+  survey(task, free_points, bar, run);
+  if (!run.problem.empty() || !task.repairs || interrupted())
+    return {};
+  run.repaired = true;
+  return repairMesh({task.method, free_points, task.threads},
+                    run.input.viewpoint,
+                    bar,
+                    run.result,
+                    run.repair);
+}
+
+} // namespace app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the window of the viewer.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace app {
+
+class StageView;
+
+/** \brief Takes a picture of a stage, as the bytes of a PNG file. */
+using ScreenshotTaker =
+    std::function<void(const std::string& stage, const std::string& bytes)>;
+
+/** \brief A pcl::visualization::PCLVisualizer in which keys step through stages. The
+ * mouse turns, moves and zooms the model as everywhere in PCL; of PCL's keys none is
+ * left but those that mean the same here. */
+class ViewerWindow {
+public:
+  /** \brief Open the window. Needs a display; \a view has to outlive it. */
+  ViewerWindow(StageView& view,
+               int width,
+               int height,
+               const std::string& title,
+               ScreenshotTaker take);
+  ~ViewerWindow();
+  ViewerWindow(const ViewerWindow&) = delete;
+  ViewerWindow&
+  operator=(const ViewerWindow&) = delete;
+
+  /** \brief Show the stage with this number, from 0. */
+  void
+  goTo(std::size_t stage);
+
+  /** \brief Do as if this key had been pressed in the window, named as X names it. */
+  void
+  press(const std::string& key_symbol);
+
+  /** \brief Answer what has happened in the window since the last call.
+   * \return false when it was closed, or quit by a key */
+  bool
+  update();
+
+  /** \brief The number of the stage that is shown. */
+  std::size_t
+  stage() const;
+
+  /** \brief What the window shows, as the bytes of a PNG file. */
+  std::string
+  picture();
+
+private:
+  class Content;
+  std::unique_ptr<Content> content_;
+};
+
+} // namespace app

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: keys of the viewer, with and without its window.
+#include <gtest/gtest.h>
+
+#include "model_samples.h"
+#include "pictures.h"
+#include "render/display.h"
+#include "repair_fixture.h"
+#include "viewer/stage_colors.h"
+#include "viewer/stage_view.h"
+#include "viewer/viewer_run.h"
+#include "viewer/viewer_window.h"
+
+#include <cstdlib>
+#include <set>
+
+namespace app_test {
+namespace {
+
+using app::Layer;
+using app::ViewState;
+
+void
+press(const std::string& key, ViewState& state)
+{
+  state.apply(app::actionOf(key));
+}
+
+TEST(ViewState, StepsThroughStagesAndStopsAtTheEnds)
+{
+  ViewState state(3);
+  press("b", state);
+  EXPECT_EQ(0U, state.stage());
+  press("n", state);
+  press("Right", state);
+  EXPECT_EQ(2U, state.stage());
+  press("space", state);
+  EXPECT_EQ(2U, state.stage());
+  press("Left", state);
+  EXPECT_EQ(1U, state.stage());
+}
+
+TEST(ViewState, GoesToAStageByItsNumberIfThereIsOne)
+{
+  ViewState state(3);
+  press("3", state);
+  EXPECT_EQ(2U, state.stage());
+  press("KP_2", state);
+  EXPECT_EQ(1U, state.stage());
+  press("4", state);
+  EXPECT_EQ(1U, state.stage());
+}
+
+TEST(ViewState, TogglesEveryLayerByItsKeyAndKeepsItFromStageToStage)
+{
+  for (std::size_t i = 0; i < app::LAYERS; ++i) {
+    ViewState state(2);
+    const auto layer = static_cast<Layer>(i);
+    const bool before = state.shows(layer);
+    press(app::layerKeys()[i].key, state);
+    press("n", state);
+    EXPECT_NE(before, state.shows(layer)) << i;
+    press(app::layerKeys()[i].key, state);
+    EXPECT_EQ(before, state.shows(layer)) << i;
+  }
+}
+
+TEST(ViewState, TakesCapitalsForSmallLettersAndLeavesOtherKeysAlone)
+{
+  ViewState state(2);
+  press("N", state);
+  EXPECT_EQ(1U, state.stage());
+  for (const char* key : {"z", "F5", "", "Shift_L", "0"})
+    EXPECT_FALSE(state.apply(app::actionOf(key))) << key;
+  press("q", state);
+  EXPECT_TRUE(state.quits());
+}
+
+TEST(ViewState, ThicknessStaysWithinBounds)
+{
+  ViewState state(1);
+  for (int i = 0; i < 100; ++i)
+    press("plus", state);
+  EXPECT_LE(state.thickness(), 5.0);
+  for (int i = 0; i < 100; ++i)
+    press("minus", state);
+  EXPECT_GT(state.thickness(), 0.1);
+}
+
+/** A window on a display of its own, with the stages of two halves of a sphere. */
+class ViewerWindow : public testing::Test {
+protected:
+  ViewerWindow()
+  {
+    unsetenv("DISPLAY");
+    const TemporaryFolder folder;
+    save(folder.path("caps.ply"), twoCaps());
+    app::ViewerTask task;
+    task.input = folder.path("caps.ply");
+    app::ProgressBar bar(true);
+    EXPECT_TRUE(app::readForViewer(task, run_).ok());
+    EXPECT_TRUE(app::runForViewer(task, bar, run_).ok());
+  }
+
+  app::StageView
+  makeView() const
+  {
+    app::StageCamera camera;
+    camera.positions = run_.survey.model.positions;
+    camera.view = Eigen::Vector3d::UnitY();
+    camera.up = Eigen::Vector3d::UnitZ();
+    return {app::makeStages(run_, camera.view), camera, "caps.ply"};
+  }
+
+  app::ViewerRun run_;
+};
+
+TEST_F(ViewerWindow, ShowsStagesAndLayersAsKeysSay)
+{
+  const app::Display display;
+  ASSERT_TRUE(display.ready());
+  app::StageView view = makeView();
+  std::vector<std::string> taken;
+  app::ViewerWindow window(
+      view, 700, 500, "test", [&](const std::string& stage, const std::string& bytes) {
+        taken.push_back(stage);
+        EXPECT_GT(decodePng(bytes).width, 0);
+      });
+  const app::Rgb rim = app::colorOf(pcl::repair::BoundaryClass::ISLAND_RIM);
+  const auto count = [&] { return countColor(decodePng(window.picture()), rim); };
+  EXPECT_EQ(0U, count());
+  window.press("n");
+  EXPECT_EQ(1U, window.stage());
+  const std::size_t shown = count();
+  EXPECT_GT(shown, 100U);
+  window.press("l");
+  EXPECT_EQ(0U, count());
+  window.press("l");
+  EXPECT_EQ(shown, count());
+  window.press("j");
+  EXPECT_EQ(std::vector<std::string>{"boundaries"}, taken);
+  EXPECT_TRUE(window.update());
+  window.press("q");
+  EXPECT_FALSE(window.update());
+}
+
+} // namespace
+} // namespace app_test
