@@ -15,7 +15,7 @@ packages=(build-essential cmake ninja-build ccache libpcl-dev libeigen3-dev
           libflann-dev libboost-program-options-dev nlohmann-json3-dev
           libnanoflann-dev xvfb xauth)
 test_packages=(clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm doxygen
-               man-db pkgconf dpkg-dev file)
+               man-db pkgconf dpkg-dev file pcl-tools)
 package_packages=(doxygen dpkg-dev file lintian)
 benchmark_packages=(libcgal-dev)
 
