@@ -38,7 +38,7 @@ checkOutputs(const app::ViewerSettings& settings)
     return app::Status::error("no X display to open a window on: set DISPLAY, or use "
                               "--screenshot FILE.png");
   app::Status status = app::checkDifferentFiles(
-      {settings.task.input, settings.task.free_points, settings.screenshot});
+      {settings.task.input, settings.task.free_points}, {settings.screenshot});
   if (status.ok() && !settings.screenshot.empty())
     status = app::OutputFile::check(settings.screenshot);
   if (status.ok() && !settings.folder.empty())

@@ -22,21 +22,16 @@ constexpr std::size_t FEWEST_POINTS = 3;
 Status
 readInput(const ViewerTask& task, ViewerRun& run)
 {
-  if (isMeshInput(task.input) && !task.points_only) {
-    const Status status = readMesh(task.input, run.input);
-    if (!status.ok() || !run.input.mesh.polygons.empty())
-      return status;
-  }
+  const Status status = task.points_only ? readCloud(task.input, run.input)
+                                         : readModel(task.input, run.input);
+  if (!status.ok() || !run.input.mesh.polygons.empty())
+    return status;
   // A file for meshes that has no polygons holds a cloud.
   run.from_cloud = true;
-  run.input = Model();
-  const Status status = readCloud(task.input, run.input);
-  if (!status.ok())
-    return status;
-  run.input.mesh.polygons.clear();
   const std::size_t usable = countUsablePoints(run.input.mesh.cloud, FEWEST_POINTS);
   if (usable < FEWEST_POINTS)
-    return Status::error("'" + task.input + "' has only " + std::to_string(usable) +
+    return Status::error(nameForPeople(task.input) + " has only " +
+                         std::to_string(usable) +
                          " usable points (finite, at different places); at least "
                          "three are needed");
   return {};

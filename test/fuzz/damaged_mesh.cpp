@@ -27,7 +27,7 @@ smallShape(Bytes& bytes)
   case 2:
     return torus(9, 6);
   case 3:
-    return torus(20, 8);
+    return torus(12, 7);
   case 4:
     return cube(3, 2.0);
   case 5:

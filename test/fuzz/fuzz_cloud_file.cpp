@@ -4,8 +4,8 @@
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 
 #include "common/model_io.h"
-#include "model_file.h"
 #include "requirement.h"
+#include "temporary_file.h"
 
 #include <cstdint>
 
@@ -24,11 +24,13 @@ same(double one, double other)
 void
 checkRoundTrip(const app::Model& model)
 {
-  const fuzz::TemporaryFile place("_copy.pcd", nullptr, 0);
+  const fuzz::TemporaryFile place("_copy.pcd");
   {
     app::OutputFile output;
     require(output.open(place.path()).ok(), "a copy can be opened");
-    app::writeCloud(place.path(), model.mesh.cloud, model.viewpoint, output);
+    app::FileExtras extras;
+    extras.viewpoint = model.viewpoint;
+    app::writeCloud(place.path(), model.mesh.cloud, extras, output);
     require(output.commit().ok(), "a copy can be written");
   }
   app::Model copy;
@@ -49,9 +51,12 @@ checkRoundTrip(const app::Model& model)
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  const fuzz::TemporaryFile file(fuzz::endingFor(data, size, ".xyz"), data, size);
+  const auto* bytes = reinterpret_cast<const char*>(data);
+  app::FileFormat format = app::formatOfBytes({bytes, size});
+  if (format == app::FileFormat::UNKNOWN) // plain text has no mark
+    format = app::FileFormat::XYZ;
   app::Model model;
-  if (!app::readCloud(file.path(), model).ok())
+  if (!app::parseCloud(format, bytes, size, model).ok())
     return 0;
   const auto points = std::size_t{model.mesh.cloud.width} * model.mesh.cloud.height;
   require(model.mesh.cloud.data.size() == points * model.mesh.cloud.point_step,

@@ -2,11 +2,9 @@
 // Part of PclSurfaceRepair: fuzz target, reading of mesh files, and writing what was
 // read.
 #include "common/model_io.h"
-#include "model_file.h"
 #include "requirement.h"
-#include "support/mesh_asserts.h"
+#include "temporary_file.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace {
@@ -29,7 +27,7 @@ checkIndices(const app::Model& model)
 void
 checkRoundTrip(const app::Model& model)
 {
-  const fuzz::TemporaryFile place("_copy.ply", nullptr, 0);
+  const fuzz::TemporaryFile place("_copy.ply");
   app::Warnings warnings;
   {
     app::OutputFile output;
@@ -55,9 +53,12 @@ checkRoundTrip(const app::Model& model)
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  const fuzz::TemporaryFile file(fuzz::endingFor(data, size, ".stl"), data, size);
+  const auto* bytes = reinterpret_cast<const char*>(data);
+  app::FileFormat format = app::formatOfBytes({bytes, size});
+  if (format == app::FileFormat::UNKNOWN) // as that of binary STL
+    format = app::FileFormat::STL;
   app::Model model;
-  if (!app::isMeshInput(file.path()) || !app::readMesh(file.path(), model).ok())
+  if (!app::parseMesh(format, bytes, size, model).ok())
     return 0;
   checkIndices(model);
   checkRoundTrip(model);
