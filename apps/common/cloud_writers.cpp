@@ -11,6 +11,7 @@ namespace app {
 namespace {
 
 using Field = pcl::PCLPointField;
+using FieldNames = pcl::ccaa::PointFieldNames;
 
 char
 pcdKind(ScalarType type)
@@ -19,7 +20,7 @@ pcdKind(ScalarType type)
   case Field::INT8:
   case Field::INT16:
   case Field::INT32:
-  case Field::INT64:
+  case FieldNames::INT64:
     return 'I';
   case Field::FLOAT32:
   case Field::FLOAT64:

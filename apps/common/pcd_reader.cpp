@@ -10,7 +10,7 @@
 namespace app {
 namespace {
 
-using Field = pcl::PCLPointField;
+using Field = pcl::ccaa::PointFieldNames;
 
 ScalarType
 pcdType(char kind, std::size_t size)

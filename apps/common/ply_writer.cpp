@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-using Field = pcl::PCLPointField;
+using Field = pcl::ccaa::PointFieldNames;
 
 /** PLY's name for a type; 64-bit whole numbers are written as doubles. */
 std::string

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the number types a point field can have.
 #pragma once
 
-#include <pcl/PCLPointField.h>
+#include <pcl/surface_ccaa/compat.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ template <typename Visitor>
 bool
 visitScalar(ScalarType type, Visitor&& visitor)
 {
-  using Field = pcl::PCLPointField;
+  using Field = pcl::ccaa::PointFieldNames;
   switch (type) {
   case Field::INT8:
     visitor(TypeTag<std::int8_t>{});

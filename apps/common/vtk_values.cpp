@@ -13,7 +13,7 @@ namespace app {
 ScalarType
 vtkType(std::string_view name)
 {
-  using Field = pcl::PCLPointField;
+  using Field = pcl::ccaa::PointFieldNames;
   static const std::array<std::pair<std::string_view, ScalarType>, 14> names{
       {{"char", Field::INT8},
        {"unsigned_char", Field::UINT8},

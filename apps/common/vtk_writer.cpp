@@ -10,6 +10,7 @@ namespace app {
 namespace {
 
 using Field = pcl::PCLPointField;
+using FieldNames = pcl::ccaa::PointFieldNames;
 
 const char*
 vtkTypeName(ScalarType type)
@@ -17,7 +18,7 @@ vtkTypeName(ScalarType type)
   switch (type) {
   case Field::INT8:
     return "char";
-  case Field::BOOL:
+  case FieldNames::BOOL:
   case Field::UINT8:
     return "unsigned_char";
   case Field::INT16:
@@ -28,9 +29,9 @@ vtkTypeName(ScalarType type)
     return "int";
   case Field::UINT32:
     return "unsigned_int";
-  case Field::INT64:
+  case FieldNames::INT64:
     return "vtktypeint64";
-  case Field::UINT64:
+  case FieldNames::UINT64:
     return "vtktypeuint64";
   case Field::FLOAT32:
     return "float";

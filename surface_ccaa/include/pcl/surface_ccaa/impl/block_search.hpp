@@ -45,7 +45,7 @@ sqrRadius(double radius)
 } // namespace detail
 
 template <typename PointT>
-void
+ccaa::SetInputResult<PointT>
 BlockSearch<PointT>::setInputCloud(const PointCloudConstPtr& cloud,
                                    const IndicesConstPtr& indices)
 {
@@ -53,9 +53,12 @@ BlockSearch<PointT>::setInputCloud(const PointCloudConstPtr& cloud,
   indices_ = indices;
   const auto points = input_ ? ccaa::pointArrayOf(*input_) : ccaa::PointArray();
   const int threads = ccaa::resolveThreads(threads_);
+  const bool in_range =
+      !indices_ ||
+      (input_ && ccaa::findIndexOutside(*indices_, points.size) == indices_->end());
   if (!indices_)
     blocks_.build(points, threads);
-  else if (input_ && ccaa::findIndexOutside(*indices_, points.size) == indices_->end())
+  else if (in_range)
     blocks_.build(points, *indices_, threads);
   else {
     PCL_ERROR("[pcl::%s::setInputCloud] index out of range of the cloud (%zu points)\n",
@@ -63,6 +66,7 @@ BlockSearch<PointT>::setInputCloud(const PointCloudConstPtr& cloud,
               points.size);
     blocks_.build({}, threads);
   }
+  return static_cast<ccaa::SetInputResult<PointT>>(in_range);
 }
 
 template <typename PointT>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/search/search.h>
+#include <pcl/surface_ccaa/compat.h>
 #include <pcl/surface_ccaa/search/point_blocks.h>
 
 namespace pcl {
@@ -54,8 +55,9 @@ public:
   /** \brief Take in the cloud that is searched. An index out of range is an error and
    * leaves nothing to be found.
    * \param[in] cloud the cloud; null counts as empty
-   * \param[in] indices the points to search among; null means all */
-  void
+   * \param[in] indices the points to search among; null means all
+   * \return since PCL 1.14: whether the indices were in range */
+  ccaa::SetInputResult<PointT>
   setInputCloud(const PointCloudConstPtr& cloud,
                 const IndicesConstPtr& indices = IndicesConstPtr()) override;
 
