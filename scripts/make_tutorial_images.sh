@@ -97,6 +97,8 @@ tutorial_4() {
   size=300x260 picture 4_raw_near raw.ply "${near[@]}"
   picture 4_mesh mesh.ply
   size=300x260 picture 4_mesh_near mesh.ply "${near[@]}"
+  picture 4_patch_2.5 patch_2.5.ply
+  picture 4_patch_6 patch_6.ply
   picture 4_front front.ply
   picture 4_back back.ply
 }

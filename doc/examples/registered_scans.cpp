@@ -2,14 +2,16 @@
 // Part of PclSurfaceRepair: example, a mesh from scans that overlap and disagree.
 //
 // Usage: registered_scans SCANS.ply|SCANS.pcd MESH.ply
-//                         [-z MIN,MAX] [-viewpoint X,Y,Z] [-seconds LIMIT]
+//                         [-z MIN,MAX] [-patch LEAVES] [-viewpoint X,Y,Z]
+//                         [-seconds LIMIT]
 //
 // The points of several registered scans lie in layers: where scans overlap, the cloud
 // is dense, and the layers are as far apart as the points. An interpolating
 // reconstruction would weave triangles between them. PCL's filters make one layer of
 // them first; all their sizes follow from the spacing of the cloud.
 //
-// -z keeps what lies between two heights; -viewpoint says where the sensor stood, for
+// -z keeps what lies between two heights; -patch says how far points are smoothed, in
+// cells of the grid; -viewpoint says where the sensor stood, for
 // scans whose outer side cannot be told by shape; -seconds and Ctrl-C end the run
 // without a result: exit code 130.
 #include <pcl/common/point_tests.h>
@@ -46,9 +48,6 @@ using BlockSearch = pcl::search::BlockSearch<pcl::PointXYZ>;
 /** Edge of the grid's cells in mean spacings: about two points of the raw cloud share
  * one. */
 constexpr double LEAF_SPACINGS = 1.5;
-/** Radius of the surface patches that smooth the points, in cells of the grid: some
- * fifty points, enough for the noise and few enough for the folds. */
-constexpr double PATCH_LEAVES = 4.0;
 constexpr int PATCH_ORDER = 2;
 /** A point is an outlier when its neighbors are this many standard deviations farther
  * than usual. Less would take thinly scanned places away as well. */
@@ -57,6 +56,9 @@ constexpr int OUTLIER_NEIGHBORS = 20;
 
 /** \brief What the user asks for. */
 struct Settings {
+  /** \brief Radius of the surface patches that smooth the points, in cells of the grid:
+   * some fifty points, enough for the noise and few enough for the folds. */
+  double patch_leaves = 4.0;
   double lowest = -std::numeric_limits<float>::max(); /**< z, units of the cloud */
   double highest = std::numeric_limits<float>::max();
   std::optional<Eigen::Vector3f> viewpoint; /**< where the sensor stood */
@@ -167,7 +169,7 @@ Cloud::Ptr
 prepare(const Cloud::Ptr& scans, const Settings& settings)
 {
   const double leaf = LEAF_SPACINGS * meanSpacing(scans);
-  const double radius = PATCH_LEAVES * leaf;
+  const double radius = settings.patch_leaves * leaf;
   // A margin around what is asked for: points at the edge keep their neighbors.
   const pcl::IndicesPtr wanted =
       between(scans, settings.lowest - radius, settings.highest + radius);
@@ -254,6 +256,7 @@ readSettings(int argc, char** argv)
   Settings settings;
   pcl::console::parse_2x_arguments(
       argc, argv, "-z", settings.lowest, settings.highest, false);
+  pcl::console::parse_argument(argc, argv, "-patch", settings.patch_leaves);
   pcl::console::parse_argument(argc, argv, "-seconds", settings.seconds);
   Eigen::Vector3f at;
   if (pcl::console::parse_3x_arguments(
@@ -271,7 +274,7 @@ main(int argc, char** argv)
   if (argc < 3) {
     std::fprintf(stderr,
                  "usage: registered_scans SCANS.ply|SCANS.pcd MESH.ply [-z MIN,MAX] "
-                 "[-viewpoint X,Y,Z] [-seconds LIMIT]\n");
+                 "[-patch LEAVES] [-viewpoint X,Y,Z] [-seconds LIMIT]\n");
     return 1;
   }
   pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
