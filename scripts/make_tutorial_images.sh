@@ -149,9 +149,7 @@ tutorial_6() {
 
 [[ -f build/demo/bunny_cloud.obj && -x build/release/bin/scan_to_mesh ]] || {
   scripts/demo.sh
-  cmake --preset release
-  cmake --build --preset release --target apps scan_to_mesh repair_mesh registered_scans \
-    other_meshes
+  cmake --build --preset release --target examples
 }
 mkdir -p "$images"
 for number in "${@:-1 2 3 4 5 6}"; do
