@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that turns a point cloud into a correct mesh.
+#include "common/batch.h"
 #include "common/cli.h"
 #include "common/hole_report.h"
+#include "common/merge.h"
 #include "common/model_io.h"
 #include "common/output_folder.h"
 #include "common/position_check.h"
@@ -19,8 +21,8 @@ app::Status
 checkFiles(const app::ReconstructSettings& settings)
 {
   app::Status status =
-      app::checkDifferentFiles({settings.input}, {settings.output, settings.report});
-  if (status.ok())
+      app::checkDifferentFiles(settings.inputs, {settings.output, settings.report});
+  if (status.ok() && !settings.output.empty())
     status = app::checkMeshOutput(settings.target());
   if (status.ok() && !settings.report.empty())
     status = app::OutputFile::check(settings.report);
@@ -30,12 +32,19 @@ checkFiles(const app::ReconstructSettings& settings)
 app::Status
 readInput(const app::ReconstructSettings& settings, app::ReconstructResult& result)
 {
-  app::Status status = app::readCloud(settings.input, result.model);
+  std::vector<app::NamedModel> parts;
+  for (const std::string& input : settings.inputs) {
+    parts.push_back({input, {}});
+    const app::Status status = app::readCloud(input, parts.back().model);
+    if (!status.ok())
+      return status;
+  }
+  const app::Status status = app::mergeModels(parts, result.model);
   if (!status.ok())
     return status;
   const std::size_t usable = app::countUsablePoints(result.model.mesh.cloud, 3);
   if (usable < 3)
-    return app::Status::error(app::nameForPeople(settings.input) + " has only " +
+    return app::Status::error(settings.inputName() + ": there are only " +
                               std::to_string(usable) +
                               " usable points (finite, at different places); at least "
                               "three are needed");
@@ -73,6 +82,27 @@ judge(const app::ReconstructResult& result)
   return {app::DONE, "", {}};
 }
 
+nlohmann::json
+describe(const app::ReconstructSettings& settings,
+         const app::Outcome& outcome,
+         const app::ReconstructResult& result)
+{
+  nlohmann::json report =
+      settings.dry_run ? app::describeInput(result.model)
+                       : app::describeRun(settings, result, result.model.warnings);
+  const double seconds = settings.dry_run ? 0.0 : double{report["total_seconds"]};
+  app::addRunFacts({"pcl_ccaa_reconstruct",
+                    settings.input,
+                    settings.dry_run ? "" : settings.output,
+                    outcome.code,
+                    seconds,
+                    result.model.remarks},
+                   report);
+  if (settings.merge)
+    report["input"] = settings.inputs;
+  return report;
+}
+
 app::Status
 writeOutputs(const app::ReconstructSettings& settings,
              const app::Outcome& outcome,
@@ -80,23 +110,104 @@ writeOutputs(const app::ReconstructSettings& settings,
 {
   app::Model& model = result.model;
   app::OutputFolder files;
-  app::writeMesh(settings.target(),
-                 model.mesh,
-                 {faceProperties(settings, result), model.viewpoint, model.remarks},
-                 files.addElsewhere(settings.output),
-                 model.warnings);
-  if (!settings.report.empty()) {
-    nlohmann::json report = app::describeRun(settings, result, model.warnings);
-    app::addRunFacts({"pcl_ccaa_reconstruct",
-                      settings.input,
-                      settings.output,
-                      outcome.code,
-                      report["total_seconds"],
-                      model.remarks},
-                     report);
-    app::writeReport(report, files.addElsewhere(settings.report));
-  }
+  if (!settings.dry_run)
+    app::writeMesh(settings.target(),
+                   model.mesh,
+                   {faceProperties(settings, result), model.viewpoint, model.remarks},
+                   files.addElsewhere(settings.output),
+                   model.warnings);
+  if (!settings.report.empty())
+    app::writeReport(describe(settings, outcome, result),
+                     files.addElsewhere(settings.report));
   return files.commit();
+}
+
+void
+sumUp(const app::ReconstructSettings& settings, const app::ReconstructResult& result)
+{
+  std::ostream& people = app::peopleStream({settings.output, settings.report});
+  people << (settings.dry_run ? app::summarizeInput(settings, result.model)
+                              : app::summarizeRun(settings, result))
+         << std::endl;
+  if (result.speedup)
+    people << app::tabulateSpeedup(*result.speedup) << std::endl;
+}
+
+/** \brief From the cloud that was read to the mesh. */
+app::Status
+work(const app::ReconstructSettings& settings,
+     app::ProgressBar& bar,
+     app::ReconstructResult& result)
+{
+  result.memory_before = app::currentMemoryBytes();
+  app::Status status;
+  if (bar.show("start", 0))
+    status = app::runReconstruction(settings, bar, result);
+  if (status.ok() && bar.show("normals", 0))
+    app::addNormals(result);
+  if (status.ok() && settings.repair && bar.show("repair", 0))
+    status = app::repairResult(settings, bar, result);
+  if (result.chain.skipped_points > 0)
+    result.model.warnings.push_back(
+        std::to_string(result.chain.skipped_points) +
+        " points have coordinates that are not finite; they stay without triangles");
+  return status;
+}
+
+/** \brief One mesh, from its file or files to all that is written. */
+app::Outcome
+runOne(const app::ReconstructSettings& settings, app::ReconstructResult& result)
+{
+  app::ProgressBar bar(settings.quiet);
+  bar.show("reading", 0);
+  app::Status status = readInput(settings, result);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  if (!settings.dry_run)
+    status = work(settings, bar, result);
+  if (!bar.show("writing", 0))
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  app::Outcome outcome = settings.dry_run ? app::Outcome() : judge(result);
+  status = writeOutputs(settings, outcome, result);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  bar.clear();
+  if (!settings.quiet)
+    sumUp(settings, result);
+  outcome.notes = result.model.warnings;
+  return outcome;
+}
+
+/** \brief A mesh of each input, with one report about them. */
+app::Outcome
+runMany(const app::ReconstructSettings& settings)
+{
+  const app::BatchSettings batch{"pcl_ccaa_reconstruct",
+                                 settings.inputs,
+                                 settings.output_folder,
+                                 settings.report,
+                                 settings.format,
+                                 settings.quiet,
+                                 !settings.dry_run};
+  std::vector<app::BatchItem> items;
+  const app::Status status = app::planBatch(batch, items);
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  return app::runBatch(
+      batch, items, [&](const app::BatchItem& item, nlohmann::json& report) {
+        app::ReconstructSettings one = settings;
+        one.input = item.input;
+        one.inputs = {item.input};
+        one.output = item.output;
+        one.report.clear();
+        app::ReconstructResult result;
+        app::Outcome outcome = runOne(one, result);
+        if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
+          report = describe(one, outcome, result);
+        return outcome;
+      });
 }
 
 app::Outcome
@@ -105,41 +216,11 @@ reconstruct(const app::Arguments& arguments)
   app::ReconstructSettings settings;
   app::ReconstructResult result;
   app::Status status = app::takeReconstructSettings(arguments, settings);
+  if (status.ok() && !settings.output_folder.empty())
+    return runMany(settings);
   if (status.ok())
     status = checkFiles(settings);
-  app::ProgressBar bar(settings.quiet);
-  bar.show("reading", 0);
-  if (status.ok())
-    status = readInput(settings, result);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
-  result.memory_before = app::currentMemoryBytes();
-  if (bar.show("start", 0))
-    status = app::runReconstruction(settings, bar, result);
-  if (status.ok() && bar.show("normals", 0))
-    app::addNormals(result);
-  if (status.ok() && settings.repair && bar.show("repair", 0))
-    status = app::repairResult(settings, bar, result);
-  if (!bar.show("writing", 0))
-    return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  if (!status.ok())
-    return app::Outcome::badInput(status);
-  if (result.chain.skipped_points > 0)
-    result.model.warnings.push_back(
-        std::to_string(result.chain.skipped_points) +
-        " points have coordinates that are not finite; they stay without triangles");
-  app::Outcome outcome = judge(result);
-  status = writeOutputs(settings, outcome, result);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
-  bar.clear();
-  std::ostream& people = app::peopleStream({settings.output, settings.report});
-  if (!settings.quiet)
-    people << app::summarizeRun(settings, result) << std::endl;
-  if (!settings.quiet && result.speedup)
-    people << app::tabulateSpeedup(*result.speedup) << std::endl;
-  outcome.notes = result.model.warnings;
-  return outcome;
+  return status.ok() ? runOne(settings, result) : app::Outcome::badInput(status);
 }
 
 } // namespace

@@ -70,8 +70,8 @@ checkTarget(const std::string& path)
   return {};
 }
 
-/** A signal does not end a write() that waits for a slow reader, so the wait is done
- * here. \return an errno, or 0. */
+/** What has been begun is brought to its end, lest a reader gets half a result; after a
+ * signal only as long as the reader takes it. \return an errno, or 0. */
 int
 writeToStream(int descriptor, const std::vector<char>& bytes)
 {
@@ -81,7 +81,7 @@ writeToStream(int descriptor, const std::vector<char>& bytes)
   while (done < bytes.size()) {
     pollfd request{descriptor, POLLOUT, 0};
     const int ready = poll(&request, 1, patience_ms);
-    if (interrupted())
+    if (ready == 0 && interrupted())
       return EINTR;
     if (ready == 0 || (ready < 0 && errno == EINTR))
       continue;

@@ -19,7 +19,11 @@ usage()
 {
   Usage usage;
   usage.program = "pcl_ccaa_reconstruct";
-  usage.synopsis = "INPUT_CLOUD OUTPUT_MESH [options]";
+  usage.synopsis = "INPUT_CLOUD OUTPUT_MESH [options]\n"
+                   "       pcl_ccaa_reconstruct INPUT_CLOUD... OUTPUT_MESH --merge "
+                   "[options]\n"
+                   "       pcl_ccaa_reconstruct INPUT_CLOUD... --output-folder DIR "
+                   "[options]";
   usage.summary =
       R"(Connects the points of a cloud with triangles. Needs no normals and no settings. The
 mesh keeps all points of the cloud, in order and with all fields (colours, normals,
@@ -35,6 +39,7 @@ OUTPUT_MESH   )" +
   usage.examples = R"(  pcl_ccaa_reconstruct bunny.pcd bunny.ply
   pcl_ccaa_reconstruct scan.xyz scan.ply --threads 4 --report scan.json
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --repair
+  pcl_ccaa_reconstruct front.pcd left.pcd back.pcd bust.ply --merge
   pcl_ccaa_reconstruct - - < bunny.pcd | pcl_repair_holes - bunny.ply
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --labels --normals --measure-speedup
 )";
@@ -70,6 +75,17 @@ addOutputs(po::options_description_easy_init add)
   add("normals",
       po::bool_switch(),
       "write a normal of the surface for each point, unless the cloud has normals");
+  add("merge",
+      po::bool_switch(),
+      "all inputs are views of one object and become one cloud, in which each point "
+      "keeps the viewpoint of its file");
+  add("output-folder",
+      text(),
+      "write NAME.ply to this folder (made if missing) for each of any number of "
+      "inputs; --format chooses another ending");
+  add("dry-run",
+      po::bool_switch(),
+      "say what would be read and how, and write nothing but the report");
   add("report",
       text(),
       "write figures about the run to this JSON file, or to standard output (-)");
@@ -114,6 +130,41 @@ addSettings(po::options_description_easy_init add)
       "all");
 }
 
+/** Which of the names are inputs: the first one, all but the last, or all. */
+Status
+takeFiles(const Arguments& arguments, ReconstructSettings& settings)
+{
+  std::vector<std::string> names{takeText(arguments, "INPUT_CLOUD")};
+  if (arguments.count("OUTPUT_MESH") != 0)
+    names.push_back(takeText(arguments, "OUTPUT_MESH"));
+  for (const std::string& name : takeTexts(arguments, "MORE"))
+    names.push_back(name);
+  const bool is_many = arguments.count("output-folder") != 0;
+  if (is_many && settings.merge)
+    return Status::error("--merge makes one mesh, --output-folder one of each input; "
+                         "they do not go together");
+  settings.output_folder = takeText(arguments, "output-folder");
+  if (is_many && settings.output_folder.empty())
+    return Status::error("--output-folder needs the name of a folder");
+  if (!is_many && names.size() == 1 && !settings.dry_run)
+    return Status::error("OUTPUT_MESH is missing (try --help)");
+  if (!is_many && names.size() > 1) {
+    settings.output = names.back();
+    names.pop_back();
+  }
+  if (!is_many && !settings.merge && names.size() > 1)
+    return Status::error("several inputs need --merge or --output-folder (try --help)");
+  settings.input = names.front();
+  settings.inputs = names;
+  const bool is_needed = is_many || isStandardStream(settings.output);
+  const Status status = takeFormat(arguments, is_needed, settings.format);
+  if (is_many && settings.format == FileFormat::UNKNOWN)
+    settings.format = FileFormat::PLY;
+  if (status.ok() && is_many && !isMeshOutput(Target("", settings.format)))
+    return Status::error("--format must be one of ply, vtk, obj, off and stl");
+  return status;
+}
+
 Status
 checkChoices(const ReconstructSettings& settings)
 {
@@ -135,7 +186,9 @@ checkChoices(const ReconstructSettings& settings)
   if (settings.normals && settings.until == "start")
     return Status::error("--normals needs triangles that are wound alike; it does not "
                          "go with --until start");
-  if (settings.labels && !holdsFaceProperties(settings.target()))
+  const Target target =
+      settings.output_folder.empty() ? settings.target() : Target("", settings.format);
+  if (settings.labels && !settings.dry_run && !holdsFaceProperties(target))
     return Status::error("--labels needs an output that ends in .ply, not '" +
                          settings.output + "'");
   return {};
@@ -151,15 +204,14 @@ makeReconstructCommandLine()
   addSettings(line.addOptions());
   addFormatOption(line, "ply, vtk, obj, off or stl");
   line.addPositional("INPUT_CLOUD");
-  line.addPositional("OUTPUT_MESH");
+  line.addOptionalPositional("OUTPUT_MESH");
+  line.addMorePositionals("MORE");
   return line;
 }
 
 Status
 takeReconstructSettings(const Arguments& arguments, ReconstructSettings& settings)
 {
-  settings.input = takeText(arguments, "INPUT_CLOUD");
-  settings.output = takeText(arguments, "OUTPUT_MESH");
   settings.report = takeText(arguments, "report");
   settings.until = takeText(arguments, "until");
   settings.search = takeText(arguments, "search");
@@ -169,8 +221,9 @@ takeReconstructSettings(const Arguments& arguments, ReconstructSettings& setting
   settings.normals = arguments["normals"].as<bool>();
   settings.measure_speedup = arguments["measure-speedup"].as<bool>();
   settings.quiet = arguments.count("quiet") != 0;
-  Status status =
-      takeFormat(arguments, isStandardStream(settings.output), settings.format);
+  settings.merge = arguments["merge"].as<bool>();
+  settings.dry_run = arguments["dry-run"].as<bool>();
+  Status status = takeFiles(arguments, settings);
   if (status.ok())
     status = checkChoices(settings);
   if (status.ok())

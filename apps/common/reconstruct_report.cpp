@@ -2,10 +2,12 @@
 // Part of PclSurfaceRepair: what pcl_ccaa_reconstruct tells about a run.
 #include "reconstruct_report.h"
 
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/threads.h>
 
 #include "hole_report.h"
 #include "point_columns.h"
+#include "remarks.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -91,6 +93,30 @@ describeLaterStages(const ReconstructSettings& settings,
     report["triangles_by_stage"][stage.name] = stage.triangles;
 }
 
+/** How many points are finite, and the box around them. */
+std::pair<std::size_t, Eigen::AlignedBox3f>
+extentOf(const pcl::PCLPointCloud2& cloud)
+{
+  std::pair<std::size_t, Eigen::AlignedBox3f> extent;
+  for (const Eigen::Vector3f& position : readPositions(cloud))
+    if (position.allFinite()) {
+      extent.second.extend(position);
+      ++extent.first;
+    }
+  return extent;
+}
+
+/** What tells the outer side, as runReconstruction() chooses it. */
+std::string
+outerSideBy(const Model& model)
+{
+  if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
+    return "normals";
+  if (!pcl::ccaa::viewpointView(model.mesh.cloud).empty())
+    return "viewpoints of points";
+  return model.viewpoint.known ? "the viewpoint" : "the shape";
+}
+
 } // namespace
 
 json
@@ -130,6 +156,41 @@ describeRun(const ReconstructSettings& settings,
       {"warnings", warnings}};
   describeLaterStages(settings, result, report);
   return report;
+}
+
+json
+describeInput(const Model& model)
+{
+  const pcl::PCLPointCloud2& cloud = model.mesh.cloud;
+  const auto [finite, box] = extentOf(cloud);
+  json fields = json::array();
+  for (const pcl::PCLPointField& field : cloud.fields)
+    fields.push_back(field.name);
+  const Eigen::Vector3f sizes =
+      finite == 0 ? Eigen::Vector3f::Zero().eval() : box.sizes().eval();
+  return {{"dry_run", true},
+          {"N", pointCount(cloud)},
+          {"finite_points", finite},
+          {"fields", fields},
+          {"width", cloud.width},
+          {"height", cloud.height},
+          {"extent", {sizes.x(), sizes.y(), sizes.z()}},
+          {"outer_side_by", outerSideBy(model)},
+          {"warnings", model.warnings}};
+}
+
+std::string
+summarizeInput(const ReconstructSettings& settings, const Model& model)
+{
+  const pcl::PCLPointCloud2& cloud = model.mesh.cloud;
+  std::string fields;
+  for (const pcl::PCLPointField& field : cloud.fields)
+    fields += " " + field.name;
+  const std::string units = namedUnits(model.remarks);
+  return settings.inputName() + ": " + std::to_string(pointCount(cloud)) + " points, " +
+         std::to_string(extentOf(cloud).first) + " of them finite; fields" + fields +
+         "; outer side by " + outerSideBy(model) +
+         (units.empty() ? "" : "; units " + units);
 }
 
 std::string

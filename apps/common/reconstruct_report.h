@@ -13,7 +13,15 @@ describeRun(const ReconstructSettings& settings,
             const ReconstructResult& result,
             const Warnings& warnings);
 
+/** \brief What was read, and what a run would go by. */
+nlohmann::json
+describeInput(const Model& model);
+
 /** \brief The same in one line. */
+std::string
+summarizeInput(const ReconstructSettings& settings, const Model& model);
+
+/** \brief A run in one line. */
 std::string
 summarizeRun(const ReconstructSettings& settings, const ReconstructResult& result);
 

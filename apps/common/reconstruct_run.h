@@ -23,9 +23,13 @@ namespace app {
 
 /** \brief What the user asked pcl_ccaa_reconstruct for. */
 struct ReconstructSettings {
-  std::string input;
+  std::string input;               // the first one, of several
+  std::vector<std::string> inputs; // all of them
   std::string output;
+  std::string output_folder; // of a run over many
   std::string report;
+  bool merge = false; // all inputs are one cloud
+  bool dry_run = false;
   FileFormat format = FileFormat::UNKNOWN; // on standard output, if it was given
   std::string until = "base";
   std::string search = "fast";
@@ -41,6 +45,14 @@ struct ReconstructSettings {
   bool measure_speedup = false;
   bool repair = false; // what the base stage left open
   bool quiet = false;
+
+  /** \brief The input or inputs, as messages have them. */
+  std::string
+  inputName() const
+  {
+    return inputs.size() > 1 ? std::to_string(inputs.size()) + " clouds"
+                             : nameForPeople(input);
+  }
 
   Target
   target() const

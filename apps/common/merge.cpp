@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: several views of one object as one cloud.
+#include "merge.h"
+
+#include "cloud_normals.h"
+#include "point_columns.h"
+#include "point_table.h"
+#include "remarks.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace app {
+namespace {
+
+using Field = pcl::PCLPointField;
+
+bool
+isColour(const Field& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") &&
+         scalarSize(field.datatype) == 4 && field.count <= 1;
+}
+
+/** The field of \a cloud that holds the same as \a wanted, or null. */
+const Field*
+sameField(const pcl::PCLPointCloud2& cloud, const Field& wanted)
+{
+  for (const Field& field : cloud.fields) {
+    const bool is_same = field.name == wanted.name &&
+                         field.datatype == wanted.datatype &&
+                         field.count == wanted.count;
+    if (is_same || (isColour(field) && isColour(wanted)))
+      return &field;
+  }
+  return nullptr;
+}
+
+bool
+allHave(const std::vector<NamedModel>& parts, const Field& wanted)
+{
+  return std::all_of(parts.begin(), parts.end(), [&](const NamedModel& part) {
+    return sameField(part.model.mesh.cloud, wanted) != nullptr;
+  });
+}
+
+/** Names of the fields that not all parts have, each once. */
+std::string
+differingFields(const std::vector<NamedModel>& parts)
+{
+  std::vector<std::string> names;
+  for (const NamedModel& part : parts)
+    for (const Field& field : part.model.mesh.cloud.fields)
+      if (field.name != "_" && !allHave(parts, field) &&
+          std::find(names.begin(), names.end(), field.name) == names.end())
+        names.push_back(field.name);
+  std::string text;
+  for (const std::string& name : names)
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/** The fields all parts have, as columns of the merged cloud. */
+std::vector<SourceColumn>
+commonColumns(const std::vector<NamedModel>& parts)
+{
+  std::vector<SourceColumn> columns;
+  for (const Field& field : parts.front().model.mesh.cloud.fields)
+    if (field.name != "_" && scalarSize(field.datatype) > 0 && allHave(parts, field))
+      columns.push_back(
+          {field.name, field.datatype, std::max<std::size_t>(field.count, 1)});
+  return columns;
+}
+
+void
+copyPoints(const pcl::PCLPointCloud2& from,
+           std::size_t first,
+           pcl::PCLPointCloud2& cloud)
+{
+  const std::size_t points = pointCount(from);
+  for (const Field& field : cloud.fields) {
+    const Field* const source = sameField(from, field);
+    const std::size_t bytes = scalarSize(field.datatype) * field.count;
+    std::uint8_t* target = cloud.data.data() + first * cloud.point_step + field.offset;
+    for (std::size_t i = 0; i < points; ++i, target += cloud.point_step)
+      std::memcpy(target, pointAt(from, i) + source->offset, bytes);
+  }
+}
+
+bool
+standTogether(const std::vector<NamedModel>& parts)
+{
+  const Viewpoint& first = parts.front().model.viewpoint;
+  return std::all_of(parts.begin(), parts.end(), [&](const NamedModel& part) {
+    const Viewpoint& other = part.model.viewpoint;
+    return other.known == first.known && other.position == first.position;
+  });
+}
+
+/** Each point gets the viewpoint of its file, or the whole the one of all. */
+void
+shareViewpoints(std::vector<NamedModel>& parts, Model& whole)
+{
+  if (standTogether(parts)) {
+    whole.viewpoint = parts.front().model.viewpoint;
+    return;
+  }
+  const bool all_known = std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+    return part.model.viewpoint.known;
+  });
+  if (!all_known)
+    whole.warnings.push_back("the sensor's place is not told by all clouds; none is "
+                             "used");
+  for (NamedModel& part : parts)
+    if (all_known)
+      appendViewpoint(part.model.viewpoint, part.model.mesh.cloud);
+}
+
+void
+addNew(const std::vector<std::string>& more, std::vector<std::string>& lines)
+{
+  for (const std::string& line : more)
+    if (std::find(lines.begin(), lines.end(), line) == lines.end())
+      lines.push_back(line);
+}
+
+void
+mergeRemarks(const std::vector<NamedModel>& parts, Model& whole)
+{
+  const std::string units = namedUnits(parts.front().model.remarks);
+  bool units_differ = false;
+  for (const NamedModel& part : parts) {
+    const Remarks& remarks = part.model.remarks;
+    units_differ = units_differ || namedUnits(remarks) != units;
+    addNew(remarks.comments, whole.remarks.comments);
+    addNew(remarks.infos, whole.remarks.infos);
+    if (whole.remarks.title.empty())
+      whole.remarks.title = remarks.title;
+    for (const std::string& warning : part.model.warnings)
+      whole.warnings.push_back(part.name + ": " + warning);
+  }
+  if (units_differ)
+    whole.warnings.push_back(
+        "not all clouds name the same units; coordinates are taken "
+        "as they are");
+}
+
+} // namespace
+
+Status
+mergeModels(std::vector<NamedModel>& parts, Model& whole)
+{
+  if (parts.size() == 1) {
+    whole = std::move(parts.front().model);
+    return {};
+  }
+  mergeRemarks(parts, whole);
+  shareViewpoints(parts, whole);
+  const std::string differing = differingFields(parts);
+  if (!differing.empty())
+    whole.warnings.push_back("not all clouds have the fields " + differing +
+                             " in the same type; they are left out");
+  std::size_t points = 0;
+  for (const NamedModel& part : parts)
+    points += pointCount(part.model.mesh.cloud);
+  TablePlan plan;
+  pcl::PCLPointCloud2& cloud = whole.mesh.cloud;
+  Status status = planTable(commonColumns(parts), Naming::PCL, plan);
+  if (status.ok())
+    status = allocateCloud(plan, points, cloud);
+  if (!status.ok())
+    return Status::error("the clouds cannot be merged: " + status.message());
+  std::size_t first = 0;
+  for (NamedModel& part : parts) {
+    copyPoints(part.model.mesh.cloud, first, cloud);
+    first += pointCount(part.model.mesh.cloud);
+    cloud.is_dense = cloud.is_dense && part.model.mesh.cloud.is_dense;
+    part.model.mesh.cloud.data = {};
+  }
+  return {};
+}
+
+} // namespace app
