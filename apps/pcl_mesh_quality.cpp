@@ -128,7 +128,7 @@ measure(const app::Arguments& arguments)
   if (!settings.quiet)
     app::peopleStream({settings.report})
         << (app::isStandardStream(settings.mesh) ? "standard input" : settings.mesh)
-        << '\n'
+        << ": " << app::summarizeFacts(facts) << '\n'
         << app::tabulateFacts(facts);
   return {app::DONE, "", model.warnings};
 }

@@ -2,12 +2,17 @@
 // Part of PclSurfaceRepair: program that takes a picture of a mesh or cloud.
 #include "common/cli.h"
 #include "common/model_io.h"
-#include "common/output_file.h"
+#include "common/output_folder.h"
+#include "common/output_format.h"
+#include "common/point_columns.h"
+#include "common/report.h"
 #include "render/display.h"
 #include "render/mesh_parts.h"
 #include "render/picture.h"
 #include "render/render_options.h"
+#include <nlohmann/json.hpp>
 
+#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -31,25 +36,39 @@ makeCommandLine()
   command_line.addPositional("MESH_OR_CLOUD");
   command_line.addPositional("OUTPUT");
   app::addRenderOptions(command_line);
+  command_line.addOptions()(
+      "report",
+      boost::program_options::value<std::string>(),
+      "write figures about the picture to this JSON file, or to standard output (-)");
   return command_line;
 }
 
+struct Files {
+  std::string input;
+  std::string output;
+  std::string report; /**< empty: none */
+};
+
 app::Status
-checkOutput(const std::string& input, const std::string& output)
+checkFiles(const Files& files)
 {
   constexpr std::string_view ending = ".png";
+  const std::string& output = files.output;
   if (!app::isStandardStream(output) &&
       (output.size() <= ending.size() ||
        output.substr(output.size() - ending.size()) != ending))
     return app::Status::error("'" + output + "' must end in .png");
-  const app::Status different = app::checkDifferentFiles({input}, {output});
-  return different.ok() ? app::OutputFile::check(output) : different;
+  app::Status status = app::checkDifferentFiles({files.input}, {output, files.report});
+  if (status.ok())
+    status = app::OutputFile::check(output);
+  if (status.ok() && !files.report.empty())
+    status = app::OutputFile::check(files.report);
+  return status;
 }
 
 app::Status
-readParts(const std::string& path, app::MeshParts& parts)
+readParts(const std::string& path, app::Model& model, app::MeshParts& parts)
 {
-  app::Model model;
   const app::Status status = app::readModel(path, model);
   if (status.ok())
     parts = app::takeApart(model.mesh);
@@ -61,9 +80,10 @@ readParts(const std::string& path, app::MeshParts& parts)
 app::Status
 loadParts(const std::string& path,
           const app::RenderSettings& settings,
+          app::Model& model,
           app::MeshParts& parts)
 {
-  const app::Status status = readParts(path, parts);
+  const app::Status status = readParts(path, model, parts);
   if (!status.ok())
     return status;
   if (parts.positions.empty())
@@ -81,47 +101,82 @@ loadEarlierFaces(const app::Arguments& arguments, app::MeshParts& parts)
 {
   if (arguments.count("new-since") == 0)
     return {};
+  app::Model model;
   app::MeshParts earlier;
-  const app::Status status = readParts(app::takeText(arguments, "new-since"), earlier);
+  const app::Status status =
+      readParts(app::takeText(arguments, "new-since"), model, earlier);
   parts.earlier_faces = earlier.faces;
   return status;
 }
 
 app::Status
-writePicture(const std::string& png, const std::string& path)
+writeFiles(const Files& files,
+           const app::RenderSettings& settings,
+           const app::Model& model,
+           const std::string& png,
+           double seconds)
 {
   if (png.empty())
     return app::Status::error("the picture could not be drawn");
-  app::OutputFile file;
-  const app::Status status = file.open(path);
-  if (!status.ok())
-    return status;
-  file.text(png);
-  return file.commit();
+  app::OutputFolder outputs;
+  outputs.addElsewhere(files.output).text(png);
+  if (!files.report.empty()) {
+    nlohmann::json report = {{"points", app::pointCount(model.mesh.cloud)},
+                             {"polygons", model.mesh.polygons.size()},
+                             {"width", settings.width},
+                             {"height", settings.height},
+                             {"warnings", model.warnings}};
+    app::addRunFacts({"pcl_render_mesh",
+                      files.input,
+                      files.output,
+                      app::DONE,
+                      seconds,
+                      model.remarks},
+                     report);
+    app::writeReport(report, outputs.addElsewhere(files.report));
+  }
+  return outputs.commit();
 }
 
-app::Status
+void
+sumUp(const Files& files, const app::RenderSettings& settings, const app::Model& model)
+{
+  app::peopleStream({files.output, files.report})
+      << app::summaryName(files.output) << ": " << settings.width << " x "
+      << settings.height << " pixels, " << app::pointCount(model.mesh.cloud)
+      << " points, " << model.mesh.polygons.size() << " polygons\n";
+}
+
+app::Outcome
 renderMesh(const app::Arguments& arguments)
 {
-  const std::string input = app::takeText(arguments, "MESH_OR_CLOUD");
-  const std::string output = app::takeText(arguments, "OUTPUT");
+  const Files files{app::takeText(arguments, "MESH_OR_CLOUD"),
+                    app::takeText(arguments, "OUTPUT"),
+                    app::takeText(arguments, "report")};
   app::RenderSettings settings;
+  app::Model model;
+  app::MeshParts parts;
   app::Status status = app::readRenderSettings(arguments, settings);
   if (status.ok())
-    status = checkOutput(input, output);
-  if (!status.ok())
-    return status;
-
-  app::MeshParts parts;
-  status = loadParts(input, settings, parts);
+    status = checkFiles(files);
+  if (status.ok())
+    status = loadParts(files.input, settings, model, parts);
   if (status.ok())
     status = loadEarlierFaces(arguments, parts);
   if (!status.ok())
-    return status;
+    return app::Outcome::badInput(status);
   const app::Display display;
   if (!display.ready())
-    return app::Status::error("no X display to draw with: set DISPLAY or install Xvfb");
-  return writePicture(app::drawPng(parts, settings), output);
+    return app::Outcome::badInput(
+        app::Status::error("no X display to draw with: set DISPLAY or install Xvfb"));
+  app::Stopwatch watch;
+  const std::string png = app::drawPng(parts, settings);
+  status = writeFiles(files, settings, model, png, watch.lap());
+  if (!status.ok())
+    return app::Outcome::badInput(status);
+  if (arguments.count("quiet") == 0)
+    sumUp(files, settings, model);
+  return {app::DONE, "", model.warnings};
 }
 
 } // namespace
@@ -129,9 +184,5 @@ renderMesh(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(
-      makeCommandLine(), argc, argv, [](const app::Arguments& arguments) {
-        const app::Status status = renderMesh(arguments);
-        return status.ok() ? app::Outcome{} : app::Outcome::badInput(status);
-      });
+  return app::runApp(makeCommandLine(), argc, argv, renderMesh);
 }

@@ -261,8 +261,13 @@ readPcd(const InputFile& file, Model& model)
     status = allocateCloud(plan, header.points, cloud);
   if (!status.ok())
     return status;
-  if (header.data == "ascii")
+  if (header.data == "ascii") {
     status = decodeText(plan, scanner, cloud);
+    std::string_view word;
+    if (status.ok() && scanner.nextWord(word))
+      model.warnings.push_back("there is more behind the last point (lines with more "
+                               "numbers than fields?); it is left out");
+  }
   else if (header.data == "binary")
     decodeBinary(plan, scanner.position(), false, cloud);
   else

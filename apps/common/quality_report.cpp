@@ -174,6 +174,28 @@ describeFacts(const MeshFacts& facts)
 }
 
 std::string
+summarizeFacts(const MeshFacts& facts)
+{
+  const bool is_manifold =
+      facts.non_manifold_edges == 0 && facts.non_manifold_vertices == 0;
+  std::string text = facts.triangles == 0       ? "no triangles"
+                     : facts.isClosedManifold() ? "closed manifold"
+                     : is_manifold              ? "open manifold"
+                                                : "not manifold";
+  const auto tell = [&](std::size_t count, const char* word) {
+    text += ", " + toText(count) + " " + word + (count == 1 ? "" : "s");
+  };
+  tell(facts.triangles, "triangle");
+  tell(facts.components, "component");
+  tell(facts.boundary_loops.size(), "boundary loop");
+  if (!isConsistent(facts))
+    text += ", not wound alike";
+  if (facts.self_intersections.value_or(0) > 0)
+    tell(*facts.self_intersections, "self-intersection");
+  return text;
+}
+
+std::string
 tabulateFacts(const MeshFacts& facts)
 {
   std::ostringstream text;

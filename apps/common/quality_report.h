@@ -14,6 +14,10 @@ namespace app {
 nlohmann::json
 describeFacts(const pcl::ccaa::MeshFacts& facts);
 
+/** \brief Whether the mesh is sound, in one line without an end. */
+std::string
+summarizeFacts(const pcl::ccaa::MeshFacts& facts);
+
 /** \brief All facts, a line each, for people. */
 std::string
 tabulateFacts(const pcl::ccaa::MeshFacts& facts);

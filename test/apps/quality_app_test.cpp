@@ -76,6 +76,8 @@ TEST_F(QualityApp, PrintsATableForPeople)
   save(folder_.path("mesh.off.ply"), colouredSphere());
   const RunResult result = runApp("pcl_mesh_quality", {folder_.path("mesh.off.ply")});
   EXPECT_EQ(0, result.exit_code);
+  EXPECT_NE(std::string::npos,
+            result.output.find("mesh.off.ply: closed manifold, 320"));
   for (const char* word : {"points", "boundary loops", "genus", "smallest angle"})
     EXPECT_NE(std::string::npos, result.output.find(word)) << word;
 }

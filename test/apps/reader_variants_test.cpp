@@ -7,7 +7,8 @@
 #include "common/point_columns.h"
 #include "model_samples.h"
 
-#include <cstring>
+#include <cmath>
+#include <string>
 
 namespace app_test {
 namespace {
@@ -207,6 +208,28 @@ TEST(PcdVariants, WindowsLineEndsBeforeBinaryData)
   for (const float value : {1.0F, 2.0F, 3.0F})
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
   EXPECT_EQ(3, valueOf(cloudOf(FileFormat::PCD, bytes).mesh.cloud, 0, "z"));
+}
+
+TEST(PcdVariants, MoreNumbersThanFieldsAreToldOf)
+{
+  const app::Model model =
+      cloudOf(FileFormat::PCD,
+              "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nHEIGHT 1\n"
+              "DATA ascii\n1 2 3 99\n4 5 6 99\n");
+  EXPECT_EQ(1U, model.warnings.size());
+}
+
+TEST(PcdVariants, AllSpellingsOfNoNumberAreRead)
+{
+  const app::Model model =
+      cloudOf(FileFormat::PCD,
+              "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 3\nHEIGHT 1\n"
+              "DATA ascii\nnan NaN -nan(ind)\n1.#QNAN -1.#IND inf\n-Infinity "
+              "1.#INF 1e999\n");
+  for (std::size_t point = 0; point < 3; ++point)
+    for (const char* axis : {"x", "y", "z"})
+      EXPECT_FALSE(std::isfinite(valueOf(model.mesh.cloud, point, axis)))
+          << point << axis;
 }
 
 TEST(ObjVariants, ColoursMayBeBytes)
