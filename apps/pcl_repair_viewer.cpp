@@ -219,7 +219,10 @@ run(const app::Arguments& arguments)
   if (!status.ok())
     return app::Outcome::badInput(status);
   if (app::interrupted())
-    return {app::INTERRUPTED, "stopped by a signal", {}};
+    return {app::INTERRUPTED,
+            settings.offScreen() ? "stopped by a signal; nothing was written"
+                                 : "stopped by a signal",
+            {}};
   return {app::DONE, "", run.input.warnings};
 }
 

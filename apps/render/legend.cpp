@@ -106,20 +106,23 @@ public:
     renderer_.AddActor2D(makeSquare(FRAME, letter_ - 1, top_ + 1, letter_ + 2));
     renderer_.AddActor2D(makeSquare(entry.color, letter_, top_, letter_));
     renderer_.AddActor2D(makeText(text, letter_ * 5 / 2, top_, letter_));
-    top_ -= letter_ * (4 + 6 * linesOf(text)) / 5;
+    top_ -= letter_ * (3 + 6 * linesOf(text)) / 5;
   }
 
-  /** \brief The lines end at the lower end of the column. */
+  /** \brief The lines end at the lower end of the column; the first ones are left out
+   * where they would run into what is above. */
   void
   addNotes(const std::vector<LegendNote>& notes)
   {
-    const int line = small() * 13 / 10;
-    int top = letter_ + line * static_cast<int>(notes.size());
-    for (const LegendNote& note : notes) {
+    const int line = small() * 23 / 20;
+    const int room = std::max(0, (top_ - letter_) / line);
+    const int count = std::min(static_cast<int>(notes.size()), room);
+    int top = letter_ + line * count;
+    for (auto note = notes.end() - count; note != notes.end(); ++note) {
       for (const auto& [text, left] :
-           {std::pair{note.key, letter_}, std::pair{note.meaning, letter_ * 4}}) {
+           {std::pair{note->key, letter_}, std::pair{note->meaning, letter_ * 4}}) {
         const auto words = makeText(text, left, top, small());
-        if (note.pale)
+        if (note->pale)
           words->GetTextProperty()->SetColor(0.65, 0.65, 0.65);
         renderer_.AddActor2D(words);
       }
@@ -131,7 +134,7 @@ private:
   int
   small() const
   {
-    return std::max(letter_ * 17 / 20, 10);
+    return std::max(letter_ * 4 / 5, 10);
   }
 
   vtkRenderer& renderer_;

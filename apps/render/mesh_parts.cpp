@@ -167,4 +167,13 @@ takeApart(const pcl::PolygonMesh& mesh)
   return parts;
 }
 
+MeshParts
+takeApart(const pcl::PCLPointCloud2& cloud, const std::vector<pcl::Vertices>& polygons)
+{
+  pcl::PolygonMesh mesh;
+  mesh.cloud = cloud;
+  mesh.polygons = polygons;
+  return takeApart(mesh);
+}
+
 } // namespace app

@@ -32,4 +32,8 @@ struct MeshParts {
 MeshParts
 takeApart(const pcl::PolygonMesh& mesh);
 
+/** \brief The same for the points of \a cloud with some polygons. */
+MeshParts
+takeApart(const pcl::PCLPointCloud2& cloud, const std::vector<pcl::Vertices>& polygons);
+
 } // namespace app

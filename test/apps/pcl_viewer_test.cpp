@@ -94,7 +94,7 @@ redAndGreenSquare()
   return mesh;
 }
 
-class PclViewer : public testing::Test {
+class RenderInPclViewer : public testing::Test {
 protected:
   void
   SetUp() override
@@ -152,20 +152,20 @@ hasRedAndGreenDots(const Picture& picture)
   return countShaded(picture, RED) > 400 && countShaded(picture, GREEN) > 400;
 }
 
-TEST_F(PclViewer, ShowsPolygonsAndColoursOfVtk)
+TEST_F(RenderInPclViewer, ShowsPolygonsAndColoursOfVtk)
 {
   save(path("a.vtk"), redAndGreenSquare());
   EXPECT_TRUE(shows(path("a.vtk") + " " + CAMERA, hasRedAndGreenFaces));
 }
 
-TEST_F(PclViewer, ShowsPolygonsAndColoursOfPlyAfterPclPly2vtk)
+TEST_F(RenderInPclViewer, ShowsPolygonsAndColoursOfPlyAfterPclPly2vtk)
 {
   save(path("a.ply"), redAndGreenSquare());
   ASSERT_EQ(0, waitFor(start("pcl_ply2vtk " + path("a.ply") + " " + path("a.vtk"))));
   EXPECT_TRUE(shows(path("a.vtk") + " " + CAMERA, hasRedAndGreenFaces));
 }
 
-TEST_F(PclViewer, ShowsPolygonsOfObjAndStlAfterPclConverter)
+TEST_F(RenderInPclViewer, ShowsPolygonsOfObjAndStlAfterPclConverter)
 {
   for (const std::string name : {"a.obj", "a.stl"}) {
     save(path(name), redAndGreenSquare());
@@ -174,7 +174,7 @@ TEST_F(PclViewer, ShowsPolygonsOfObjAndStlAfterPclConverter)
   }
 }
 
-TEST_F(PclViewer, ShowsColoursOfClouds)
+TEST_F(RenderInPclViewer, ShowsColoursOfClouds)
 {
   save(path("a.pcd"), redAndGreenSquare().cloud);
   EXPECT_TRUE(shows(path("a.pcd") + " -ps 3 " + CAMERA, hasRedAndGreenDots)) << "pcd";
@@ -183,7 +183,7 @@ TEST_F(PclViewer, ShowsColoursOfClouds)
   EXPECT_TRUE(shows(path("b.pcd") + " -ps 3 " + CAMERA, hasRedAndGreenDots)) << "ply";
 }
 
-TEST_F(PclViewer, ShowsNormalsOfAPcd)
+TEST_F(RenderInPclViewer, ShowsNormalsOfAPcd)
 {
   save(path("a.pcd"), redAndGreenSquare().cloud);
   const auto has_hairs = [](const Picture& picture) {
@@ -195,7 +195,7 @@ TEST_F(PclViewer, ShowsNormalsOfAPcd)
 
 /** A sphere in two caps, inspected and repaired; one test for all files of this, for
  * the runs take their time. */
-TEST_F(PclViewer, ShowsTheLayersOfAnInspectionAndBridges)
+TEST_F(RenderInPclViewer, ShowsTheLayersOfAnInspectionAndBridges)
 {
   save(path("caps.ply"), twoCaps());
   const RunResult run = runApp("pcl_repair_holes",
@@ -207,7 +207,7 @@ TEST_F(PclViewer, ShowsTheLayersOfAnInspectionAndBridges)
                                 "--bridges",
                                 path("bridges.vtk")});
   ASSERT_EQ(0, run.exit_code) << run.errors;
-  // The window fills the screen, so that nothing is black but what is drawn so.
+
   const auto shows_all = [&](const std::vector<std::string>& names,
                              const std::string& options,
                              const std::vector<app::Rgb>& colors) {
@@ -215,10 +215,10 @@ TEST_F(PclViewer, ShowsTheLayersOfAnInspectionAndBridges)
     for (const std::string& name : names)
       arguments += path(name) + " ";
     arguments += options + " -bc 255,255,255 "
-                           "-cam 0.1,100/0,0,0/2,-3,1.5/0,0,1/0.7/1280,1024/0,0";
+                           "-cam 0.1,100/0,0,0/2,-3,1.5/0,0,1/0.7/800,650/0,0";
     return shows(arguments, [&](const Picture& picture) {
       return std::all_of(colors.begin(), colors.end(), [&](const app::Rgb& color) {
-        return countShaded(picture, color) > 100;
+        return countShaded(picture, color) > 40;
       });
     });
   };

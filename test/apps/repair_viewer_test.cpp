@@ -27,9 +27,9 @@ constexpr Columns LEGEND{0, 160};
 constexpr Columns MODEL{170, 0};
 constexpr const char* SIZE = "600x400";
 
-class RepairViewer : public testing::Test {
+class RenderRepairViewer : public testing::Test {
 protected:
-  RepairViewer()
+  RenderRepairViewer()
   {
     unsetenv("DISPLAY");
     const test::Shape sphere = test::icosphere(3);
@@ -75,7 +75,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-TEST_F(RepairViewer, ShowsHolesOfAMeshInTheColourOfTheirClass)
+TEST_F(RenderRepairViewer, ShowsHolesOfAMeshInTheColourOfTheirClass)
 {
   const Picture picture = look("holed.ply", {"--stage", "boundaries"});
   EXPECT_EQ(600, picture.width);
@@ -84,13 +84,13 @@ TEST_F(RepairViewer, ShowsHolesOfAMeshInTheColourOfTheirClass)
   EXPECT_GT(countColor(picture, HOLE_RED, MODEL), 100U);
 }
 
-TEST_F(RepairViewer, ShowsNewTrianglesInTheResultAlone)
+TEST_F(RenderRepairViewer, ShowsNewTrianglesInTheResultAlone)
 {
   EXPECT_GT(countShaded(look("holed.ply", {}), NEW_BLUE, MODEL), 1000U);
   EXPECT_EQ(0U, countShaded(look("holed.ply", {"--stage", "mesh"}), NEW_BLUE, MODEL));
 }
 
-TEST_F(RepairViewer, TakesAPictureOfEveryStageOfACloud)
+TEST_F(RenderRepairViewer, TakesAPictureOfEveryStageOfACloud)
 {
   const RunResult result = view("cloud.pcd", {"--screenshots", path("stages")});
   ASSERT_EQ(0, result.exit_code) << result.errors;
@@ -107,7 +107,7 @@ TEST_F(RepairViewer, TakesAPictureOfEveryStageOfACloud)
     EXPECT_EQ(600, decodePng(readFile(path("stages/" + name + ".png"))).width) << name;
 }
 
-TEST_F(RepairViewer, ShowsTheRolesOfThePointsOfAMesh)
+TEST_F(RenderRepairViewer, ShowsTheRolesOfThePointsOfAMesh)
 {
   const Picture picture = look(
       "holed.ply",
@@ -117,7 +117,7 @@ TEST_F(RepairViewer, ShowsTheRolesOfThePointsOfAMesh)
   EXPECT_GT(countColor(picture, app::ROLE_INTERNAL, model), 100U);
 }
 
-TEST_F(RepairViewer, SaysInTheLegendThatThereIsNothingToShow)
+TEST_F(RenderRepairViewer, SaysInTheLegendThatThereIsNothingToShow)
 {
   const Picture closed = look("closed.ply", {"--stage", "boundaries"});
   EXPECT_EQ(0U, countColor(closed, HOLE_RED));
@@ -126,13 +126,13 @@ TEST_F(RepairViewer, SaysInTheLegendThatThereIsNothingToShow)
                 look("holed.ply", {"--stage", "boundaries"}), {255, 255, 255}, LEGEND));
 }
 
-TEST_F(RepairViewer, PassesParametersToTheMethod)
+TEST_F(RenderRepairViewer, PassesParametersToTheMethod)
 {
   const Picture picture = look("holed.ply", {"--greatest-hole", "3"});
   EXPECT_EQ(0U, countShaded(picture, NEW_BLUE, MODEL));
 }
 
-TEST_F(RepairViewer, RefusesBadUsageWithOneLineAndNoFile)
+TEST_F(RenderRepairViewer, RefusesBadUsageWithOneLineAndNoFile)
 {
   const std::string output = path("a.png");
   writeFile(path("line.xyz"), "0 0 0\n1 1 1\n");

@@ -2,17 +2,15 @@
 // Part of PclSurfaceRepair: keys of the viewer, with and without its window.
 #include <gtest/gtest.h>
 
-#include "model_samples.h"
 #include "pictures.h"
 #include "render/display.h"
 #include "repair_fixture.h"
 #include "viewer/stage_colors.h"
 #include "viewer/stage_view.h"
-#include "viewer/viewer_run.h"
 #include "viewer/viewer_window.h"
+#include "viewer_fixture.h"
 
 #include <cstdlib>
-#include <set>
 
 namespace app_test {
 namespace {
@@ -88,19 +86,9 @@ TEST(ViewState, ThicknessStaysWithinBounds)
 }
 
 /** A window on a display of its own, with the stages of two halves of a sphere. */
-class ViewerWindow : public testing::Test {
+class RenderViewerWindow : public testing::Test {
 protected:
-  ViewerWindow()
-  {
-    unsetenv("DISPLAY");
-    const TemporaryFolder folder;
-    save(folder.path("caps.ply"), twoCaps());
-    app::ViewerTask task;
-    task.input = folder.path("caps.ply");
-    app::ProgressBar bar(true);
-    EXPECT_TRUE(app::readForViewer(task, run_).ok());
-    EXPECT_TRUE(app::runForViewer(task, bar, run_).ok());
-  }
+  RenderViewerWindow() { unsetenv("DISPLAY"); }
 
   app::StageView
   makeView() const
@@ -112,10 +100,10 @@ protected:
     return {app::makeStages(run_, camera.view), camera, "caps.ply"};
   }
 
-  app::ViewerRun run_;
+  app::ViewerRun run_ = runForViewer(twoCaps());
 };
 
-TEST_F(ViewerWindow, ShowsStagesAndLayersAsKeysSay)
+TEST_F(RenderViewerWindow, ShowsStagesAndLayersAsKeysSay)
 {
   const app::Display display;
   ASSERT_TRUE(display.ready());
