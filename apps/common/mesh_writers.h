@@ -20,7 +20,8 @@ writePly(const pcl::PolygonMesh& mesh,
          bool with_faces,
          OutputFile& file);
 
-/** \brief Legacy VTK, binary, with all fields; colours as COLOR_SCALARS "RGB". */
+/** \brief Legacy VTK, binary, with all fields; colours as COLOR_SCALARS "RGB". Points
+ * of no polygon are cells of their own, with -1 for a property of faces. */
 void
 writeVtk(const pcl::PolygonMesh& mesh, const FileExtras& extras, OutputFile& file);
 

@@ -154,6 +154,25 @@ writePointData(const pcl::PCLPointCloud2& cloud, OutputFile& file)
   }
 }
 
+/** \brief The points of no polygon, a cell each: without one a viewer does not draw
+ * them.
+ */
+std::vector<pcl::Vertices>
+freePoints(const pcl::PolygonMesh& mesh)
+{
+  std::vector<bool> is_free(pointCount(mesh.cloud), true);
+  for (const auto& polygon : mesh.polygons)
+    for (const pcl::index_t corner : polygon.vertices)
+      is_free[static_cast<std::size_t>(corner)] = false;
+  std::vector<pcl::Vertices> dots;
+  for (std::size_t i = 0; i < is_free.size(); ++i)
+    if (is_free[i]) {
+      dots.emplace_back();
+      dots.back().vertices.push_back(static_cast<pcl::index_t>(i));
+    }
+  return dots;
+}
+
 } // namespace
 
 void
@@ -161,11 +180,17 @@ writeVtk(const pcl::PolygonMesh& mesh, const FileExtras& extras, OutputFile& fil
 {
   writeHeader(extras.remarks, file);
   writePositions(mesh.cloud, file);
+  const std::vector<pcl::Vertices> dots = freePoints(mesh);
+  if (!dots.empty())
+    writeCells("VERTICES", dots, file);
   writeCells("POLYGONS", mesh.polygons, file);
   if (!extras.properties.empty())
-    file.text("CELL_DATA " + std::to_string(mesh.polygons.size()) + "\n");
+    file.text("CELL_DATA " + std::to_string(dots.size() + mesh.polygons.size()) + "
+");
   for (const FaceProperty& property : extras.properties) {
     file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
+    for (std::size_t i = 0; i < dots.size(); ++i)
+      file.bigEndian(std::int32_t{-1});
     for (const std::int32_t value : property.values)
       file.bigEndian(value);
     file.text("\n");

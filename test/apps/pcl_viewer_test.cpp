@@ -133,6 +133,25 @@ protected:
   std::unique_ptr<app::Display> display_;
 };
 
+/** The square, and beside it as many blue points without a triangle. */
+pcl::PolygonMesh
+squareWithFreePoints()
+{
+  pcl::PolygonMesh mesh = redAndGreenSquare();
+  pcl::PointCloud<pcl::PointXYZRGBNormal> cloud;
+  pcl::fromPCLPointCloud2(mesh.cloud, cloud);
+  const std::size_t size = cloud.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    auto point = cloud[i];
+    point.y = -0.3F * point.y - 1.0F;
+    point.r = point.g = 0;
+    point.b = 255;
+    cloud.push_back(point);
+  }
+  pcl::toPCLPointCloud2(cloud, mesh.cloud);
+  return mesh;
+}
+
 /** A filled half of the window each: what dots could never cover. */
 bool
 hasRedAndGreenFaces(const Picture& picture)
@@ -156,6 +175,14 @@ TEST_F(RenderInPclViewer, ShowsPolygonsAndColoursOfVtk)
 {
   save(path("a.vtk"), redAndGreenSquare());
   EXPECT_TRUE(shows(path("a.vtk") + " " + CAMERA, hasRedAndGreenFaces));
+}
+
+TEST_F(RenderInPclViewer, ShowsFreePointsOfVtk)
+{
+  save(path("a.vtk"), squareWithFreePoints());
+  EXPECT_TRUE(shows(path("a.vtk") + " " + CAMERA, [](const Picture& picture) {
+    return hasRedAndGreenFaces(picture) && countShaded(picture, {0, 0, 255}) > 100;
+  }));
 }
 
 TEST_F(RenderInPclViewer, ShowsPolygonsAndColoursOfPlyAfterPclPly2vtk)
