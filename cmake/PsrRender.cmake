@@ -31,5 +31,9 @@ target_link_libraries(
          X11::X11
   PRIVATE psr_warnings)
 set_target_properties(app_render PROPERTIES LINKER_LANGUAGE CXX)
+# X11 has macros for words such as None.
+set_source_files_properties("${CMAKE_CURRENT_SOURCE_DIR}/render/display.cpp"
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+psr_unite_folders(app_render)
 vtk_module_autoinit(TARGETS app_render MODULES VTK::RenderingFreeType
                     VTK::RenderingOpenGL2)

@@ -40,7 +40,7 @@ badness(ExitCode code)
 }
 
 /** \brief Counts outcomes. */
-struct Tally {
+struct Totals {
   std::size_t done = 0;
   std::size_t incomplete = 0;
   std::size_t failed = 0;
@@ -67,7 +67,7 @@ struct Tally {
 
 Status
 writeBatchReport(const BatchSettings& settings,
-                 const Tally& tally,
+                 const Totals& tally,
                  double seconds,
                  json files)
 {
@@ -154,7 +154,7 @@ runBatch(const BatchSettings& settings,
   if (!status.ok())
     return Outcome::badInput(status);
   Stopwatch watch;
-  Tally tally;
+  Totals tally;
   json files = json::array();
   for (const BatchItem& item : items) {
     json report;

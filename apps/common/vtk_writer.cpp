@@ -188,12 +188,12 @@ writeVtk(const pcl::PolygonMesh& mesh, const FileExtras& extras, OutputFile& fil
     file.text("CELL_DATA " + std::to_string(dots.size() + mesh.polygons.size()) + "
 ");
   for (const FaceProperty& property : extras.properties) {
-    file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
-    for (std::size_t i = 0; i < dots.size(); ++i)
-      file.bigEndian(std::int32_t{-1});
-    for (const std::int32_t value : property.values)
-      file.bigEndian(value);
-    file.text("\n");
+      file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
+      for (std::size_t i = 0; i < dots.size(); ++i)
+        file.bigEndian(std::int32_t{-1});
+      for (const std::int32_t value : property.values)
+        file.bigEndian(value);
+      file.text("\n");
   }
   writePointData(mesh.cloud, file);
 }
