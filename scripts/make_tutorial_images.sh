@@ -134,7 +134,7 @@ tutorial_6() {
   strip near disc.ply --near "0.02 0.3" "${above[@]}"
   strip spacing disc.ply --line-spacing "0.08 1" "${above[@]}"
   strip k_i bar.ply --interpolation "0 20" "${above[@]}"
-  strip T hole.ply --hole-threshold "0.05 0.25 0.45" "${above[@]}"
+  strip T hole.ply --hole-threshold "0.05 0.15 0.25 0.45" "${above[@]}"
   for spacing in 0.1 0.5; do
     size=360x250 picture "6_bridges_$spacing" "bridges_$spacing.ply" "${above[@]}" \
       --edges --new-since disc.ply --zoom 1.45
@@ -152,7 +152,8 @@ tutorial_6() {
   cmake --build --preset release --target examples
 }
 mkdir -p "$images"
-for number in "${@:-1 2 3 4 5 6}"; do
+(($# > 0)) || set -- 1 2 3 4 5 6
+for number; do
   (tutorial_"$number")
 done
 find "$images" -name '*.png' -size +150k -exec echo "larger than 150 KB: {}" \;
