@@ -14,9 +14,13 @@ output=$3
 name=${program##*/}
 help=$("$program" --help)
 
-# Names of the required and optional arguments, in their order.
+# Names of the required and optional arguments, in their order; one that other ways of
+# calling repeat comes once more at the end, as NAME...
 arguments() {
-  help_synopsis <<<"$help" | tr -d '[]' | tr ' ' '\n' | grep -E '^[A-Z]'
+  local synopsis
+  synopsis=$(help_synopsis <<<"$help" | tr -d '[]')
+  head -n 1 <<<"$synopsis" | tr ' ' '\n' | grep -E '^[A-Z]'
+  tail -n +2 <<<"$synopsis" | tr ' ' '\n' | grep -E '^[A-Z_]+\.\.\.$' | sort -u || true
 }
 
 endings_in() {
@@ -25,39 +29,43 @@ endings_in() {
 
 # Endings of an argument: its own line says them, or its name, or the summary.
 endings_of() {
-  local line
-  line=$(grep -E "^${1%...}  +" <<<"$help" | tr -s ' ' | cut -d' ' -f2- || true)
-  if [[ -z $line && $1 =~ \.[a-z]+$ ]]; then
-    line=$1
-  elif [[ -z $line ]]; then
-    line=$(help_summary <<<"$help")
+  local text
+  text=$(help_argument "${1%...}" <<<"$help")
+  if [[ -z $text && $1 =~ \.[a-z]+$ ]]; then
+    text=$1
+  elif [[ -z $text ]]; then
+    text=$(help_summary <<<"$help")
   fi
-  endings_in <<<"$line"
+  endings_in <<<"$text"
 }
 
-# The words an option takes: the program names them when it refuses another one.
+# The words an option takes: the program names them when it refuses another one, or its
+# description ends in a list of them.
 choices_of() {
-  local placeholders
-  mapfile -t placeholders < <(arguments | sed -E 's/^([A-Z_]+)\.([a-z]+)$/no-file.\2/; t
+  local placeholders refusal words
+  mapfile -t placeholders < <(arguments | sed -E -e '/\.\.\.$/d' -e 's/^([A-Z_]+)\.([a-z]+)$/no-file.\2/; t
     s/^.*IN.*/no-file.pcd/; t; s/^OUT.*/no-result.ply/; t; s/.*/no-file.ply/')
-  { "$program" "$1" '?' "${placeholders[@]}" 2>&1 || true; } |
-    sed -nE "s/^[^:]*: $1 (must be|takes) (one of )?([a-z]+[a-z, -]*), not '\?'.*/\3/p" |
-    sed -E 's/,? or /, /; s/, */ /g'
+  refusal=$("$program" "$1" '?' "${placeholders[@]}" 2>&1 || true)
+  words=$(sed -nE \
+    "s/^[^:]*: $1 (must be|takes) (one of )?([a-z]+[a-z, -]*), not '\?'.*/\3/p" <<<"$refusal")
+  if [[ -z $words ]]; then
+    words=$(sed -nE 's/^[^:]*: ([a-z-]+(, [a-z-]+){2,}( or [a-z-]+)?)(;.*)?$/\1/p' <<<"$2")
+  fi
+  sed -E 's/,? or /, /; s/, */ /g' <<<"$words"
 }
 
 # What may follow an option that takes an argument: "words ...", "files ...", "folder".
 kind_of() {
-  local choices endings
-  choices=$(choices_of "$1")
-  endings=$(endings_in <<<"$2")
+  local choices
+  choices=$(choices_of "$1" "$2")
   if [[ -n $choices ]]; then
     echo "words $choices"
   elif [[ $2 == *folder* ]]; then
     echo folder
-  elif [[ $2 == *"JSON file"* ]]; then
-    echo "files json"
+  elif [[ $2 =~ this\ ([A-Z]+)\ file ]]; then
+    echo "files ${BASH_REMATCH[1],,}"
   elif [[ $2 =~ \.[a-z]+\ file || $2 =~ (this|to\ a)\ (file|cloud) || $2 == a\ cloud* ]]; then
-    echo "files $endings"
+    echo "files $(endings_in <<<"$2")"
   else
     echo nothing
   fi
@@ -73,7 +81,9 @@ kind_of() {
   echo "  local options='$(help_options <<<"$help" | cut -f1 | paste -sd' ')'"
   echo '  local -A values=('
   help_options <<<"$help" | while IFS=$'\t' read -r option takes text; do
-    [[ $takes == arg* ]] && echo "    [$option]='$(kind_of "$option" "$text")'"
+    if [[ $takes == arg* ]]; then
+      echo "    [$option]='$(kind_of "$option" "$text")'"
+    fi
   done
   echo '  )'
   echo '  local arguments=('

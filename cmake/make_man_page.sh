@@ -27,9 +27,16 @@ purpose() {
 
 # A list entry where a line starts with the name of an argument, else text as it is.
 summary() {
-  help_summary <<<"$help" | escaped |
-    sed -E -e 's/^([A-Z][A-Z_]+(\.[a-z.]+)?)  +(.*)/.TP\n.I \1\n\\\&\3/' \
-      -e 's/^$/.PP/' -e 's/^ {3,}//'
+  help_summary <<<"$help" | escaped | awk '
+    /^[A-Z][A-Z_]+  / {
+      print ".TP\n.I " $1
+      sub(/^[^ ]+ +/, "")
+      print "\\&" $0
+      listed = 1
+      next
+    }
+    /^$/ || (listed && /^[^ ]/) { print ".PP"; listed = 0 }
+    /./ { sub(/^   +/, ""); print }'
 }
 
 options() {
@@ -55,8 +62,10 @@ page() {
   local codes
   echo ".TH ${name^^} 1 \"\" \"PclSurfaceRepair ${version}\" \"User Commands\""
   printf '.SH NAME\n%s \\- %s\n' "$name" "$(purpose | escaped)"
-  printf '.SH SYNOPSIS\n.B %s\n[\\fIoptions\\fR] %s\n' "$name" \
-    "$(help_synopsis <<<"$help" | escaped)"
+  printf '.SH SYNOPSIS\n'
+  help_synopsis <<<"$help" | escaped | while IFS= read -r arguments; do
+    printf '.B %s\n[\\fIoptions\\fR] %s\n.br\n' "$name" "$arguments"
+  done
   printf '.SH DESCRIPTION\n'
   summary | sed '$ { /^\.PP$/d }'
   printf '.SH OPTIONS\n'

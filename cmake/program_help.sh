@@ -7,6 +7,7 @@
 help_options() {
   awk '
     function flush() {
+      sub(/ +$/, "", text)
       if (name != "") print name "\t" (takes == "" ? "-" : takes) "\t" text
       name = ""
     }
@@ -29,14 +30,22 @@ help_options() {
     END { flush() }'
 }
 
-# The arguments as they stand after the program in the first line, [options] left out.
+# What may follow the program, a line for each way to call it, without [options].
 help_synopsis() {
-  sed -n '1s/^Usage: [^ ]* //p' | sed 's/ *\[options\]//'
+  sed -n '1,/^$/p' | sed -nE 's/^(Usage:|      ) [^ ]+ +//p' | sed 's/ *\[options\]//'
 }
 
-# The lines between the first one and the options.
+# What stands between the synopsis and the options.
 help_summary() {
-  sed -e '1,2d' -e '/^Options:/,$d'
+  sed -e '1,/^$/d' -e '/^Options:/,$d'
+}
+
+# help_argument NAME: what the summary says of an argument, on one line.
+help_argument() {
+  help_summary | awk -v name="$1" '
+    $1 == name && /^[^ ]+  / { inside = 1; sub(/^[^ ]+ +/, ""); print; next }
+    inside && /^   / { print; next }
+    { inside = 0 }' | tr '\n' ' '
 }
 
 # The lines of the examples.

@@ -8,17 +8,17 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# A page "concepts" for the folder doc/concepts, with all pages in it, and so on.
+# A page "Concepts" for the folder doc/concepts, with all pages in it, and so on; a folder
+# with a README.md has one already.
 folder_pages() {
-  local folder name page title
+  local folder name page
   for folder in doc/*/; do
-    compgen -G "$folder*.md" >/dev/null || continue
+    compgen -G "$folder*.md" >/dev/null && [[ ! -e ${folder}README.md ]] || continue
     name=$(basename "$folder")
     echo "/** \\page doc_$name ${name^}"
     for page in "$folder"*.md; do
-      title=$(basename "$page" .md)
-      [[ $title == README ]] && continue
-      echo " - \\subpage doc_${name}_${title//[^A-Za-z0-9]/_}"
+      page=${page%.md}
+      echo " - \\subpage ${page//[^A-Za-z0-9]/_}"
     done
     echo "*/"
   done
@@ -37,7 +37,8 @@ dead_links() {
 PSR_TOP=$PWD
 PSR_VERSION=$(sed -nE 's/^ *VERSION ([0-9.]+)$/\1/p' CMakeLists.txt)
 PSR_IMAGE_FOLDERS=$(find doc -name '*.png' -printf '%h\n' | sort -u | tr '\n' ' ')
-export PSR_TOP PSR_VERSION PSR_IMAGE_FOLDERS
+PSR_PAGES=$(find doc README.md CHANGELOG.md surface_* -name '*.md' | sort | tr '\n' ' ')
+export PSR_PAGES PSR_TOP PSR_VERSION PSR_IMAGE_FOLDERS
 
 rm -rf build/docs
 mkdir -p build/docs

@@ -6,10 +6,13 @@
 # Bold code and short symbols (L_1, s^T) are given in HTML, which Doxygen needs for both.
 #
 # usage: awk -v top=FOLDER -f page_filter.awk PAGE
+#   PSR_PAGES  in the environment: all pages, as paths from the top
 
-# doc/concepts/field.md -> doc_concepts_field; the first page is the site's main page.
+# doc/concepts/field.md -> doc_concepts_field; the page README.md of a folder has the
+# folder's name, that of the top is the site's main page.
 function page_name(path) {
   if (path == "README.md") return "mainpage"
+  sub(/\/README\.md$/, "", path)
   sub(/\.md$/, "", path)
   gsub(/[^A-Za-z0-9]/, "_", path)
   return path
@@ -56,7 +59,7 @@ function destination(target,    hash, at, path) {
   path = target == "" ? page : resolved(target)
   if (path == "README.md" && hash == "") return "index.html"
   if (path ~ /\.md$/) return "@ref " page_name(path) hash
-  if (path ~ /^doc\/[a-z]+$/) return "@ref " page_name(path)
+  if (path in folders) return "@ref " page_name(path)
   if (path ~ /\.cpp$/) return source_page(path)
   if (path == "LICENSE") return path
   return ""
@@ -78,16 +81,11 @@ function with_links(line,    done, at, target, where, label) {
     } else if ((where = destination(target)) != "") {
       done = done label "](" where ")"
     } else {
-      sub(/\[[^[]*$/, "", label)
-      done = done label text_of(target)
+      match(label, /\[[^\[]*$/)
+      done = done substr(label, 1, RSTART - 1) substr(label, RSTART + 1)
     }
   }
   return done line
-}
-
-function text_of(target) {
-  sub(/.*\//, "", target)
-  return "`" target "`"
 }
 
 # What stands outside `code` and links gets its symbols set low and high.
@@ -129,6 +127,15 @@ function raised(text,    out, token) {
 }
 
 BEGIN {
+  # The folders below doc that have pages.
+  page_count = split(ENVIRON["PSR_PAGES"], pages, " ")
+  for (i = 1; i <= page_count; ++i) {
+    folder = pages[i]
+    if (folder ~ /^doc\/.*\//) {
+      sub(/\/[^\/]*$/, "", folder)
+      folders[folder] = 1
+    }
+  }
   # A letter and its index, which are not part of a name or of a path.
   symbol = "(^|[^A-Za-z0-9_./-])[A-Za-z]_[A-Za-z0-9][A-Za-z0-9]?" \
     "($|[^A-Za-z0-9_./]|[.]( |$))"
@@ -145,12 +152,21 @@ FNR == 1 {
 /^ *```/ { fenced = !fenced }
 fenced || /^    / { print; next }
 
+# Doxygen wants the text of a link on one line.
+held != "" {
+  if ($0 ~ /^ *($|[-*+|#>]|[0-9]+\.)/) print with_links(with_symbols(held))
+  else $0 = held " " $0
+  held = ""
+}
+!/^ *[|#]/ && /\[[A-Za-z`][^\]]*$/ { held = $0; next }
+
 /^#+ / {
   text = $0
   sub(/^#+ +/, "", text)
   if (!titled && $1 == "#") {
     titled = 1
-    print $0 " {#" page_name(page) "}"
+    sub(/^[0-9]+\. +/, "", text) # Doxygen would begin a list
+    print "# " text " {#" page_name(page) "}"
   } else {
     name = slug(text)
     if (seen[name]++) name = name "-" seen[name] - 1
@@ -160,3 +176,16 @@ fenced || /^    / { print; next }
 }
 
 { print with_links(with_symbols($0)) }
+
+END { if (held != "") print with_links(with_symbols(held)) }
+
+# The first page of a folder holds the others in the tree of pages.
+END {
+  if (page ~ /^doc\/.*\/README\.md$/) {
+    print "\n<div style=\"display:none\">"
+    for (i = 1; i <= page_count; ++i)
+      if (index(pages[i], folder "/") == 1 && pages[i] != page)
+        print "@subpage " page_name(pages[i])
+    print "</div>"
+  }
+}
