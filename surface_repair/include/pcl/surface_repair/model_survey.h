@@ -46,6 +46,7 @@ struct FieldParameters {
   PointSearchPtr search;
 };
 
+/** \brief Everything about a survey that can be set. */
 struct SurveyParameters {
   FieldParameters field;
   OrientationParameters orientation;

@@ -23,6 +23,7 @@ enum class DarningChoice : std::uint8_t {
   COMPLETION      /**< base algorithm of surface_ccaa with the free points */
 };
 
+/** \brief How simple holes are closed, and which. */
 struct DarningParameters {
   DarningChoice choice = DarningChoice::AUTOMATIC;
   /** \brief Edges up to which a hole is simple; 0: as many as the method says. */
@@ -31,6 +32,7 @@ struct DarningParameters {
   std::size_t greatest_hole = 0;
 };
 
+/** \brief Everything about a repair that can be set. */
 struct RepairParameters {
   SurveyParameters survey; /**< sides, classes, field, lines, bridges */
   DarningParameters darning;

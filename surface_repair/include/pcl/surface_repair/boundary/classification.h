@@ -58,6 +58,7 @@ struct LoopClass {
                            0 for other loops */
 };
 
+/** \brief When a class of a boundary counts as decided. */
 struct ClassificationParameters {
   /** \brief Least confidence of a class that is not UNDECIDED, 0 to 1. */
   double decided_from = 0.4;

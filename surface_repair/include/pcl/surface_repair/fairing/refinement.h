@@ -8,6 +8,7 @@
 namespace pcl {
 namespace repair {
 
+/** \brief How small new triangles become. */
 struct RefinementParameters {
   /** \brief Edge length wanted, in those of the surface around: above 0. Default 1. */
   double edge_length = 1.0;

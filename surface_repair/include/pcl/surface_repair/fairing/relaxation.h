@@ -10,6 +10,7 @@
 namespace pcl {
 namespace repair {
 
+/** \brief How new vertices move to a smooth surface. */
 struct RelaxationParameters {
   /** \brief k_t of the free points, in [0, 1): 0 and they do not count.
    * Default 0.5. */

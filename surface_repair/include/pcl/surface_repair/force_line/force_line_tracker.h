@@ -24,6 +24,7 @@ struct LineOrigin {
   FieldQuery query; /**< L_1, L_2, chi and the charges; its position is not looked at */
 };
 
+/** \brief How exactly a force line is followed, and how far. */
 struct TrackerParameters {
   /** \brief Greatest error of one step, in L_1. Default 0.01. */
   double tolerance = 0.01;

@@ -32,6 +32,7 @@ struct HoleContour {
   std::vector<ContourStep> steps; /**< at least one */
 };
 
+/** \brief Contours of all holes, and the bridges that had to go. */
 struct ContourExtraction {
   std::vector<HoleContour> contours;
   std::vector<std::size_t> removed_bridges; /**< ascending; see extractContours() */

@@ -30,6 +30,7 @@ struct ReadingReport {
   std::string problem; /**< why there is no model; empty: there is one */
 };
 
+/** \brief A model, and what reading had to change. */
 struct ReadModel {
   IncompleteModel model;
   ReadingReport report;

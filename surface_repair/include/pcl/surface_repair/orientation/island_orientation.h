@@ -29,12 +29,14 @@ enum class SideRule : std::uint8_t {
 const char*
 describe(SideRule rule);
 
+/** \brief What was decided about the side of an island. */
 struct IslandSide {
   SideRule rule = SideRule::UNDECIDED;
   bool flipped = false;    /**< wound the other way round now */
   double confidence = 0.0; /**< 0 to 1 */
 };
 
+/** \brief When a rule decides about the side of an island. */
 struct OrientationParameters {
   /** \brief Balance of the votes, 0 to 1, from which given normals or sensor positions
    * agree with each other. Default 0.5: three of four. */

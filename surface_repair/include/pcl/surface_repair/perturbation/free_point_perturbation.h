@@ -9,6 +9,7 @@
 namespace pcl {
 namespace repair {
 
+/** \brief How far free points pull a line. */
 struct PerturbationParameters {
   /** \brief k_t of the free points, in [0, 1): 0 leaves the line where it is. */
   double trust = 0.5;
