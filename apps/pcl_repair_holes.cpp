@@ -45,34 +45,7 @@ struct Result {
 app::CommandLine
 makeCommandLine()
 {
-  app::CommandLine line(
-      {"pcl_repair_holes",
-       "INPUT_MESH [OUTPUT_MESH] [options]\n"
-       "       pcl_repair_holes INPUT_MESH... --output-folder DIR [options]",
-       "Repairs a mesh: turns its islands outside out, joins them by bridges along\n"
-       "force lines and closes the holes, smoothly and in the density of what is\n"
-       "around. All points and triangles of the mesh are kept, with all fields. "
-       "Points\n"
-       "without a triangle are free points, samples of the missing regions. With\n"
-       "--inspect it shows what is missing. Any mesh will do: faults are taken out on\n"
-       "reading.\n\n"
-       "INPUT_MESH   " +
-           std::string(app::mesh_endings) + "\nOUTPUT_MESH  " +
-           app::mesh_output_endings +
-           "; .ply keeps most; may be left out with\n"
-           "             --inspect and --dry-run\n"
-           "'-' stands for standard input (the first bytes tell the format) and "
-           "standard output\n"
-           "(PLY unless --format is given); what is for people then goes to standard "
-           "error.",
-       "  pcl_repair_holes scan.ply repaired.ply\n"
-       "  pcl_repair_holes scan.ply repaired.ply --free-points sparse.pcd --report "
-       "r.json\n"
-       "  pcl_repair_holes scan.ply --dry-run\n"
-       "  pcl_repair_holes a.ply b.ply c.ply --output-folder repaired\n"
-       "  pcl_repair_holes - - < scan.ply | pcl_mesh_quality -\n"
-       "  pcl_repair_holes scan.ply --inspect found --report found.json\n"
-       "  pcl_viewer found/origins.pcd found/islands.vtk found/loops.vtk\n"});
+  app::CommandLine line(app::repairUsage());
   app::addRepairOptions(line);
   app::addViewOptions(line, "1600x900");
   line.addPositional("INPUT_MESH");

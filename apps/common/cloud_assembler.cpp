@@ -42,7 +42,9 @@ assembleCloud(const std::vector<float>& positions,
   std::vector<SourceColumn> columns{{"x", real, 1}, {"y", real, 1}, {"z", real, 1}};
   std::vector<const FieldArray*> used;
   for (const FieldArray& array : arrays) {
-    if (array.bytes.size() != points * array.count * scalarSize(array.type))
+    const bool is_padding = array.name == "_"; // has no place in a point
+    if (is_padding ||
+        array.bytes.size() != points * array.count * scalarSize(array.type))
       continue;
     used.push_back(&array);
     if (array.name == "normal" && array.count == 3)
@@ -55,7 +57,7 @@ assembleCloud(const std::vector<float>& positions,
   Status status = planTable(columns, Naming::PCL, plan);
   if (status.ok())
     status = allocateCloud(plan, points, cloud);
-  if (!status.ok())
+  if (!status.ok() || points == 0)
     return status;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
   interleave(bytes, 3 * sizeof(float), 0, cloud);

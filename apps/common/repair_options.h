@@ -55,6 +55,10 @@ struct RepairSettings {
 const char*
 nameOf(pcl::repair::DarningChoice choice);
 
+/** \brief What --help says besides the options. */
+Usage
+repairUsage();
+
 /** \brief Add the options of the run and of the method, with the defaults of the
  * library. */
 void

@@ -303,6 +303,22 @@ TEST(VtkVariants, CellsWithoutTypesAreRefused)
   EXPECT_FALSE(app::parseMesh(FileFormat::VTK, bytes.data(), bytes.size(), model).ok());
 }
 
+TEST(VtkVariants, AnArrayWithTheNameOfPaddingIsLeftOut)
+{
+  const app::Model model =
+      meshOf(FileFormat::VTK,
+             "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+             "POINTS 1 float\n1 2 3\nPOINT_DATA 1\nFIELD f 1\n_ 4 1 double\n"
+             "7 7 7 7\n");
+  EXPECT_EQ(1, valueOf(model.mesh.cloud, 0, "x"));
+  EXPECT_EQ(3U, model.mesh.cloud.fields.size());
+}
+
+TEST(OffVariants, NoPointsAtAllAreAnEmptyMesh)
+{
+  EXPECT_EQ(0U, app::pointCount(meshOf(FileFormat::OFF, "OFF\n0 0 0\n").mesh.cloud));
+}
+
 TEST(VtkVariants, LinesAreToldOf)
 {
   const app::Model model =
