@@ -111,9 +111,10 @@ chosenStage(const app::ViewerSettings& settings,
   return otherwise;
 }
 
-/** Pictures of the stages appear together or not at all. */
+/** Pictures of the stages appear together or not at all: not after a signal either,
+ * which \a stopped tells. */
 app::Status
-writePictures(const app::ViewerSettings& settings, app::StageView& view)
+writePictures(const app::ViewerSettings& settings, app::StageView& view, bool& stopped)
 {
   const auto& stages = view.stages();
   const app::Display display;
@@ -137,7 +138,8 @@ writePictures(const app::ViewerSettings& settings, app::StageView& view)
   const std::size_t pictures = settings.folder.empty() ? 0 : stages.size();
   for (std::size_t i = 0; status.ok() && !app::interrupted() && i < pictures; ++i)
     draw(i, folder.add(pictureName(i, stages)));
-  return status.ok() && !app::interrupted() ? folder.commit() : status;
+  stopped = app::interrupted();
+  return status.ok() && !stopped ? folder.commit() : status;
 }
 
 /** The picture goes beside no earlier one of the same name. */
@@ -158,12 +160,13 @@ keepScreenshot(const app::ViewerSettings& settings,
     status = file.commit();
   }
   if (!status.ok())
-    std::cerr << status.message() << std::endl;
+    std::cerr << "pcl_repair_viewer: " << status.message() << std::endl;
   else if (!settings.quiet)
     std::cout << "screenshot: " << name << std::endl;
 }
 
-void
+/** \return whether a signal closed it */
+bool
 showWindow(const app::ViewerSettings& settings, app::StageView& view)
 {
   app::ViewerWindow window(view,
@@ -174,8 +177,10 @@ showWindow(const app::ViewerSettings& settings, app::StageView& view)
                              keepScreenshot(settings, stage, bytes);
                            });
   window.goTo(chosenStage(settings, view.stages(), 0));
-  while (!app::interrupted() && window.update())
-    ;
+  while (window.update())
+    if (app::interrupted())
+      return true;
+  return false;
 }
 
 void
@@ -212,17 +217,15 @@ run(const app::Arguments& arguments)
   app::StageView view = makeView(settings, run);
   bar.clear();
   sumUp(settings, run);
+  if (!settings.offScreen() && showWindow(settings, view))
+    return {app::INTERRUPTED, "stopped by a signal", {}};
+  bool stopped = false;
   if (settings.offScreen())
-    status = writePictures(settings, view);
-  else
-    showWindow(settings, view);
+    status = writePictures(settings, view, stopped);
   if (!status.ok())
     return app::Outcome::badInput(status);
-  if (app::interrupted())
-    return {app::INTERRUPTED,
-            settings.offScreen() ? "stopped by a signal; nothing was written"
-                                 : "stopped by a signal",
-            {}};
+  if (stopped)
+    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
   return {app::DONE, "", run.input.warnings};
 }
 

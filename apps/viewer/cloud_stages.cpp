@@ -173,8 +173,10 @@ addMesh(const pcl::PCLPointCloud2& cloud,
   std::vector<pcl::Vertices> all = given;
   all.insert(all.end(), added.begin(), added.end());
   const MeshParts parts = takeApart(cloud, all);
-  stage.addSurface(takeApart(cloud, given).faces, OUTER_SIDE_PALE, "triangles");
-  stage.addSurface(takeApart(cloud, added).faces, ADDED_TEAL, "triangles added");
+  const auto given_faces = added.empty() ? parts.faces : takeApart(cloud, given).faces;
+  stage.addSurface(given_faces, OUTER_SIDE_PALE, "triangles");
+  if (!added.empty())
+    stage.addSurface(takeApart(cloud, added).faces, ADDED_TEAL, "triangles added");
   if (parts.faces->GetNumberOfPolys() > 0)
     stage.addLegend(Layer::INNER_SIDE, INNER_SIDE_PALE, "inner side");
   stage.addMarks(

@@ -135,6 +135,8 @@ resultStage(const ViewerRun& run)
     for (std::size_t t = 0; t < run.result.polygons.size(); ++t)
       if (run.repair.origins[t] == origin)
         triangles.push_back(run.result.polygons[t]);
+    if (triangles.empty())
+      continue;
     const std::string meaning = origin == TriangleOrigin::INPUT
                                     ? "given triangles"
                                     : std::string("new: ") + describe(origin);

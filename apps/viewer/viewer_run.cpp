@@ -22,12 +22,15 @@ constexpr std::size_t FEWEST_POINTS = 3;
 Status
 readInput(const ViewerTask& task, ViewerRun& run)
 {
-  const Status status = task.points_only ? readCloud(task.input, run.input)
-                                         : readModel(task.input, run.input);
-  if (!status.ok() || !run.input.mesh.polygons.empty())
+  const Status status = readModel(task.input, run.input);
+  if (!status.ok())
     return status;
+  if (task.points_only)
+    run.input.mesh.polygons.clear();
   // A file for meshes that has no polygons holds a cloud.
-  run.from_cloud = true;
+  run.from_cloud = run.input.mesh.polygons.empty();
+  if (!run.from_cloud)
+    return {};
   const std::size_t usable = countUsablePoints(run.input.mesh.cloud, FEWEST_POINTS);
   if (usable < FEWEST_POINTS)
     return Status::error(nameForPeople(task.input) + " has only " +
