@@ -72,7 +72,7 @@ fi
 viewer=$bin/pcl_repair_viewer
 if [[ -x $viewer ]]; then
   for stage in filter base; do
-    "$viewer" build/demo/bunny_cloud.obj --points-only --stage "$stage" --quiet \
+    "$viewer" build/demo/bunny_cloud.obj --stage "$stage" --quiet \
       --screenshot "$images/viewer_bunny_$stage.png" --size 560x380
   done
 fi

@@ -185,15 +185,14 @@ writeVtk(const pcl::PolygonMesh& mesh, const FileExtras& extras, OutputFile& fil
     writeCells("VERTICES", dots, file);
   writeCells("POLYGONS", mesh.polygons, file);
   if (!extras.properties.empty())
-    file.text("CELL_DATA " + std::to_string(dots.size() + mesh.polygons.size()) + "
-");
+    file.text("CELL_DATA " + std::to_string(dots.size() + mesh.polygons.size()) + "\n");
   for (const FaceProperty& property : extras.properties) {
-      file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
-      for (std::size_t i = 0; i < dots.size(); ++i)
-        file.bigEndian(std::int32_t{-1});
-      for (const std::int32_t value : property.values)
-        file.bigEndian(value);
-      file.text("\n");
+    file.text("SCALARS " + property.name + " int 1\nLOOKUP_TABLE default\n");
+    for (std::size_t i = 0; i < dots.size(); ++i)
+      file.bigEndian(std::int32_t{-1});
+    for (const std::int32_t value : property.values)
+      file.bigEndian(value);
+    file.text("\n");
   }
   writePointData(mesh.cloud, file);
 }

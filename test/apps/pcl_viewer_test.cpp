@@ -64,11 +64,13 @@ start(const std::string& command)
   return error == 0 ? child : -1;
 }
 
+/** The exit code; -1 for a program that is not there or crashed. */
 int
 waitFor(pid_t child)
 {
   int state = 0;
-  waitpid(child, &state, 0);
+  if (child < 0 || waitpid(child, &state, 0) != child)
+    return -1;
   return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
 }
 
@@ -117,6 +119,8 @@ protected:
   shows(const std::string& arguments, const std::function<bool(const Picture&)>& wanted)
   {
     const pid_t viewer = start("pcl_viewer " + arguments);
+    if (viewer < 0)
+      return false;
     const auto end = std::chrono::steady_clock::now() + PATIENCE;
     bool seen = false;
     while (!seen && waitpid(viewer, nullptr, WNOHANG) == 0 &&
@@ -234,7 +238,6 @@ TEST_F(RenderInPclViewer, ShowsTheLayersOfAnInspectionAndBridges)
                                 "--bridges",
                                 path("bridges.vtk")});
   ASSERT_EQ(0, run.exit_code) << run.errors;
-
   const auto shows_all = [&](const std::vector<std::string>& names,
                              const std::string& options,
                              const std::vector<app::Rgb>& colors) {
