@@ -116,7 +116,8 @@ writeOutputs(const app::ReconstructSettings& settings,
                    {faceProperties(settings, result), model.viewpoint, model.remarks},
                    files.addElsewhere(settings.output),
                    model.warnings);
-  if (!settings.report.empty())
+  // Of many inputs there is one report, at the end.
+  if (!settings.report.empty() && settings.output_folder.empty())
     app::writeReport(describe(settings, outcome, result),
                      files.addElsewhere(settings.report));
   return files.commit();
@@ -201,7 +202,6 @@ runMany(const app::ReconstructSettings& settings)
         one.input = item.input;
         one.inputs = {item.input};
         one.output = item.output;
-        one.report.clear();
         app::ReconstructResult result;
         app::Outcome outcome = runOne(one, result);
         if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)

@@ -236,7 +236,8 @@ writeOutputs(const app::RepairSettings& settings,
     const auto layer = app::showBridges(result.repair.bridges);
     app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(settings.bridges));
   }
-  if (!settings.report.empty())
+  // Of many inputs there is one report, at the end.
+  if (!settings.report.empty() && settings.output_folder.empty())
     app::writeReport(describe(settings, outcome, result),
                      folder.addElsewhere(settings.report));
   return folder.commit();
@@ -319,7 +320,6 @@ runMany(const app::RepairSettings& settings, const app::InspectionView& view)
         app::RepairSettings one = settings;
         one.input = item.input;
         one.output = item.output;
-        one.report.clear();
         Result result;
         app::Outcome outcome = runOne(one, view, result);
         if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)

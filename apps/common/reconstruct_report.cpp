@@ -187,7 +187,11 @@ summarizeInput(const ReconstructSettings& settings, const Model& model)
   for (const pcl::PCLPointField& field : cloud.fields)
     fields += " " + field.name;
   const std::string units = namedUnits(model.remarks);
-  return settings.inputName() + ": " + std::to_string(pointCount(cloud)) + " points, " +
+  const std::string name =
+      settings.inputs.size() > 1
+          ? settings.inputName()
+          : (isStandardStream(settings.input) ? "standard input" : settings.input);
+  return name + ": " + std::to_string(pointCount(cloud)) + " points, " +
          std::to_string(extentOf(cloud).first) + " of them finite; fields" + fields +
          "; outer side by " + outerSideBy(model) +
          (units.empty() ? "" : "; units " + units);

@@ -67,6 +67,14 @@ TEST_F(ManyInputs, OneReportTellsOfAll)
   EXPECT_EQ(1U, json.at("files")[1].at("holes").size());
 }
 
+TEST_F(ManyInputs, TheirReportMayGoToStandardOutput)
+{
+  const RunResult result = repairAll({"a.ply", "b.ply"}, {"--report", "-"});
+  ASSERT_EQ(0, result.exit_code) << result.errors;
+  EXPECT_EQ(2U, nlohmann::json::parse(result.output).at("files").size());
+  EXPECT_EQ(2, std::count(result.errors.begin(), result.errors.end(), '\n'));
+}
+
 TEST_F(ManyInputs, TwoOfOneNameAreRefusedBeforeTheWork)
 {
   std::filesystem::create_directory(folder_.path("other"));
