@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t bar_width = 30;
 constexpr std::chrono::milliseconds redraw_interval{100};
 
+/** Less is not worth telling, and "0:00 more" would be wrong as often as right. */
+constexpr double least_told_seconds = 1.0;
+
 } // namespace
 
 ProgressBar::ProgressBar(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) == 1) {}
@@ -55,7 +58,8 @@ ProgressBar::draw(const std::string& stage, double share, double elapsed) const
             << "] " << static_cast<int>(share * 100) << " % " << stage;
   if (elapsed >= TimeLeft::patience)
     std::cerr << ", " << clockText(elapsed, false);
-  if (const auto left = time_left_.seconds())
+  const auto left = time_left_.seconds();
+  if (left && *left >= least_told_seconds)
     std::cerr << ", step about " << clockText(*left, true) << " more";
   std::cerr << "\x1b[K" << std::flush;
 }
