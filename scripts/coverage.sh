@@ -1,21 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Part of PclSurfaceRepair: which lines of the two modules the tests ran, from the last
-# run of the asan-ubsan preset. Fails below the share that is asked for.
+# Part of PclSurfaceRepair: builds the coverage preset, runs the tests, and tells which
+# lines of the two modules they ran. Fails below the share that is asked for.
 #
 # usage: coverage.sh [PERCENT]     (default: 90)
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 wanted=${1:-90}
-build=build/asan-ubsan
-report=$build/coverage
+build=build/coverage
+report=$build/profiles
+
+scripts/install_dependencies.sh test
+rm -rf "$report"
+cmake --preset coverage
+cmake --build --preset coverage
+ctest --preset coverage -j "$(nproc)"
 
 profiles=("$report"/*.profraw)
-if [[ ! -f ${profiles[0]} ]]; then
-  echo "coverage.sh: no run to look at; first: scripts/run_tests.sh asan-ubsan" >&2
-  exit 1
-fi
 llvm-profdata merge -sparse "${profiles[@]}" -o "$report/all.profdata"
 
 # Templates are compiled into the tests as well as into the libraries.
@@ -25,7 +27,7 @@ for object in "$build"/lib/*.so "$build"/test/test_*; do
 done
 look=("${objects[@]:1}" -instr-profile "$report/all.profdata")
 
-llvm-cov show -format=html -output-dir="$report/html" "${look[@]}" \
+llvm-cov show -format=html -output-dir="$build/html" "${look[@]}" \
   surface_ccaa surface_repair >/dev/null
 good=true
 for module in surface_ccaa surface_repair; do
@@ -38,7 +40,7 @@ for module in surface_ccaa surface_repair; do
       exit share < wanted
     }' || good=false
 done
-echo "Line by line: $PWD/$report/html/index.html"
+echo "Line by line: $PWD/$build/html/index.html"
 if ! $good; then
   echo "coverage.sh: less than $wanted % of the lines" >&2
   exit 1

@@ -4,6 +4,7 @@
 #include "float_tree.h"
 
 #include <pcl/search/kdtree.h>
+#include <pcl/memory.h>
 
 #include <Eigen/Geometry>
 
@@ -43,7 +44,7 @@ FloatTree::FloatTree(const Positions& positions,
   origin_ = box.center();
   const double extent = box.sizes().maxCoeff();
   scale_ = extent > 0.0 ? 1.0 / extent : 1.0;
-  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   cloud->reserve(positions.size());
   for (const Position& position : positions)
     cloud->push_back(toPoint(toFrame(position)));

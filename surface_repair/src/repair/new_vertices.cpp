@@ -5,6 +5,7 @@
 
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/surface_ccaa/mesh/sort_unique.h>
+#include <pcl/memory.h>
 #include <pcl/point_types.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ public:
   explicit Inheritance(const RepairedModel& repaired)
   : repaired_(repaired)
   , vertices_(joinedVertices(repaired))
-  , cloud_(new pcl::PointCloud<pcl::PointXYZ>)
+  , cloud_(pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>())
   {
     if (vertices_.empty())
       return;
