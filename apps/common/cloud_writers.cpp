@@ -30,12 +30,6 @@ pcdKind(ScalarType type)
   }
 }
 
-std::size_t
-countOf(const Field& field)
-{
-  return field.count == 0 ? 1 : field.count;
-}
-
 void
 writeFields(const std::vector<Field>& fields, OutputFile& file)
 {

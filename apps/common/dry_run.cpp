@@ -23,12 +23,6 @@ isTubeMouth(const pcl::repair::LoopClass& loop)
   return loop.boundary_class == BoundaryClass::UNDECIDED && loop.evidence.is_tube_mouth;
 }
 
-std::string
-plural(std::size_t count, const char* word)
-{
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
-
 /** Loops that are holes, the longest first. */
 std::vector<std::size_t>
 holesByLength(const ModelSurvey& survey)

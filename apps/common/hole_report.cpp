@@ -135,12 +135,6 @@ placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
   return place + text;
 }
 
-std::string
-plural(std::size_t count, const char* word)
-{
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
-
 } // namespace
 
 json

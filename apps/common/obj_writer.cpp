@@ -10,15 +10,6 @@ namespace app {
 namespace {
 
 void
-writeFloats(const std::uint8_t* first, OutputFile& file)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    file.text(" ");
-    file.number(loadScalar<float>(first + axis * sizeof(float), false));
-  }
-}
-
-void
 writePosition(const std::uint8_t* point,
               const std::array<PointColumn, 3>& axes,
               OutputFile& file)

@@ -8,16 +8,7 @@ namespace app {
 namespace {
 
 void
-writeFloats(const std::uint8_t* first, OutputFile& file)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    file.text(" ");
-    file.number(loadScalar<float>(first + axis * sizeof(float), false));
-  }
-}
-
-void
-writeColour(const std::uint8_t* colour, OutputFile& file)
+writeColourBytes(const std::uint8_t* colour, OutputFile& file)
 {
   for (std::size_t byte = 3; byte-- > 0;) {
     file.text(" ");
@@ -62,7 +53,7 @@ writeOff(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file)
     if (has_normal)
       writeFloats(pointAt(cloud, i) + normal, file);
     if (has_colour)
-      writeColour(pointAt(cloud, i) + colour, file);
+      writeColourBytes(pointAt(cloud, i) + colour, file);
     file.text("\n");
   }
   for (const pcl::Vertices& polygon : mesh.polygons)

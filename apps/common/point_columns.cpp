@@ -12,12 +12,6 @@ namespace {
 
 using Field = pcl::PCLPointField;
 
-std::size_t
-countOf(const Field& field)
-{
-  return field.count == 0 ? 1 : field.count;
-}
-
 bool
 isColour(const Field& field)
 {
@@ -141,6 +135,15 @@ writeAsText(const std::uint8_t* point, const PointColumn& column, OutputFile& fi
   visitScalar(column.type, [&](auto tag) {
     file.number(loadScalar<typename decltype(tag)::type>(point + column.offset, false));
   });
+}
+
+void
+writeFloats(const std::uint8_t* first, OutputFile& file)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    file.text(" ");
+    file.number(loadScalar<float>(first + axis * sizeof(float), false));
+  }
 }
 
 } // namespace app

@@ -51,6 +51,17 @@ readPositions(const pcl::PCLPointCloud2& cloud);
 void
 writeAsText(const std::uint8_t* point, const PointColumn& column, OutputFile& file);
 
+/** \brief Append three floats in a row as text, a space before each. */
+void
+writeFloats(const std::uint8_t* first, OutputFile& file);
+
+/** \brief Numbers of a field; PCL lets 0 stand for one. */
+inline std::size_t
+countOf(const pcl::PCLPointField& field)
+{
+  return field.count == 0 ? 1 : field.count;
+}
+
 inline std::size_t
 pointCount(const pcl::PCLPointCloud2& cloud)
 {

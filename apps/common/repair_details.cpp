@@ -130,4 +130,10 @@ Tally::text() const
   return text;
 }
 
+std::string
+plural(std::size_t count, const char* word)
+{
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
 } // namespace app

@@ -51,4 +51,8 @@ private:
   std::vector<std::pair<std::string, std::size_t>> counts_;
 };
 
+/** \brief A count with its word, in the plural but for one. */
+std::string
+plural(std::size_t count, const char* word);
+
 } // namespace app
