@@ -37,7 +37,7 @@ dead_links() {
 PSR_TOP=$PWD
 PSR_VERSION=$(sed -nE 's/^ *VERSION ([0-9.]+)$/\1/p' CMakeLists.txt)
 PSR_IMAGE_FOLDERS=$(find doc -name '*.png' -printf '%h\n' | sort -u | tr '\n' ' ')
-PSR_PAGES=$(find doc README.md CHANGELOG.md surface_* -name '*.md' | sort | tr '\n' ' ')
+PSR_PAGES=$(find doc README.md CONTRIBUTING.md SECURITY.md CHANGELOG.md surface_* -name '*.md' | sort | tr '\n' ' ')
 export PSR_PAGES PSR_TOP PSR_VERSION PSR_IMAGE_FOLDERS
 
 rm -rf build/docs

@@ -15,13 +15,6 @@ namespace {
 
 using Field = pcl::PCLPointField;
 
-bool
-isColour(const Field& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") &&
-         scalarSize(field.datatype) == 4 && field.count <= 1;
-}
-
 /** The field of \a cloud that holds the same as \a wanted, or null. */
 const Field*
 sameField(const pcl::PCLPointCloud2& cloud, const Field& wanted)

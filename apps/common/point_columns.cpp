@@ -12,13 +12,6 @@ namespace {
 
 using Field = pcl::PCLPointField;
 
-bool
-isColour(const Field& field)
-{
-  return (field.name == "rgb" || field.name == "rgba") &&
-         scalarSize(field.datatype) == 4 && countOf(field) == 1;
-}
-
 void
 addColour(const Field& field, std::vector<PointColumn>& columns)
 {
@@ -67,6 +60,13 @@ isPosition(const PointColumn& column)
 }
 
 } // namespace
+
+bool
+isColour(const Field& field)
+{
+  return (field.name == "rgb" || field.name == "rgba") &&
+         scalarSize(field.datatype) == 4 && countOf(field) == 1;
+}
 
 const pcl::PCLPointField*
 findField(const pcl::PCLPointCloud2& cloud, const std::string& name, ScalarType type)

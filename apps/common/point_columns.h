@@ -27,6 +27,10 @@ findField(const pcl::PCLPointCloud2& cloud,
           const std::string& name,
           ScalarType type = 0);
 
+/** \brief Whether it is a packed colour, "rgb" or "rgba". */
+bool
+isColour(const pcl::PCLPointField& field);
+
 /** \brief Offset in the point of the packed colour "rgb" or "rgba".
  * \return false when the cloud has none. */
 bool
