@@ -8,7 +8,6 @@
 #include "support/random_source.h"
 #include "support/shapes.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace pcl {
@@ -118,14 +117,14 @@ TEST(FarthestPoints, OfPointsOnALineAreItsEnds)
 
 TEST(FarthestPoints, OfNothingAreNothing) { EXPECT_TRUE(farthestPoints({}).empty()); }
 
-/** A square of the number of points would take minutes; bearable when instrumented. */
-TEST(FarthestPoints, OfACircleCostNoSquare)
+/** So many that a square of their number would exceed the time limit of tests when
+ * instrumented. */
+TEST(FarthestPoints, OfACircleAreOpposite)
 {
-  const auto start = std::chrono::steady_clock::now();
-  farthestPoints(circle(100000));
-  const std::chrono::duration<double> seconds =
-      std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), 30.0);
+  const std::size_t count = 50000;
+  const auto farthest = farthestPoints(circle(count));
+  for (std::size_t i = 0; i < count; ++i)
+    ASSERT_EQ((i + count / 2) % count, farthest[i]);
 }
 
 TEST(BoundaryIntegral, IsTheCosineOfTheLeanOnACircle)
