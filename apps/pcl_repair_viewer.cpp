@@ -213,7 +213,7 @@ run(const app::Arguments& arguments)
   if (!status.ok())
     return app::Outcome::badInput(status);
   if (!bar.show("drawing", 0))
-    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
   app::StageView view = makeView(settings, run);
   bar.clear();
   sumUp(settings, run);
@@ -225,7 +225,7 @@ run(const app::Arguments& arguments)
   if (!status.ok())
     return app::Outcome::badInput(status);
   if (stopped)
-    return {app::INTERRUPTED, "stopped by a signal; nothing was written", {}};
+    return {app::INTERRUPTED, app::stopped_by_signal, {}};
   return {app::DONE, "", run.input.warnings};
 }
 

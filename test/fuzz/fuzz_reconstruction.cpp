@@ -21,6 +21,18 @@ using fuzz::require;
 /** More points say nothing new and take long. */
 constexpr std::size_t MOST_POINTS = 300;
 
+/** A float of any bits. */
+double
+rawFloat(fuzz::Bytes& bytes)
+{
+  std::uint8_t word[sizeof(float)];
+  for (std::uint8_t& part : word)
+    part = bytes.byte();
+  float value = 0.0F;
+  std::memcpy(&value, word, sizeof(value));
+  return static_cast<double>(value);
+}
+
 /** Floats as the bytes are, or places on a coarse grid. */
 Positions
 loosePoints(fuzz::Bytes& bytes)
@@ -29,14 +41,8 @@ loosePoints(fuzz::Bytes& bytes)
   Positions points;
   while (!bytes.empty() && points.size() < MOST_POINTS) {
     pcl::ccaa::Position point;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      std::uint8_t word[sizeof(float)];
-      for (std::uint8_t& part : word)
-        part = raw ? bytes.byte() : std::uint8_t{0};
-      float value = 0.0F;
-      std::memcpy(&value, word, sizeof(value));
-      point[axis] = raw ? static_cast<double>(value) : bytes.coarse();
-    }
+    for (double& coordinate : point)
+      coordinate = raw ? rawFloat(bytes) : bytes.coarse();
     points.push_back(point);
   }
   return points;
