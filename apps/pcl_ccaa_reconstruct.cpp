@@ -42,13 +42,7 @@ readInput(const app::ReconstructSettings& settings, app::ReconstructResult& resu
   const app::Status status = app::mergeModels(parts, result.model);
   if (!status.ok())
     return status;
-  const std::size_t usable = app::countUsablePoints(result.model.mesh.cloud, 3);
-  if (usable < 3)
-    return app::Status::error(settings.inputName() + ": there are only " +
-                              std::to_string(usable) +
-                              " usable points (finite, at different places); at least "
-                              "three are needed");
-  return {};
+  return app::requireTrianglePoints(result.model.mesh.cloud, settings.inputName());
 }
 
 /** Triangles with what is to be told about each. */
@@ -192,22 +186,17 @@ runMany(const app::ReconstructSettings& settings)
                                  settings.format,
                                  settings.quiet,
                                  !settings.dry_run};
-  std::vector<app::BatchItem> items;
-  const app::Status status = app::planBatch(batch, items);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
-  return app::runBatch(
-      batch, items, [&](const app::BatchItem& item, nlohmann::json& report) {
-        app::ReconstructSettings one = settings;
-        one.input = item.input;
-        one.inputs = {item.input};
-        one.output = item.output;
-        app::ReconstructResult result;
-        app::Outcome outcome = runOne(one, result);
-        if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
-          report = describe(one, outcome, result);
-        return outcome;
-      });
+  return app::runBatch(batch, [&](const app::BatchItem& item, nlohmann::json& report) {
+    app::ReconstructSettings one = settings;
+    one.input = item.input;
+    one.inputs = {item.input};
+    one.output = item.output;
+    app::ReconstructResult result;
+    app::Outcome outcome = runOne(one, result);
+    if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
+      report = describe(one, outcome, result);
+    return outcome;
+  });
 }
 
 app::Outcome

@@ -311,21 +311,16 @@ runMany(const app::RepairSettings& settings, const app::InspectionView& view)
                                  settings.format,
                                  settings.quiet,
                                  !settings.dry_run};
-  std::vector<app::BatchItem> items;
-  const app::Status status = app::planBatch(batch, items);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
-  return app::runBatch(
-      batch, items, [&](const app::BatchItem& item, nlohmann::json& report) {
-        app::RepairSettings one = settings;
-        one.input = item.input;
-        one.output = item.output;
-        Result result;
-        app::Outcome outcome = runOne(one, view, result);
-        if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
-          report = describe(one, outcome, result);
-        return outcome;
-      });
+  return app::runBatch(batch, [&](const app::BatchItem& item, nlohmann::json& report) {
+    app::RepairSettings one = settings;
+    one.input = item.input;
+    one.output = item.output;
+    Result result;
+    app::Outcome outcome = runOne(one, view, result);
+    if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
+      report = describe(one, outcome, result);
+    return outcome;
+  });
 }
 
 app::Outcome

@@ -67,7 +67,7 @@ struct Totals {
 
 Status
 writeBatchReport(const BatchSettings& settings,
-                 const Totals& tally,
+                 const Totals& totals,
                  double seconds,
                  json files)
 {
@@ -76,8 +76,8 @@ writeBatchReport(const BatchSettings& settings,
   json report = {{"program", settings.program},
                  {"version", version()},
                  {"output", settings.folder},
-                 {"exit_code", tally.worst},
-                 {"complete", tally.worst == DONE},
+                 {"exit_code", totals.worst},
+                 {"complete", totals.worst == DONE},
                  {"seconds", seconds},
                  {"files", std::move(files)}};
   OutputFile file;
@@ -114,8 +114,7 @@ comesWithFolder(const BatchSettings& settings)
              fs::weakly_canonical(settings.folder + "/any", ignored).parent_path();
 }
 
-} // namespace
-
+/** The outputs, when all of them can be written. */
 Status
 planBatch(const BatchSettings& settings, std::vector<BatchItem>& items)
 {
@@ -141,20 +140,21 @@ planBatch(const BatchSettings& settings, std::vector<BatchItem>& items)
   return status;
 }
 
+} // namespace
+
 Outcome
-runBatch(const BatchSettings& settings,
-         const std::vector<BatchItem>& items,
-         const BatchWork& work)
+runBatch(const BatchSettings& settings, const BatchWork& work)
 {
+  std::vector<BatchItem> items;
+  Status status = planBatch(settings, items);
   // Takes the folder away again if no output came to lie in it.
   OutputFolder folder;
-  Status status;
-  if (settings.writes)
+  if (status.ok() && settings.writes)
     status = folder.open(settings.folder);
   if (!status.ok())
     return Outcome::badInput(status);
   Stopwatch watch;
-  Totals tally;
+  Totals totals;
   json files = json::array();
   for (const BatchItem& item : items) {
     json report;
@@ -169,13 +169,13 @@ runBatch(const BatchSettings& settings,
     tellOutcome(settings.program + (names_input ? "" : ": " + item.input),
                 outcome,
                 settings.quiet);
-    tally.add(outcome.code);
+    totals.add(outcome.code);
     files.push_back(finished(settings, item, outcome, std::move(report)));
   }
-  status = writeBatchReport(settings, tally, watch.lap(), std::move(files));
+  status = writeBatchReport(settings, totals, watch.lap(), std::move(files));
   if (!status.ok())
     return Outcome::badInput(status);
-  return {tally.worst, tally.text(items.size()), {}};
+  return {totals.worst, totals.text(items.size()), {}};
 }
 
 } // namespace app

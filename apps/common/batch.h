@@ -30,21 +30,15 @@ struct BatchSettings {
   bool writes = true; /**< false: a dry run, which needs no folder */
 };
 
-/** \brief The outputs: each input's name with the ending of the format, in the folder.
- * Fails for two inputs of one name, for standard input, and for a folder or a report
- * that cannot be written. */
-Status
-planBatch(const BatchSettings& settings, std::vector<BatchItem>& items);
-
 /** \brief Work on one input; \a report is empty and may be filled. */
 using BatchWork = std::function<Outcome(const BatchItem& item, nlohmann::json& report)>;
 
-/** \brief Run \a work on one item after the other, on through those that fail, but not
- * after a signal. Tells on stderr what went wrong, and writes one report with a list
- * "files". \return the worst outcome. */
+/** \brief Run \a work on one input after the other, on through those that fail, but not
+ * after a signal. Each output has its input's name with the ending of the format, in
+ * the folder. Tells on stderr what went wrong, and writes one report with a list
+ * "files". Fails before the work for two inputs of one name, for standard input, and
+ * for a folder or a report that cannot be written. \return the worst outcome. */
 Outcome
-runBatch(const BatchSettings& settings,
-         const std::vector<BatchItem>& items,
-         const BatchWork& work);
+runBatch(const BatchSettings& settings, const BatchWork& work);
 
 } // namespace app

@@ -58,4 +58,15 @@ countUsablePoints(const pcl::PCLPointCloud2& cloud, std::size_t enough)
   return different.size();
 }
 
+Status
+requireTrianglePoints(const pcl::PCLPointCloud2& cloud, const std::string& name)
+{
+  const std::size_t usable = countUsablePoints(cloud, 3);
+  if (usable >= 3)
+    return {};
+  return Status::error(name + ": there are only " + std::to_string(usable) +
+                       " usable points (finite, at different places); at least three "
+                       "are needed");
+}
+
 } // namespace app

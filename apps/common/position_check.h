@@ -3,8 +3,10 @@
 #pragma once
 
 #include "model.h"
+#include "status.h"
 
 #include <cstddef>
+#include <string>
 
 namespace app {
 
@@ -19,5 +21,10 @@ checkPositions(Model& model);
  * to \a enough. */
 std::size_t
 countUsablePoints(const pcl::PCLPointCloud2& cloud, std::size_t enough);
+
+/** \brief Fails, with a sentence about \a name, when there are not enough usable points
+ * for a triangle. */
+Status
+requireTrianglePoints(const pcl::PCLPointCloud2& cloud, const std::string& name);
 
 } // namespace app

@@ -16,9 +16,6 @@
 namespace app {
 namespace {
 
-/** Points of which a triangle can be made. */
-constexpr std::size_t FEWEST_POINTS = 3;
-
 Status
 readInput(const ViewerTask& task, ViewerRun& run)
 {
@@ -29,15 +26,9 @@ readInput(const ViewerTask& task, ViewerRun& run)
     run.input.mesh.polygons.clear();
   // A file for meshes that has no polygons holds a cloud.
   run.from_cloud = run.input.mesh.polygons.empty();
-  if (!run.from_cloud)
-    return {};
-  const std::size_t usable = countUsablePoints(run.input.mesh.cloud, FEWEST_POINTS);
-  if (usable < FEWEST_POINTS)
-    return Status::error(nameForPeople(task.input) + " has only " +
-                         std::to_string(usable) +
-                         " usable points (finite, at different places); at least "
-                         "three are needed");
-  return {};
+  return run.from_cloud
+             ? requireTrianglePoints(run.input.mesh.cloud, nameForPeople(task.input))
+             : Status();
 }
 
 ReconstructSettings
