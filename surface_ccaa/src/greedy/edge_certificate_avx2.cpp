@@ -5,11 +5,19 @@
 #ifdef PCL_CCAA_HAS_AVX2_CERTIFICATE
 
 // Not "fma": votes must be the same on every processor.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
 #pragma GCC target("avx2")
+#endif
 
 #define PCL_CCAA_KERNEL avx2
 #define PCL_CCAA_REGISTER_BYTES 32
 #include "edge_certificate_kernel_impl.h"
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
 
 namespace pcl {
 namespace ccaa {

@@ -84,7 +84,7 @@ struct Kernel {
 };
 
 extern const Kernel BASELINE_KERNEL;
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define PCL_CCAA_HAS_AVX2_KERNEL
 extern const Kernel AVX2_KERNEL;
 #endif

@@ -7,11 +7,20 @@
 #include <immintrin.h>
 
 // Not "fma": distances must be the same bits on every processor.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,popcnt,bmi"))),               \
+                             apply_to = function)
+#else
 #pragma GCC target("avx2,popcnt,bmi")
+#endif
 
 #define PCL_CCAA_KERNEL avx2
 #define PCL_CCAA_LANES "lanes_avx2.h"
 #include "kernel/block_kernel_impl.h"
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
 
 namespace pcl {
 namespace ccaa {
