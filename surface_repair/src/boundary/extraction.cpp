@@ -2,9 +2,12 @@
 // Part of PclSurfaceRepair: walking the boundaries of a model (D4.1-2).
 #include <pcl/surface_repair/boundary/extraction.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <unordered_map>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -13,6 +16,19 @@ namespace {
 /** \brief An edge with one triangle: 3 * triangle + the corner where it begins. */
 using HalfEdge = std::uint32_t;
 constexpr HalfEdge NO_EDGE = static_cast<HalfEdge>(-1);
+
+/** \brief An edge and the vertex from which it is walked. */
+struct Step {
+  HalfEdge edge;
+  pcl::index_t vertex;
+
+  bool
+  operator<(const Step& other) const
+  {
+    return edge < other.edge;
+  }
+};
+using Steps = std::vector<Step>;
 
 /** \brief Walks from boundary edge to boundary edge. */
 class BoundaryWalk {
@@ -36,10 +52,15 @@ public:
   BoundaryLoops
   run()
   {
-    BoundaryLoops loops;
+    std::vector<Steps> walks;
     for (const HalfEdge edge : edges_)
       if (!seen_[edge])
-        loops.push_back(walk(edge));
+        for (Steps& part : parted(walk(edge)))
+          walks.push_back(std::move(part));
+    std::sort(walks.begin(), walks.end()); // by their first, the lowest, edges
+    BoundaryLoops loops;
+    for (const Steps& steps : walks)
+      loops.push_back(loopOf(steps));
     return loops;
   }
 
@@ -72,18 +93,74 @@ private:
 
   /** The vertex where the walk leaves an edge is its stop where windings agree; on a
    * one-sided island it may be its start. */
-  BoundaryLoop
+  Steps
   walk(HalfEdge first)
   {
-    BoundaryLoop loop;
-    loop.island = model_.island_of[first / 3];
+    Steps steps;
     pcl::index_t vertex = start(first);
     for (HalfEdge edge = first; edge != NO_EDGE && !seen_[edge];
          edge = otherEdge(vertex, edge)) {
       seen_[edge] = true;
-      loop.vertices.push_back(vertex);
-      loop.triangles.push_back(static_cast<pcl::index_t>(edge / 3));
+      steps.push_back({edge, vertex});
       vertex = vertex == start(edge) ? stop(edge) : start(edge);
+    }
+    return steps;
+  }
+
+  pcl::index_t
+  pointOf(const Step& step) const
+  {
+    return model_.point_of_vertex[static_cast<std::size_t>(step.vertex)];
+  }
+
+  /** \brief What a walk may pass only once: a point, or a vertex that has none. */
+  std::int64_t
+  placeOf(const Step& step) const
+  {
+    const auto vertex = static_cast<std::size_t>(step.vertex);
+    const pcl::index_t point = vertex < model_.point_of_vertex.size()
+                                   ? model_.point_of_vertex[vertex]
+                                   : pcl::UNAVAILABLE;
+    return point != pcl::UNAVAILABLE ? std::int64_t{point}
+                                     : -2 - std::int64_t{step.vertex};
+  }
+
+  /** Takes a walk apart where it comes to a point again: it has gone around one gap
+   * between the fans of the point, and goes around another one from there on. */
+  std::vector<Steps>
+  parted(Steps walk) const
+  {
+    std::vector<Steps> parts;
+    Steps open;
+    std::unordered_map<std::int64_t, std::size_t> rank_of; // of a place, among these
+    for (const Step& step : walk) {
+      const auto [entry, is_new] = rank_of.emplace(placeOf(step), open.size());
+      if (!is_new) {
+        const auto begin = open.begin() + static_cast<std::ptrdiff_t>(entry->second);
+        for (auto done = begin + 1; done != open.end(); ++done)
+          rank_of.erase(placeOf(*done));
+        parts.emplace_back(begin, open.end());
+        open.erase(begin, open.end());
+      }
+      open.push_back(step);
+    }
+    parts.push_back(std::move(open));
+    const auto is_contour = [](const Steps& part) { return part.size() >= 3; };
+    if (!std::all_of(parts.begin(), parts.end(), is_contour))
+      return {std::move(walk)};
+    for (Steps& part : parts)
+      std::rotate(part.begin(), std::min_element(part.begin(), part.end()), part.end());
+    return parts;
+  }
+
+  BoundaryLoop
+  loopOf(const Steps& steps) const
+  {
+    BoundaryLoop loop;
+    loop.island = model_.island_of[steps.front().edge / 3];
+    for (const Step& step : steps) {
+      loop.vertices.push_back(step.vertex);
+      loop.triangles.push_back(static_cast<pcl::index_t>(step.edge / 3));
     }
     return loop;
   }
@@ -156,6 +233,44 @@ extractBoundaries(const IncompleteModel& model)
   for (BoundaryLoop& loop : loops)
     fillCurve(model, loop);
   return loops;
+}
+
+pcl::index_t
+vertexBefore(const IncompleteModel& model, const BoundaryLoop& loop, std::size_t k)
+{
+  const pcl::index_t vertex = loop.vertices[k];
+  const std::size_t edge = (k == 0 ? loop.triangles.size() : k) - 1;
+  const Triangle& corners =
+      model.triangles[static_cast<std::size_t>(loop.triangles[edge])];
+  if (std::find(corners.begin(), corners.end(), vertex) != corners.end())
+    return vertex;
+  const auto point = [&](pcl::index_t corner) {
+    return model.point_of_vertex[static_cast<std::size_t>(corner)];
+  };
+  return *std::find_if(corners.begin(), corners.end(), [&](pcl::index_t corner) {
+    return point(corner) == point(vertex);
+  });
+}
+
+std::map<pcl::index_t, pcl::index_t>
+pinchedVertices(const IncompleteModel& model, const BoundaryLoops& loops)
+{
+  std::map<pcl::index_t, pcl::index_t> lower; // leads to the lowest in some steps
+  const auto lowest = [&lower](pcl::index_t vertex) {
+    for (auto at = lower.find(vertex); at != lower.end(); at = lower.find(vertex))
+      vertex = at->second;
+    return vertex;
+  };
+  for (const BoundaryLoop& loop : loops)
+    for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+      const pcl::index_t before = lowest(vertexBefore(model, loop, k));
+      const pcl::index_t after = lowest(loop.vertices[k]);
+      if (before != after)
+        lower.emplace(std::max(before, after), std::min(before, after));
+    }
+  for (auto& [vertex, kept] : lower)
+    kept = lowest(kept);
+  return lower;
 }
 
 } // namespace repair

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: what speaks for a hole and what for a rim.
 #include "loop_evidence.h"
 
+#include <pcl/surface_repair/boundary/extraction.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,6 +38,17 @@ angleAt(const IncompleteModel& model, pcl::index_t triangle, pcl::index_t vertex
   const Position one = at(corner + 1) - at(corner);
   const Position other = at(corner + 2) - at(corner);
   return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+/** \brief The angle by which a curve turns to the left where edge k begins. */
+double
+leftTurnAt(const BoundaryCurve& curve, std::size_t k)
+{
+  const std::size_t before = (k == 0 ? curve.size() : k) - 1;
+  const Eigen::Vector3d in = curve.edge(before);
+  const Eigen::Vector3d out = curve.edge(k);
+  const Direction normal = (curve.normals[before] + curve.normals[k]).normalized();
+  return std::atan2(normal.dot(in.cross(out)), in.dot(out));
 }
 
 /** \brief The possible value nearest to EVEN_RATIO: what is not known speaks for
@@ -74,6 +87,10 @@ countEuler(const IncompleteModel& model,
   }
   for (const BoundaryLoop& loop : loops)
     edge_ends[loop.island] += loop.vertices.size(); // a border has one end only
+  for (const auto& [vertex, kept] : pinchedVertices(model, loops)) {
+    const pcl::index_t triangle = *model.adjacency.begin(vertex);
+    --islands[model.island_of[static_cast<std::size_t>(triangle)]].euler_characteristic;
+  }
   for (std::size_t i = 0; i < islands.size(); ++i)
     islands[i].euler_characteristic -= static_cast<long>(edge_ends[i] / 2);
 }
@@ -167,7 +184,12 @@ double
 turningOf(const IncompleteModel& model, const BoundaryLoop& loop)
 {
   double lacking = 0.0;
-  for (const pcl::index_t vertex : loop.vertices) {
+  for (std::size_t k = 0; k < loop.vertices.size(); ++k) {
+    const pcl::index_t vertex = loop.vertices[k];
+    if (vertexBefore(model, loop, k) != vertex) { // its triangles lie on two sides
+      lacking += leftTurnAt(loop.curve, k);
+      continue;
+    }
     lacking += M_PI;
     for (const pcl::index_t* triangle = model.adjacency.begin(vertex);
          triangle != model.adjacency.end(vertex);
@@ -181,13 +203,8 @@ double
 turningOf(const BoundaryCurve& curve)
 {
   double left = 0.0;
-  for (std::size_t k = 0; k < curve.size(); ++k) {
-    const std::size_t next = curve.next(k);
-    const Eigen::Vector3d before = curve.edge(k);
-    const Eigen::Vector3d after = curve.edge(next);
-    const Direction normal = (curve.normals[k] + curve.normals[next]).normalized();
-    left += std::atan2(normal.dot(before.cross(after)), before.dot(after));
-  }
+  for (std::size_t k = 0; k < curve.size(); ++k)
+    left += leftTurnAt(curve, k);
   return -left / (2.0 * M_PI);
 }
 

@@ -18,7 +18,7 @@ collectEvidence(const IncompleteModel& model,
 
 /** \brief Turns to the right, in full turns, while the loop is walked: the sum of what
  * the angles of the triangles at each point lack to pi (discrete geodesic curvature),
- * over -2 pi. */
+ * over -2 pi. Where the loop is pinched, the turn of its edges. */
 double
 turningOf(const IncompleteModel& model, const BoundaryLoop& loop);
 

@@ -3,11 +3,14 @@
 
 #include "hole_list.h"
 
+#include <pcl/surface_repair/boundary/extraction.h>
+
 #include "../boundary/loop_evidence.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace pcl {
@@ -134,6 +137,7 @@ public:
   {
     addContours();
     addLoops();
+    weld();
     joinRegions();
     return std::move(list_);
   }
@@ -146,11 +150,14 @@ private:
   void
   add(OpenHole hole);
   void
+  weld();
+  void
   joinRegions();
 
   const ModelSurvey& survey_;
   const DarningParameters& parameters_;
-  std::vector<bool> is_listed_; /**< of a loop: it is part of a contour */
+  std::vector<bool> is_listed_;    /**< of a loop: it is part of a contour */
+  std::set<pcl::index_t> pinched_; /**< vertices in which holes meet */
   HoleList list_;
 };
 
@@ -201,15 +208,52 @@ Listing::addLoops()
       add({polygonOf(survey_.loops[loop]), {}, reasonForLoop(survey_, loop)});
 }
 
+/** Loops that meet in a point have one vertex there. */
+void
+Listing::weld()
+{
+  list_.replaced = pinchedVertices(survey_.model, survey_.loops);
+  for (const auto& [vertex, kept] : list_.replaced)
+    pinched_.insert(kept);
+  if (list_.replaced.empty())
+    return;
+  for (OpenHole& hole : list_.holes)
+    for (pcl::index_t& vertex : hole.polygon.vertices) {
+      const auto found = list_.replaced.find(vertex);
+      if (found != list_.replaced.end())
+        vertex = found->second;
+    }
+}
+
+/** Two darns could have the edge between two points that both holes have. */
+void
+joinHolesThatMeetTwice(const std::map<pcl::index_t, std::vector<std::size_t>>& holes_at,
+                       Groups& groups)
+{
+  std::set<std::pair<std::size_t, std::size_t>> met;
+  for (const auto& [vertex, holes] : holes_at)
+    for (const std::size_t first : holes)
+      for (const std::size_t second : holes)
+        if (first < second && !met.emplace(first, second).second)
+          groups.join(first, second);
+}
+
 void
 Listing::joinRegions()
 {
   Groups groups(list_.holes.size());
   std::map<std::size_t, std::size_t> hole_at; // bridge -> first hole that passes it
-  for (std::size_t h = 0; h < list_.holes.size(); ++h)
-    if (list_.holes[h].open == OpenReason::NONE)
-      for (const std::size_t bridge : list_.holes[h].bridges)
-        groups.join(h, hole_at.emplace(bridge, h).first->second);
+  std::map<pcl::index_t, std::vector<std::size_t>> holes_at; // a pinched vertex
+  for (std::size_t h = 0; h < list_.holes.size(); ++h) {
+    if (list_.holes[h].open != OpenReason::NONE)
+      continue;
+    for (const std::size_t bridge : list_.holes[h].bridges)
+      groups.join(h, hole_at.emplace(bridge, h).first->second);
+    for (const pcl::index_t vertex : list_.holes[h].polygon.vertices)
+      if (pinched_.count(vertex) > 0)
+        holes_at[vertex].push_back(h);
+  }
+  joinHolesThatMeetTwice(holes_at, groups);
   std::map<std::size_t, std::vector<std::size_t>> members;
   for (std::size_t h = 0; h < list_.holes.size(); ++h)
     if (list_.holes[h].open == OpenReason::NONE)

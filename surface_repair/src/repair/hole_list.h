@@ -7,6 +7,7 @@
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 
+#include "pinched_points.h"
 #include "region_closing.h"
 
 #include <cstddef>
@@ -25,10 +26,13 @@ struct OpenHole {
 /** \brief All boundaries of a survey after bridging, and the regions to be closed. */
 struct HoleList {
   std::vector<OpenHole> holes;
-  std::vector<std::vector<std::size_t>> regions; /**< holes that bridges connect,
-                                                      of those to be closed */
-  std::size_t bridge_vertices = 0;               /**< inner points of all bridges */
-  std::size_t islands = 0;                       /**< once all regions are closed */
+  std::vector<std::vector<std::size_t>>
+      regions;        /**< of holes to be closed: those that
+                           bridges connect, or that meet twice */
+  VertexMap replaced; /**< of the model, for a point in which holes meet: polygons have
+                           the vertex that is kept, see weldPinches() */
+  std::size_t bridge_vertices = 0; /**< inner points of all bridges */
+  std::size_t islands = 0;         /**< once all regions are closed */
 };
 
 /** \brief List loops and contours. A contour over bridges is to be closed unless it

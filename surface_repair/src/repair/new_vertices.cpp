@@ -100,6 +100,28 @@ private:
   pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
 };
 
+/** \brief Vertices with a point that an earlier vertex has: two fans of it may not be
+ * one vertex of the mesh. */
+std::vector<bool>
+copiesOfPoints(const RepairedModel& repaired)
+{
+  const std::vector<pcl::index_t>& point_of = repaired.model.point_of_vertex;
+  std::vector<bool> is_copy(point_of.size(), false);
+  if (repaired.separated_fans == 0)
+    return is_copy;
+  std::vector<bool> is_taken;
+  for (std::size_t v = 0; v < point_of.size(); ++v) {
+    if (point_of[v] == pcl::UNAVAILABLE)
+      continue;
+    const auto point = static_cast<std::size_t>(point_of[v]);
+    if (point >= is_taken.size())
+      is_taken.resize(2 * point + 1, false);
+    is_copy[v] = is_taken[point];
+    is_taken[point] = true;
+  }
+  return is_copy;
+}
+
 } // namespace
 
 AddedVertices
@@ -108,15 +130,15 @@ addedVertices(const RepairedModel& repaired)
   Inheritance inheritance(repaired);
   AddedVertices added;
   const IncompleteModel& model = repaired.model;
-  for (std::size_t v = repaired.input_vertices - repaired.separated_fans;
-       v < model.positions.size();
-       ++v) {
+  const std::vector<bool> is_copy = copiesOfPoints(repaired);
+  const std::size_t first = repaired.input_vertices -
+                            std::min(repaired.input_vertices, repaired.separated_fans);
+  for (std::size_t v = first; v < model.positions.size(); ++v) {
     const pcl::index_t point = model.point_of_vertex[v];
-    const bool is_copy = v < repaired.input_vertices;
-    if (!is_copy && point != pcl::UNAVAILABLE)
-      continue; // a free point of the mesh
+    if (!is_copy[v] && point != pcl::UNAVAILABLE)
+      continue; // a point of the input
     added.numbers.push_back(v);
-    if (is_copy) // another fan of the same point: the two may not be one vertex
+    if (is_copy[v])
       added.vertices.push_back({model.positions[v], {{point, 1.0}}});
     else
       added.vertices.push_back(

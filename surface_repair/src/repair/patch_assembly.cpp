@@ -144,10 +144,15 @@ fitsModel(const IncompleteModel& model, const Patch& patch)
   together.insert(together.end(), patch.triangles.begin(), patch.triangles.end());
   ccaa::TriangleAdjacency adjacency;
   adjacency.build(together, static_cast<std::size_t>(vertices));
-  for (pcl::index_t v = 0; v < static_cast<pcl::index_t>(patch.positions.size()); ++v)
-    if (adjacency.fan(v) == ccaa::Fan::SEVERAL ||
-        adjacency.fan(v) == ccaa::Fan::OVERFULL)
+  const auto may_be_pinched = [&](std::size_t v) {
+    return v < patch.rim.size() &&
+           model.adjacency.fan(patch.rim[v]) == ccaa::Fan::SEVERAL;
+  };
+  for (std::size_t v = 0; v < patch.positions.size(); ++v) {
+    const ccaa::Fan fan = adjacency.fan(static_cast<pcl::index_t>(v));
+    if (fan == ccaa::Fan::OVERFULL || (fan == ccaa::Fan::SEVERAL && !may_be_pinched(v)))
       return false;
+  }
   return adjacency.overfullEdges().empty() && isConsistentlyWound(together, adjacency);
 }
 

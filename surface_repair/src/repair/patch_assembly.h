@@ -32,7 +32,7 @@ Patch
 withoutHoles(const Patch& patch, const std::set<std::size_t>& holes);
 
 /** \brief Whether model and patch together are a manifold, wound alike, at all vertices
- * of the patch. */
+ * of the patch; but for several fans at a point that has several in the model. */
 bool
 fitsModel(const IncompleteModel& model, const Patch& patch);
 

@@ -95,6 +95,10 @@ private:
   bool
   allIsClosed() const;
   void
+  takeBack(Triangles triangles);
+  void
+  takeAdded();
+  void
   finish();
   void
   accept(const std::vector<std::size_t>& holes,
@@ -127,6 +131,9 @@ bool
 RepairRun::closeHoles()
 {
   list_ = listHoles(survey_, parameters_.darning);
+  Triangles given = list_.replaced.empty() ? Triangles() : survey_.model.triangles;
+  if (!list_.replaced.empty())
+    weldPinches(list_.replaced, context_, survey_.model);
   std::vector<Region> regions;
   std::vector<ccaa::Box> places;
   for (const std::vector<std::size_t>& holes : list_.regions) {
@@ -154,7 +161,39 @@ RepairRun::closeHoles()
       context_.control->report(
           "closing", static_cast<double>(r + 1) / static_cast<double>(regions.size()));
   }
-  return !added_.triangles.empty();
+  const bool closed_any = !added_.triangles.empty();
+  if (!closed_any && !list_.replaced.empty())
+    takeBack(std::move(given));
+  return closed_any;
+}
+
+/** The model without welded points. */
+void
+RepairRun::takeBack(Triangles triangles)
+{
+  IncompleteModel& model = survey_.model;
+  model.triangles = std::move(triangles);
+  model.adjacency.build(
+      model.triangles, model.positions.size(), context_.threads, context_.control);
+}
+
+/** What this pass closed becomes part of the model. Holes that meet in a point and
+ * stayed open get vertices of their own there again. */
+void
+RepairRun::takeAdded()
+{
+  append(added_, survey_.model);
+  if (list_.replaced.empty())
+    return;
+  const std::vector<pcl::index_t> number = separatePinches(context_, survey_.model);
+  const auto of_input =
+      number.begin() + static_cast<std::ptrdiff_t>(result_.input_vertices);
+  result_.input_vertices -=
+      static_cast<std::size_t>(std::count(number.begin(), of_input, pcl::UNAVAILABLE));
+  std::unordered_map<pcl::index_t, Failure> failed;
+  for (const auto& [vertex, failure] : failed_)
+    failed.emplace(number[static_cast<std::size_t>(vertex)], failure);
+  failed_ = std::move(failed);
 }
 
 void
@@ -205,8 +244,8 @@ RepairRun::addPatch(const Patch& patch, const std::vector<std::size_t>& reported
 void
 RepairRun::resurvey()
 {
+  takeAdded();
   IncompleteModel& before = survey_.model;
-  append(added_, before);
   IncompleteModel model =
       assembleModel(std::move(before.triangles), std::move(before.positions), context_);
   model.point_of_vertex = std::move(before.point_of_vertex);
@@ -260,7 +299,7 @@ RepairRun::finish()
       outcome.open = hole.open;
       log_.add(hole, outcome);
     }
-  append(added_, survey_.model);
+  takeAdded();
 }
 
 void

@@ -22,8 +22,9 @@ struct RepairedModel {
    * ones have none (UNAVAILABLE). */
   IncompleteModel model;
   std::size_t input_vertices = 0;
-  std::size_t separated_fans = 0; /**< the last so many of these: further fans of points
-                                       that have a vertex already */
+  std::size_t separated_fans = 0; /**< at most so many of these, the last ones, and new
+                                       ones have a point that another vertex has: they
+                                       are further fans of it */
   std::size_t input_triangles = 0;
 };
 

@@ -4,12 +4,17 @@
 
 #include <pcl/surface_repair/boundary/extraction.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
+#include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/memory.h>
 
+#include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace pcl {
 namespace repair {
@@ -49,6 +54,69 @@ without(ccaa::test::Shape shape, const std::function<bool(const Position&)>& con
       std::remove_if(shape.triangles.begin(), shape.triangles.end(), is_removed),
       shape.triangles.end());
   return shape;
+}
+
+/** \brief The triangles at a vertex of a closed shape, each next to the one before. */
+inline std::vector<std::size_t>
+trianglesAround(const ccaa::test::Shape& shape, pcl::index_t vertex)
+{
+  ccaa::TriangleAdjacency adjacency;
+  adjacency.build(shape.triangles, shape.vertices.size());
+  std::vector<std::size_t> around;
+  pcl::index_t triangle = *adjacency.begin(vertex);
+  do {
+    around.push_back(static_cast<std::size_t>(triangle));
+    const Triangle& corners = shape.triangles[around.back()];
+    const auto corner = static_cast<int>(
+        std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+    triangle =
+        adjacency.across(triangle, corner); // over the edge that leaves the vertex
+  }
+  while (static_cast<std::size_t>(triangle) != around.front());
+  return around;
+}
+
+/** \brief A sphere of 1280 triangles in which so many holes, three at most, of a
+ * triangle each meet in the vertex with six triangles that comes first. */
+inline ccaa::test::Shape
+pinchedSphere(std::size_t holes)
+{
+  const ccaa::test::Shape sphere = ccaa::test::icosphere(3);
+  pcl::index_t vertex = 0;
+  while (trianglesAround(sphere, vertex).size() != 6)
+    ++vertex;
+  const std::vector<std::size_t> around = trianglesAround(sphere, vertex);
+  std::vector<std::size_t> removed;
+  for (std::size_t i = 0; i < holes; ++i)
+    removed.push_back(around[2 * i]);
+  std::sort(removed.begin(), removed.end());
+  return withoutTriangles(sphere, removed);
+}
+
+/** \brief A flat square with a hole of a triangle that meets the outer border. */
+inline ccaa::test::Shape
+pinchedBorder()
+{
+  ccaa::test::Shape shape = ccaa::test::grid(8, 8);
+  const auto meets = [](const Triangle& t) {
+    const auto on_border = std::count_if(t.begin(), t.end(), [](pcl::index_t v) {
+      return v % 8 == 0 || v % 8 == 7 || v / 8 == 0 || v / 8 == 7;
+    });
+    return on_border == 1;
+  };
+  shape.triangles.erase(
+      std::find_if(shape.triangles.begin(), shape.triangles.end(), meets));
+  return shape;
+}
+
+/** \brief A shape as it is read. */
+inline IncompleteModel
+readingOf(const ccaa::test::Shape& shape)
+{
+  return readModel(pcl::make_shared<pcl::PolygonMesh>(ccaa::test::toPolygonMesh(shape)),
+                   nullptr,
+                   ccaa::LoopContext())
+      .model;
 }
 
 } // namespace test

@@ -276,6 +276,26 @@ TEST(Classification, EveryClassHasAName)
   EXPECT_STREQ("undecided", describe(BoundaryClass::UNDECIDED));
 }
 
+TEST(Classification, HolesThatMeetInAPointAreHoles)
+{
+  for (const std::size_t holes : {2U, 3U}) {
+    const IncompleteModel model = readingOf(pinchedSphere(holes));
+    for (const LoopClass& loop : classifyBoundaries(model, extractBoundaries(model)))
+      EXPECT_EQ(BoundaryClass::HOLE, loop.boundary_class);
+  }
+}
+
+TEST(Classification, AHoleThatMeetsTheBorderIsToldFromIt)
+{
+  const IncompleteModel model = readingOf(pinchedBorder());
+  const BoundaryLoops loops = extractBoundaries(model);
+  const auto classes = classifyBoundaries(model, loops);
+  ASSERT_EQ(2U, loops.size());
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(loops[i].vertices.size() == 3,
+              classes[i].boundary_class == BoundaryClass::HOLE);
+}
+
 } // namespace
 } // namespace test
 } // namespace repair

@@ -8,6 +8,8 @@
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
+#include <set>
+
 namespace pcl {
 namespace repair {
 namespace test {
@@ -112,6 +114,65 @@ TEST(Extraction, DegenerateTrianglesStillHaveUnitNormals)
     ASSERT_EQ(1u, loops.size());
     for (const Direction& normal : loops[0].curve.normals)
       EXPECT_NEAR(1.0, normal.norm(), 1e-12);
+  }
+}
+
+TEST(Extraction, HolesThatMeetInAPointAreLoopsOfTheirOwn)
+{
+  for (const std::size_t holes : {1U, 2U, 3U}) {
+    const BoundaryLoops loops = extractBoundaries(readingOf(pinchedSphere(holes)));
+    ASSERT_EQ(holes, loops.size());
+    for (const BoundaryLoop& loop : loops)
+      EXPECT_EQ(3U, loop.vertices.size());
+  }
+}
+
+TEST(Extraction, AHoleThatMeetsTheBorderIsALoopOfItsOwn)
+{
+  const BoundaryLoops loops = extractBoundaries(readingOf(pinchedBorder()));
+  ASSERT_EQ(2U, loops.size());
+  EXPECT_EQ(28U + 3U, loops[0].vertices.size() + loops[1].vertices.size());
+}
+
+TEST(Extraction, IslandsThatTouchHaveALoopEach)
+{
+  const IncompleteModel model = readingOf(bowTie());
+  const BoundaryLoops loops = extractBoundaries(model);
+  EXPECT_EQ(2U, loops.size());
+  EXPECT_TRUE(pinchedVertices(model, loops).empty());
+}
+
+TEST(Extraction, NoLoopPassesAPointTwice)
+{
+  Shape shape = shuffled(icosphere(3), 5);
+  for (const std::size_t step : {3U, 5U, 7U}) {
+    std::vector<std::size_t> removed;
+    for (std::size_t t = 0; t < shape.triangles.size(); t += step)
+      removed.push_back(t);
+    const IncompleteModel model = readingOf(withoutTriangles(shape, removed));
+    std::size_t edges = 0;
+    for (const BoundaryLoop& loop : extractBoundaries(model)) {
+      std::set<pcl::index_t> points;
+      for (const pcl::index_t vertex : loop.vertices)
+        points.insert(model.point_of_vertex[static_cast<std::size_t>(vertex)]);
+      EXPECT_EQ(loop.vertices.size(), points.size());
+      edges += loop.vertices.size();
+    }
+    EXPECT_EQ(countBoundaryEdges(model.triangles), edges);
+  }
+}
+
+TEST(Extraction, PinchedVerticesAreAllOfAPointButTheLowest)
+{
+  for (const std::size_t holes : {1U, 2U, 3U}) {
+    const IncompleteModel model = readingOf(pinchedSphere(holes));
+    const auto pinched = pinchedVertices(model, extractBoundaries(model));
+    EXPECT_EQ(holes - 1, pinched.size());
+    for (const auto& [vertex, kept] : pinched) {
+      EXPECT_LT(kept, vertex);
+      EXPECT_EQ(model.point_of_vertex[static_cast<std::size_t>(kept)],
+                model.point_of_vertex[static_cast<std::size_t>(vertex)]);
+    }
   }
 }
 

@@ -13,6 +13,8 @@ namespace pcl {
 namespace repair {
 namespace {
 
+using test::pinchedSphere;
+using test::readingOf;
 using test::sphereRim;
 
 /** A circle of radius 1 in the plane, the surface beyond it or within it. */
@@ -137,6 +139,17 @@ TEST(EvidenceOfACurve, KnowsNothingOfOtherLoops)
   const LoopEvidence evidence = evidenceOf(flatCircle(true), 10.0);
   EXPECT_FALSE(evidence.is_tube_mouth);
   EXPECT_FALSE(evidence.within_rim);
+}
+
+TEST(Turning, OfAHoleDoesNotChangeWhereAnotherOneMeetsIt)
+{
+  const IncompleteModel alone = readingOf(pinchedSphere(1));
+  const double expected = turningOf(alone, extractBoundaries(alone)[0]);
+  for (const std::size_t holes : {2U, 3U}) {
+    const IncompleteModel model = readingOf(pinchedSphere(holes));
+    for (const BoundaryLoop& loop : extractBoundaries(model))
+      EXPECT_NEAR(expected, turningOf(model, loop), 0.02);
+  }
 }
 
 } // namespace

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: points at which holes meet, as one vertex while these holes
+// are closed.
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_repair/icadm/incomplete_model.h>
+
+#include <map>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Which vertex takes the place of a vertex. */
+using VertexMap = std::map<pcl::index_t, pcl::index_t>;
+
+/** \brief Let the fans of a point share a vertex where holes meet in it. Until these
+ * are closed the model is no manifold there, and replaced vertices have no triangle.
+ * \param[in] replaced what pinchedVertices() found */
+void
+weldPinches(const VertexMap& replaced,
+            const ccaa::LoopContext& context,
+            IncompleteModel& model);
+
+/** \brief Take out the vertices that were replaced, and give each fan of a point a
+ * vertex of its own again where holes stayed open: the first keeps that which is there.
+ * \param[in,out] model of which positions, points and triangles are brought up to date,
+ * nothing else
+ * \return for each vertex there was its number now, UNAVAILABLE where it is taken out
+ */
+std::vector<pcl::index_t>
+separatePinches(const ccaa::LoopContext& context, IncompleteModel& model);
+
+} // namespace repair
+} // namespace pcl
