@@ -3,6 +3,7 @@
 
 #include "region_closing.h"
 
+#include <pcl/surface_repair/darning/completion_darning.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include "darning_choice.h"
@@ -24,14 +25,19 @@ struct Care {
   bool avoiding; /**< the darn may not run through anything */
   bool relaxed;
   bool refined;
+  bool basic; /**< free points do not become vertices */
 };
 
-/** One after the other, each when the one before has failed. */
-constexpr std::array<Care, 5> CARES = {{{false, true, true},
-                                        {true, true, true},
-                                        {false, false, true},
-                                        {true, false, true},
-                                        {true, false, false}}};
+/** One after the other, each when the one before has failed; basic ones only where free
+ * points did become vertices. */
+constexpr std::array<Care, 8> CARES = {{{false, true, true, false},
+                                        {true, true, true, false},
+                                        {false, false, true, false},
+                                        {true, false, true, false},
+                                        {true, false, false, false},
+                                        {true, true, true, true},
+                                        {true, false, true, true},
+                                        {true, false, false, true}}};
 /** So many of them for a hole that has others in its region: later it is alone. */
 constexpr std::size_t CARES_AMONG_OTHERS = 1;
 constexpr std::size_t GIVEN_UP = CARES.size();
@@ -118,6 +124,7 @@ public:
   , obstacle_(obstacle)
   , context_(context)
   , care_(region.holes.size(), 0)
+  , completed_(region.holes.size(), false)
   {
     result_.holes.resize(region.holes.size());
   }
@@ -129,7 +136,7 @@ private:
   void
   divide();
   const std::vector<ChosenDarn>&
-  darnsOf(bool avoiding);
+  darnsOf(const Care& care);
   void
   darnAll();
   void
@@ -155,7 +162,9 @@ private:
   const ccaa::LoopContext& context_;
   std::vector<std::size_t> care_; /**< of each hole: place in CARES */
   std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
-  std::array<std::vector<ChosenDarn>, 2> darns_; /**< of the parts; second: avoiding */
+  std::vector<bool> completed_;   /**< of each hole: free points are vertices */
+  std::array<std::vector<ChosenDarn>, 3>
+      darns_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
   std::vector<std::size_t> obstructed_; /**< triangles of the patch as it is */
 };
@@ -200,17 +209,18 @@ RegionClosing::taskFor(const HolePolygon& polygon,
 
 /** The darns of all parts in one way or the other: made once, they serve every care. */
 const std::vector<ChosenDarn>&
-RegionClosing::darnsOf(bool avoiding)
+RegionClosing::darnsOf(const Care& care)
 {
-  std::vector<ChosenDarn>& darns = darns_[avoiding ? 1 : 0];
+  std::vector<ChosenDarn>& darns = darns_[care.basic ? 2 : care.avoiding ? 1 : 0];
   if (!darns.empty())
     return darns;
   TakenEdges taken(place_.model);
   for (const DarnedPart& part : parts_)
     taken.addPolygon(part.polygon);
   for (const DarnedPart& part : parts_) {
-    darns.push_back(darn(taskFor(part.polygon, taken, avoiding),
-                         place_.parameters.darning.choice,
+    darns.push_back(darn(taskFor(part.polygon, taken, care.avoiding),
+                         care.basic ? DarningChoice::MINIMUM_WEIGHT
+                                    : place_.parameters.darning.choice,
                          place_.guides.free_points.get()));
     if (darns.back().darn.closed())
       taken.addDarn(part.polygon, darns.back().darn);
@@ -228,9 +238,11 @@ RegionClosing::darnAll()
       continue;
     HoleOutcome& outcome = result_.holes[part.hole];
     const bool avoiding = CARES[care].avoiding;
-    const ChosenDarn& chosen = darnsOf(avoiding)[p];
+    const ChosenDarn& chosen = darnsOf(CARES[care])[p];
     part.darn = chosen.darn;
     outcome.darning = chosen.method;
+    if (chosen.method == CompletionDarning().name())
+      completed_[part.hole] = true;
     if (chosen.darn.closed())
       continue;
     ++outcome.tries;
@@ -311,7 +323,9 @@ RegionClosing::raiseCare(std::size_t hole, OpenReason reason)
     return;
   ++result_.holes[hole].tries;
   ++care_[hole];
-  if (region_.holes.size() > 1 && care_[hole] >= CARES_AMONG_OTHERS)
+  const bool has_others = region_.holes.size() > 1;
+  if ((has_others && care_[hole] >= CARES_AMONG_OTHERS) ||
+      (care_[hole] != GIVEN_UP && CARES[care_[hole]].basic && !completed_[hole]))
     care_[hole] = GIVEN_UP;
   if (care_[hole] == GIVEN_UP)
     result_.holes[hole].open = reason;

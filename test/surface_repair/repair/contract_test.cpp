@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 
 #include "repair_fixture.h"
+#include "support/random_source.h"
 
 #include <atomic>
 #include <cmath>
@@ -163,6 +164,28 @@ TEST_F(RepairContract, IsTheSameForAnyNumberOfThreads)
     EXPECT_TRUE(sameMesh(first.output, repaired(mesh, {}, {}, threads).output))
         << threads;
 }
+
+/** Free points scattered around the cap that a sphere lacks, many of them off it. */
+class ScatteredFreePoints : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(ScatteredFreePoints, KeepNoHoleOpenThatIsClosedWithoutThem)
+{
+  RandomSource random(GetParam());
+  Positions free_points;
+  for (int k = 0; k < 150; ++k) {
+    const double x = random.uniform(-0.6, 0.6);
+    const double y = random.uniform(-0.6, 0.6);
+    const double height = std::sqrt(1.0 - x * x - y * y);
+    free_points.emplace_back(x, y, height + 0.05 * random.normal());
+  }
+  const Repaired result = repaired(toPolygonMesh(holedSphere()), free_points);
+  EXPECT_EQ(0U, countBoundaryEdges(result.triangles()));
+  expectNothingWorse(result, toTriangles(result.input.polygons));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds,
+                         ScatteredFreePoints,
+                         ::testing::Range(std::uint64_t{0}, std::uint64_t{12}));
 
 TEST_F(RepairContract, IsTheSameForAnyNumberOfThreadsInFullModeWithFreePoints)
 {
