@@ -39,6 +39,7 @@ describeReading(const ReadingReport& reading)
   json description = {{"input_polygons", reading.input_polygons},
                       {"invalid_polygons", reading.invalid_polygons},
                       {"non_finite_points", reading.non_finite_points},
+                      {"points_on_vertices", reading.points_on_vertices},
                       {"separated_fans", reading.separated_fans},
                       {"reversed_triangles", reading.reversed_triangles},
                       {"filtered", reading.filtered}};

@@ -8,8 +8,10 @@
 #include "filtered_reading.h"
 #include "point_fans.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl {
@@ -52,6 +54,33 @@ gather(const ccaa::PointView& view, const std::vector<pcl::index_t>& point_of_ve
   return gathered;
 }
 
+bool
+isBefore(const Position& a, const Position& b)
+{
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/** \brief For each point whether one of the places is the same. */
+std::vector<bool>
+areAt(const Positions& places, const Positions& points)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return isBefore(points[a], points[b]);
+  });
+  std::vector<bool> found(points.size(), false);
+  for (const Position& place : places) {
+    auto at = std::lower_bound(
+        order.begin(), order.end(), place, [&](std::size_t i, const Position& p) {
+          return isBefore(points[i], p);
+        });
+    for (; at != order.end() && points[*at] == place; ++at)
+      found[*at] = true;
+  }
+  return found;
+}
+
 /** \brief One run of readModel(). */
 class Reading {
 public:
@@ -76,6 +105,7 @@ public:
     listUnusedPoints();
     if (free_points != nullptr)
       listSeparatePoints(*free_points);
+    leaveOutPointsOnVertices();
     return std::move(result_);
   }
 
@@ -180,6 +210,27 @@ private:
     }
     result_.model.free_points.push_back(position);
     result_.model.point_of_free_point.push_back(point_index);
+  }
+
+  /** \brief A point where a vertex is says nothing that the surface does not say, and
+   * would only hold on to it: the whole cloud may be given as free points. */
+  void
+  leaveOutPointsOnVertices()
+  {
+    IncompleteModel& model = result_.model;
+    if (model.free_points.empty())
+      return;
+    const std::vector<bool> on_vertex = areAt(model.positions, model.free_points);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < on_vertex.size(); ++i) {
+      if (on_vertex[i])
+        continue;
+      model.free_points[left] = Position(model.free_points[i]);
+      model.point_of_free_point[left++] = model.point_of_free_point[i];
+    }
+    result_.report.points_on_vertices = model.free_points.size() - left;
+    model.free_points.resize(left);
+    model.point_of_free_point.resize(left);
   }
 
   const pcl::PolygonMesh& mesh_;

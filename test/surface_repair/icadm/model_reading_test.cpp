@@ -191,6 +191,33 @@ TEST(ModelReading, AnIslandWoundAtRandomIsWoundOutward)
   EXPECT_GT(result.report.reversed_triangles, 100u);
 }
 
+TEST(ModelReading, PointsAtThePlaceOfAVertexAreNoFreePoints)
+{
+  Shape shape = grid(4, 4);
+  shape.vertices.push_back(shape.vertices[5]);
+  shape.vertices.emplace_back(1.5, 1.5, 0.0);
+  const ReadModel result = read(shape);
+  EXPECT_EQ(1u, result.report.points_on_vertices);
+  EXPECT_EQ((std::vector<pcl::index_t>{17}), result.model.point_of_free_point);
+}
+
+TEST(ModelReading, OfAWholeCloudOnlyPointsBesideTheMeshAreFree)
+{
+  const Shape shape = grid(5, 5);
+  Shape cloud{shape.vertices, {}};
+  cloud.vertices.emplace_back(0.5, 0.5, 1.0);
+  cloud.vertices.insert(
+      cloud.vertices.end(), shape.vertices.begin(), shape.vertices.end());
+  const pcl::PolygonMesh points = toPolygonMesh(cloud);
+  const ReadModel result =
+      readModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
+                &points.cloud,
+                ccaa::LoopContext());
+  EXPECT_EQ(50u, result.report.points_on_vertices);
+  ASSERT_EQ(1u, result.model.free_points.size());
+  EXPECT_EQ(Position(0.5, 0.5, 1.0), result.model.free_points[0]);
+}
+
 TEST(ModelReading, SmallRegionsStay)
 {
   const Shape shape = joined(

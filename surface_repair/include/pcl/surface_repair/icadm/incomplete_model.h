@@ -59,7 +59,8 @@ struct IncompleteModel {
   Directions normals;    /**< external, of the vertices on boundaries, by the windings
                               (angle-weighted); zero of others: see externalNormals() */
   Positions free_points; /**< finite points without a triangle, in cloud order, then
-                              those of the separate cloud */
+                              those of the separate cloud; none at
+                              the place of a vertex */
   std::vector<pcl::index_t> point_of_free_point; /**< cloud index; UNAVAILABLE for one
                                                       of the separate cloud */
   Positions given_normals; /**< of the vertices, as the cloud has them; else empty */

@@ -27,7 +27,8 @@ struct ReadingReport {
   UmbrellaReport filter; /**< only if filtered */
   std::size_t reversed_triangles = 0;
   std::size_t non_finite_points = 0;
-  std::string problem; /**< why there is no model; empty: there is one */
+  std::size_t points_on_vertices = 0; /**< that are no free points for that reason */
+  std::string problem;                /**< why there is no model; empty: there is one */
 };
 
 /** \brief A model, and what reading had to change. */
