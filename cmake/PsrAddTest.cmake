@@ -4,6 +4,14 @@
 # Seconds after which a single test counts as hanging.
 set(PSR_TEST_TIMEOUT 300 CACHE STRING "Time limit of one test in seconds")
 
+# A process for each test tells which one crashed or hangs; under a sanitizer that shows by
+# itself, and there starting them takes as long as running them.
+set(PSR_TEST_PROGRAMS_SKIP "" CACHE STRING
+    "Run each test program at once, without the tests that match these patterns (:)")
+# Sanitizers for threads have nothing to find in most files.
+set(PSR_TEST_NAMES "" CACHE STRING
+    "Build only test files in which the name of a test matches this expression")
+
 # Headers that nearly every test needs, read once for all of them. A test includes what
 # it uses all the same.
 function(psr_precompile_test_headers target)
@@ -33,9 +41,37 @@ function(psr_precompile_test_headers target)
                      "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endfunction()
 
-# psr_add_test(<target> <folder below test/>); nothing when the folder has no source.
+# Compiling tests takes longer than running them. At -O1 GCC takes values for uninitialized
+# that it sees to be set at -O3.
+function(psr_compile_quickly target)
+  target_compile_options(
+    ${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>
+                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+endfunction()
+
+# psr_select_tests(<list of files>): leaves out the tests PSR_TEST_NAMES does not ask for;
+# what they share stays.
+function(psr_select_tests list)
+  set(selected "")
+  foreach(source IN LISTS ${list})
+    file(STRINGS "${source}" tests REGEX "^TEST(_F|_P)?\\(")
+    list(FILTER tests INCLUDE REGEX "${PSR_TEST_NAMES}")
+    if(tests OR NOT source MATCHES "_test\\.cpp$")
+      list(APPEND selected "${source}")
+    endif()
+  endforeach()
+  if(NOT selected MATCHES "_test\\.cpp")
+    set(selected "")
+  endif()
+  set(${list} ${selected} PARENT_SCOPE)
+endfunction()
+
+# psr_add_test(<target> <folder below test/>); nothing when the folder has no test.
 function(psr_add_test target folder)
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
+  if(PSR_TEST_NAMES)
+    psr_select_tests(sources)
+  endif()
   if(NOT sources)
     return()
   endif()
@@ -43,9 +79,16 @@ function(psr_add_test target folder)
   target_link_libraries(${target} PRIVATE test_support GTest::gtest_main psr_warnings
                                           psr_link_options)
   target_precompile_headers(${target} REUSE_FROM test_support)
+  psr_compile_quickly(${target})
   psr_unite_folders(${target})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
                                              "${PROJECT_BINARY_DIR}/test")
+  if(PSR_TEST_PROGRAMS_SKIP)
+    add_test(NAME ${target} COMMAND ${target} --gtest_brief=1
+                                    --gtest_filter=-${PSR_TEST_PROGRAMS_SKIP})
+    set_tests_properties(${target} PROPERTIES TIMEOUT 1200)
+    return()
+  endif()
   # Values of parameters print as addresses, which differ from run to run.
   gtest_discover_tests(
     ${target}
