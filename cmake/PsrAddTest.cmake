@@ -4,10 +4,11 @@
 # Seconds after which a single test counts as hanging.
 set(PSR_TEST_TIMEOUT 300 CACHE STRING "Time limit of one test in seconds")
 
-# A process for each test tells which one crashed or hangs; under a sanitizer that shows by
-# itself, and there starting them takes as long as running them.
-set(PSR_TEST_PROGRAMS_SKIP "" CACHE STRING
-    "Run each test program at once, without the tests that match these patterns (:)")
+# A process for each test tells which one crashes or hangs, and lets CTest choose among
+# them; starting them takes as long as many of them run.
+option(PSR_WHOLE_TEST_PROGRAMS "Run each test program at once, not test by test" OFF)
+set(PSR_TESTS_LEFT_OUT "" CACHE STRING
+    "Tests that whole programs leave out: patterns of GoogleTest, with : between them")
 # Sanitizers for threads have nothing to find in most files.
 set(PSR_TEST_NAMES "" CACHE STRING
     "Build only test files in which the name of a test matches this expression")
@@ -83,9 +84,9 @@ function(psr_add_test target folder)
   psr_unite_folders(${target})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
                                              "${PROJECT_BINARY_DIR}/test")
-  if(PSR_TEST_PROGRAMS_SKIP)
+  if(PSR_WHOLE_TEST_PROGRAMS)
     add_test(NAME ${target} COMMAND ${target} --gtest_brief=1
-                                    --gtest_filter=-${PSR_TEST_PROGRAMS_SKIP})
+                                    --gtest_filter=-${PSR_TESTS_LEFT_OUT})
     set_tests_properties(${target} PROPERTIES TIMEOUT 1200)
     return()
   endif()

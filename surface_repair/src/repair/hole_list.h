@@ -26,11 +26,11 @@ struct OpenHole {
 /** \brief All boundaries of a survey after bridging, and the regions to be closed. */
 struct HoleList {
   std::vector<OpenHole> holes;
-  std::vector<std::vector<std::size_t>>
-      regions;        /**< of holes to be closed: those that
-                           bridges connect, or that meet twice */
-  VertexMap replaced; /**< of the model, for a point in which holes meet: polygons have
-                           the vertex that is kept, see weldPinches() */
+  /** Of holes to be closed: those that bridges connect, or that meet twice. */
+  std::vector<std::vector<std::size_t>> regions;
+  /** Of the model, for a point in which holes meet: polygons have the vertex that is
+   * kept, see weldPinches(). */
+  VertexMap replaced;
   std::size_t bridge_vertices = 0; /**< inner points of all bridges */
   std::size_t islands = 0;         /**< once all regions are closed */
 };
