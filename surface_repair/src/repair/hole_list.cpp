@@ -156,8 +156,7 @@ private:
 
   const ModelSurvey& survey_;
   const DarningParameters& parameters_;
-  std::vector<bool> is_listed_;    /**< of a loop: it is part of a contour */
-  std::set<pcl::index_t> pinched_; /**< vertices in which holes meet */
+  std::vector<bool> is_listed_; /**< of a loop: it is part of a contour */
   HoleList list_;
 };
 
@@ -213,8 +212,6 @@ void
 Listing::weld()
 {
   list_.replaced = pinchedVertices(survey_.model, survey_.loops);
-  for (const auto& [vertex, kept] : list_.replaced)
-    pinched_.insert(kept);
   if (list_.replaced.empty())
     return;
   for (OpenHole& hole : list_.holes)
@@ -244,14 +241,18 @@ Listing::joinRegions()
   Groups groups(list_.holes.size());
   std::map<std::size_t, std::size_t> hole_at; // bridge -> first hole that passes it
   std::map<pcl::index_t, std::vector<std::size_t>> holes_at; // a pinched vertex
+  for (const auto& [vertex, kept] : list_.replaced)
+    holes_at[kept];
   for (std::size_t h = 0; h < list_.holes.size(); ++h) {
     if (list_.holes[h].open != OpenReason::NONE)
       continue;
     for (const std::size_t bridge : list_.holes[h].bridges)
       groups.join(h, hole_at.emplace(bridge, h).first->second);
-    for (const pcl::index_t vertex : list_.holes[h].polygon.vertices)
-      if (pinched_.count(vertex) > 0)
-        holes_at[vertex].push_back(h);
+    for (const pcl::index_t vertex : list_.holes[h].polygon.vertices) {
+      const auto met = holes_at.find(vertex);
+      if (met != holes_at.end())
+        met->second.push_back(h);
+    }
   }
   joinHolesThatMeetTwice(holes_at, groups);
   std::map<std::size_t, std::vector<std::size_t>> members;
