@@ -58,6 +58,20 @@ lengthOf(const RepairBridge& bridge)
 }
 
 json
+describeJunctions(const RepairReport& report)
+{
+  json list = json::array();
+  for (const pcl::RepairJunction& junction : report.junctions) {
+    list.push_back({{"pass", junction.pass},
+                    {"points", junction.points},
+                    {"islands", junction.islands},
+                    {"lines", junction.lines}});
+    addJunction(junction.verdict, junction.confidence, junction.evidence, list.back());
+  }
+  return list;
+}
+
+json
 describeBridges(const RepairReport& report)
 {
   json list = json::array();
@@ -147,6 +161,7 @@ describeRepair(const RepairReport& report)
           {"reading", describeReading(report.reading)},
           {"islands", describeIslands(report)},
           {"loops", describeLoops(report)},
+          {"junctions", describeJunctions(report)},
           {"bridges", describeBridges(report)},
           {"holes", describeHoles(report)},
           {"triangles", describeTriangles(report)},

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -98,6 +99,25 @@ addClass(const pcl::repair::LoopClass& loop_class, json& loop)
   loop["turning"] = loop_class.evidence.turning;
   loop["area_ratio"] = loop_class.evidence.area_ratio;
   loop["faced"] = loop_class.faced;
+}
+
+void
+addJunction(pcl::repair::JunctionVerdict verdict,
+            double confidence,
+            const pcl::repair::JunctionEvidence& evidence,
+            json& junction)
+{
+  constexpr double DEGREES = 180.0 / M_PI;
+  junction["verdict"] = describe(verdict);
+  junction["confidence"] = confidence;
+  junction["turn"] = DEGREES * evidence.turn;
+  junction["fold"] = DEGREES * evidence.fold;
+  junction["gap"] = evidence.gap;
+  junction["gap_edges"] = evidence.gap_edges;
+  junction["gap_share"] = evidence.gap_share;
+  junction["seen_empty"] =
+      evidence.has_sight ? json(evidence.seen_empty) : json(nullptr);
+  junction["along_ray"] = evidence.has_sight ? json(evidence.along_ray) : json(nullptr);
 }
 
 double

@@ -34,6 +34,14 @@ addSide(const pcl::repair::IslandSide& side, nlohmann::json& island);
 void
 addClass(const pcl::repair::LoopClass& loop_class, nlohmann::json& loop);
 
+/** \brief The verdict about a junction, and what speaks for and against it; angles in
+ * degrees. */
+void
+addJunction(pcl::repair::JunctionVerdict verdict,
+            double confidence,
+            const pcl::repair::JunctionEvidence& evidence,
+            nlohmann::json& junction);
+
 double
 totalSeconds(const StageTimes& stages);
 

@@ -87,6 +87,20 @@ describeLines(const ModelSurvey& survey)
   return list;
 }
 
+json
+describeJunctions(const ModelSurvey& survey)
+{
+  json list = json::array();
+  for (const auto& junction : survey.joined.junctions) {
+    list.push_back({{"loops",
+                     {survey.joined.loops[junction.curves[0]],
+                      survey.joined.loops[junction.curves[1]]}},
+                    {"lines", junction.lines.size()}});
+    addJunction(junction.verdict, junction.confidence, junction.evidence, list.back());
+  }
+  return list;
+}
+
 /** \brief Bridges that would join the islands, and how many holes they leave. */
 json
 describeBridges(const ModelSurvey& survey)
@@ -206,6 +220,7 @@ describeSurvey(const RepairSettings& settings,
           {"loops", describeLoops(survey)},
           {"origins", survey.between_islands.origins.size()},
           {"lines", describeLines(survey)},
+          {"junctions", describeJunctions(survey)},
           {"bridges", describeBridges(survey)},
           {"parameters", describeParameters(settings.method)},
           {"stages", describeStages(survey.seconds, points)},

@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 
 #include "fairing_table.h"
+#include "junction_table.h"
 #include "repair_cases_table.h"
 #include "repair_error_table.h"
 #include "repair_time_table.h"
@@ -23,6 +24,7 @@ constexpr const char* HELP =
     "usage: bench_repair [part...] [--seeds N] [--repeats N]\n"
     "\n"
     "Parts (default: all but fuzz):\n"
+    "  junctions  generated damages and scenes: how many junctions are judged right\n"
     "  cases   damaged shapes whose repair is known: how many come out right\n"
     "  thesis  table T4.8-1: the Bunny and a woman's body, light and full mode\n"
     "  bunny   the Bunny cut by five slabs, without and with free points: error\n"
@@ -38,8 +40,15 @@ constexpr const char* HELP =
     "\n"
     "Real models are looked for in the folder named by PSR_SHARED_DATA.\n";
 
-const std::array<std::string, 8> PARTS = {
-    "cases", "thesis", "bunny", "sphere", "curved", "growth", "large", "fuzz"};
+const std::array<std::string, 9> PARTS = {"junctions",
+                                          "cases",
+                                          "thesis",
+                                          "bunny",
+                                          "sphere",
+                                          "curved",
+                                          "growth",
+                                          "large",
+                                          "fuzz"};
 
 struct Settings {
   std::vector<std::string> parts;
@@ -77,6 +86,8 @@ run(const std::string& part, const Settings& settings)
 {
   if (part == "cases")
     bench::printRepairCases(std::cout, settings.seeds == 0 ? 5 : settings.seeds);
+  else if (part == "junctions")
+    bench::printJunctionTable(std::cout, settings.seeds == 0 ? 40 : settings.seeds);
   else if (part == "thesis")
     bench::printThesisTable(std::cout, settings.repeats);
   else if (part == "bunny")

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -99,6 +100,25 @@ joinedAreas(const ModelSurvey& survey, Groups& groups)
   return areas;
 }
 
+/** Why a rim was joined to none: what its junctions say, if they agree. */
+OpenReason
+reasonForRim(const ModelSurvey& survey, std::size_t loop)
+{
+  std::optional<OpenReason> reason;
+  for (const Junction& junction : survey.joined.junctions)
+    for (const std::size_t curve : junction.curves) {
+      if (survey.joined.loops[curve] != loop)
+        continue;
+      if (junction.verdict == JunctionVerdict::DIFFERENT_OBJECTS)
+        reason = OpenReason::DIFFERENT_OBJECTS;
+      else if (junction.verdict != JunctionVerdict::SEEN_EMPTY)
+        return OpenReason::NOT_JOINED;
+      else if (!reason)
+        reason = OpenReason::SEEN_EMPTY;
+    }
+  return reason.value_or(OpenReason::NOT_JOINED);
+}
+
 OpenReason
 reasonForLoop(const ModelSurvey& survey, std::size_t loop)
 {
@@ -108,7 +128,7 @@ reasonForLoop(const ModelSurvey& survey, std::size_t loop)
   case BoundaryClass::HOLE:
     return OpenReason::NONE;
   case BoundaryClass::ISLAND_RIM:
-    return OpenReason::NOT_JOINED;
+    return reasonForRim(survey, loop);
   case BoundaryClass::OUTER_BORDER:
     return OpenReason::OUTER_BORDER;
   case BoundaryClass::UNDECIDED:

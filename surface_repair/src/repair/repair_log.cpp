@@ -68,6 +68,28 @@ void
 RepairLog::beginPass()
 {
   entry_of_bridge_.assign(survey_.joined.bridges.size(), NONE);
+  ++pass_;
+  noteJunctions();
+}
+
+void
+RepairLog::noteJunctions()
+{
+  const SurveyedBridges& joined = survey_.joined;
+  for (const Junction& junction : joined.junctions) {
+    RepairJunction entry;
+    entry.pass = pass_;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const BoundaryLoop& loop = survey_.loops[joined.loops[junction.curves[side]]];
+      entry.points[side] = pointOf(loop.vertices.front());
+      entry.islands[side] = loop.island;
+    }
+    entry.lines = junction.lines.size();
+    entry.evidence = junction.evidence;
+    entry.verdict = junction.verdict;
+    entry.confidence = junction.confidence;
+    report_.junctions.push_back(entry);
+  }
 }
 
 pcl::index_t

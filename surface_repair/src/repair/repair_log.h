@@ -29,7 +29,7 @@ public:
   void
   noteInput();
 
-  /** \brief Bridges are those of the present survey from now on. */
+  /** \brief Junctions and bridges are those of the present survey from now on. */
   void
   beginPass();
 
@@ -48,6 +48,8 @@ public:
 
 private:
   void
+  noteJunctions();
+  void
   reportBridges(const OpenHole& hole, const HoleOutcome& outcome, RepairedHole& entry);
   std::size_t
   bridgeEntry(std::size_t bridge);
@@ -56,6 +58,7 @@ private:
 
   const ModelSurvey& survey_;
   RepairReport& report_;
+  std::size_t pass_ = 0;
   std::vector<std::size_t>
       entry_of_bridge_; /**< of the present survey's bridges, in the report */
 };

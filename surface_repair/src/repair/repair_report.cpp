@@ -15,6 +15,10 @@ describe(OpenReason reason)
     return "it is the outer border of an open surface";
   case OpenReason::TUBE_MOUTH:
     return "it is the mouth of an open tube";
+  case OpenReason::DIFFERENT_OBJECTS:
+    return "what lies beyond it is another object";
+  case OpenReason::SEEN_EMPTY:
+    return "the sensor has seen that nothing is there";
   case OpenReason::NOT_JOINED:
     return "no bridge joins its island to another one";
   case OpenReason::UNDECIDED:
@@ -36,8 +40,16 @@ describe(OpenReason reason)
 bool
 isShortfall(OpenReason reason)
 {
-  return reason != OpenReason::NONE && reason != OpenReason::OUTER_BORDER &&
-         reason != OpenReason::TUBE_MOUTH;
+  switch (reason) {
+  case OpenReason::NONE:
+  case OpenReason::OUTER_BORDER:
+  case OpenReason::TUBE_MOUTH:
+  case OpenReason::DIFFERENT_OBJECTS:
+  case OpenReason::SEEN_EMPTY:
+    return false;
+  default:
+    return true;
+  }
 }
 
 const char*

@@ -254,7 +254,7 @@ RepairRun::resurvey()
       model.free_points.push_back(before.free_points[i]);
       model.point_of_free_point.push_back(before.point_of_free_point[i]);
     }
-  survey_ = surveyModel(std::move(model), parameters_.survey, context_);
+  survey_ = surveyModel(std::move(model), survey_.sight, parameters_.survey, context_);
 }
 
 /** What the last try said, or else what speaks against one. */
@@ -307,7 +307,8 @@ RepairRun::reportLeftOpen()
 {
   report_.counts_after = survey_.counts;
   report_.class_after = survey_.icm_class;
-  survey_.joined = {}; // bridges that led to nothing
+  survey_.joined.bridges.clear(); // they led to nothing
+  survey_.joined.holes = {};
   for (const OpenHole& hole : listHoles(survey_, parameters_.darning).holes) {
     const HoleOutcome outcome = lastOutcome(hole);
     log_.add(hole, outcome);

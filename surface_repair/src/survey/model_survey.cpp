@@ -152,6 +152,8 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
     return survey;
   stage.stage = "orientation";
   findSides(parameters, stage, survey);
+  if (auto sight = std::make_shared<const SightLines>(survey.model); !sight->empty())
+    survey.sight = std::move(sight);
   clock.finish("orientation");
   surveyWound(parameters, context, clock, survey);
   return survey;
@@ -159,10 +161,12 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
 
 ModelSurvey
 surveyModel(IncompleteModel model,
+            std::shared_ptr<const SightLines> sight,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context)
 {
   ModelSurvey survey;
+  survey.sight = std::move(sight);
   StageClock clock(survey);
   survey.model = std::move(model);
   survey.loops = extractBoundaries(survey.model);

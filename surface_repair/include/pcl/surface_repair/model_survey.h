@@ -11,6 +11,7 @@
 #include <pcl/surface_repair/hole/hole_contour.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/surface_repair/junction/junction.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
 #include <pcl/surface_repair/perturbation/free_point_perturbation.h>
 #include <pcl/PCLPointCloud2.h>
@@ -52,6 +53,7 @@ struct SurveyParameters {
   OrientationParameters orientation;
   ClassificationParameters classification;
   TrackerParameters tracker;
+  JunctionParameters junction;
   PerturbationParameters perturbation;          /**< its trust is that of the field */
   std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
   double hole_threshold = 0.25; /**< T of a hole (4.5), in lengths of its boundary */
@@ -76,7 +78,8 @@ struct SurveyedField {
 struct SurveyedBridges {
   std::vector<std::size_t>
       loops; /**< of the curves that bridges and contours refer to */
-  std::vector<Bridge> bridges;
+  std::vector<Junction> junctions; /**< what lines connect, of the same curves */
+  std::vector<Bridge> bridges;     /**< only of junctions that are joined */
   ContourExtraction holes;
 };
 
@@ -101,6 +104,7 @@ struct ModelSurvey {
   SurveyedBridges joined;
   std::vector<SurveyedField> in_holes;        /**< step ICM2 -> ICM1: complex holes */
   std::shared_ptr<const SurveyGuides> guides; /**< null where nothing was traced */
+  std::shared_ptr<const SightLines> sight;    /**< null where no sensor is known */
   std::vector<std::pair<std::string, double>> seconds; /**< of each stage */
   bool cancelled = false;
 };
@@ -125,9 +129,11 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
             const ccaa::LoopContext& context);
 
 /** \brief The same for a model that has been read, whose islands are wound as they
- * should be. \return as above; what belongs to reading and sides stays empty */
+ * should be. \param[in] sight of the model, or null \return as above; what belongs to
+ * reading and sides stays empty */
 ModelSurvey
 surveyModel(IncompleteModel model,
+            std::shared_ptr<const SightLines> sight,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context);
 

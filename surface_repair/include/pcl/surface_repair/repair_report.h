@@ -6,8 +6,10 @@
 #include <pcl/surface_repair/boundary/classification.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/surface_repair/junction/junction.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -46,11 +48,24 @@ struct RepairBridge {
   bool within_hole = false; /**< it divides a hole (4.5); else it joins islands */
 };
 
+/** \brief Two boundary loops that force lines connect, and what was decided. */
+struct RepairJunction {
+  std::size_t pass = 0; /**< of the repair that judged it, from 1 */
+  std::array<pcl::index_t, 2> points{-1, -1}; /**< of the cloud, one on each loop */
+  std::array<std::size_t, 2> islands{};       /**< of that pass */
+  std::size_t lines = 0;                      /**< that lead from one to the other */
+  repair::JunctionEvidence evidence;
+  repair::JunctionVerdict verdict = repair::JunctionVerdict::JOINED;
+  double confidence = 0.0; /**< 0 to 1 */
+};
+
 /** \brief Why a hole was left open. */
 enum class OpenReason : std::uint8_t {
-  NONE,         /**< it is closed */
-  OUTER_BORDER, /**< no hole: the outer border of an open surface */
-  TUBE_MOUTH,   /**< one of the two mouths of a tube, open like the other one */
+  NONE,              /**< it is closed */
+  OUTER_BORDER,      /**< no hole: the outer border of an open surface */
+  TUBE_MOUTH,        /**< one of the two mouths of a tube, open like the other one */
+  DIFFERENT_OBJECTS, /**< rim of an island that lies beside other objects */
+  SEEN_EMPTY,   /**< rim of an island beside a gap that sensors have looked through */
   NOT_JOINED,   /**< rim of an island that no bridge joins to another one */
   UNDECIDED,    /**< hole or border is not clear */
   ONE_SIDED,    /**< its island has no two sides */
@@ -66,7 +81,7 @@ const char*
 describe(OpenReason reason);
 
 /** \brief Whether something that should be closed was left open for this reason: all
- * but NONE, OUTER_BORDER and TUBE_MOUTH. */
+ * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS and SEEN_EMPTY. */
 bool
 isShortfall(OpenReason reason);
 
@@ -101,6 +116,7 @@ struct RepairReport {
   std::size_t free_points = 0;
   std::vector<RepairedIsland> islands;
   std::vector<RepairedLoop> loops;
+  std::vector<RepairJunction> junctions; /**< of all passes */
   std::vector<RepairBridge> bridges;
   std::vector<RepairedHole> holes; /**< all boundaries that were there after bridging */
   repair::IcmCounts counts_before;

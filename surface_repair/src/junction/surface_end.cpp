@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how the surface goes on beyond a boundary vertex.
+
+#include <pcl/surface_ccaa/mesh/corners.h>
+#include <pcl/surface_repair/junction/junction.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Radius of the surface that is looked at, in edges. */
+constexpr double REACH = 4.0;
+/** Triangles whose edges tell how long edges are here. */
+constexpr std::size_t FEW_TRIANGLES = 24;
+
+/** Connected triangles around a vertex, ring by ring, each ring in ascending order. */
+class Rings {
+public:
+  Rings(const IncompleteModel& model, pcl::index_t vertex)
+  : model_(model), rim_{vertex}, reached_{vertex}
+  {}
+
+  const std::vector<pcl::index_t>&
+  triangles() const
+  {
+    return triangles_;
+  }
+
+  /** Add the triangles at the outermost vertices whose centres are near enough.
+   * \return whether there were any */
+  bool
+  grow(const Position& center, double radius)
+  {
+    const std::size_t before = triangles_.size();
+    std::vector<pcl::index_t> next;
+    for (const pcl::index_t vertex : rim_)
+      for (const pcl::index_t* t = model_.adjacency.begin(vertex);
+           t != model_.adjacency.end(vertex);
+           ++t)
+        if ((centroidOf(*t) - center).norm() <= radius && seen_.insert(*t).second) {
+          triangles_.push_back(*t);
+          for (const pcl::index_t corner :
+               model_.triangles[static_cast<std::size_t>(*t)])
+            if (reached_.insert(corner).second)
+              next.push_back(corner);
+        }
+    rim_ = std::move(next);
+    return triangles_.size() > before;
+  }
+
+  Position
+  centroidOf(pcl::index_t triangle) const
+  {
+    const ccaa::Corners corners = cornersOf(triangle);
+    return (corners[0] + corners[1] + corners[2]) / 3.0;
+  }
+
+  ccaa::Corners
+  cornersOf(pcl::index_t triangle) const
+  {
+    return ccaa::cornersOf(model_.triangles[static_cast<std::size_t>(triangle)],
+                           model_.positions);
+  }
+
+private:
+  const IncompleteModel& model_;
+  std::vector<pcl::index_t> triangles_;
+  std::vector<pcl::index_t> rim_;
+  std::set<pcl::index_t> seen_;
+  std::set<pcl::index_t> reached_;
+};
+
+double
+medianEdge(const Rings& rings)
+{
+  std::vector<double> lengths;
+  for (const pcl::index_t triangle : rings.triangles()) {
+    const ccaa::Corners corners = rings.cornersOf(triangle);
+    for (std::size_t k = 0; k < 3; ++k)
+      lengths.push_back((corners[(k + 1) % 3] - corners[k]).norm());
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+} // namespace
+
+SurfaceEnd
+surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex)
+{
+  const Position& place = model.positions[static_cast<std::size_t>(vertex)];
+  Rings near_by(model, vertex);
+  while (near_by.triangles().size() < FEW_TRIANGLES &&
+         near_by.grow(place, std::numeric_limits<double>::infinity()))
+    ;
+  SurfaceEnd end;
+  if (near_by.triangles().empty())
+    return end;
+  end.edge = medianEdge(near_by);
+  Rings patch(model, vertex);
+  while (patch.grow(place, REACH * end.edge))
+    ;
+  // A large triangle among small ones has its centre far away.
+  const Rings& rings = patch.triangles().empty() ? near_by : patch;
+  double area = 0.0;
+  Position centroid = Position::Zero();
+  for (const pcl::index_t triangle : rings.triangles()) {
+    const Position normal = ccaa::areaNormal(rings.cornersOf(triangle));
+    end.normal += normal;
+    centroid += normal.norm() * rings.centroidOf(triangle);
+    area += normal.norm();
+  }
+  if (!(area > 0.0))
+    return end;
+  end.normal.normalize(); // 0 stays 0
+  const Eigen::Vector3d away = place - centroid / area;
+  end.conormal = (away - end.normal * end.normal.dot(away)).normalized();
+  return end;
+}
+
+} // namespace repair
+} // namespace pcl

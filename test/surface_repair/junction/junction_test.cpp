@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of the evidence for junctions and of sight lines.
+
+#include <pcl/surface_repair/model_survey.h>
+
+#include <gtest/gtest.h>
+
+#include "support/mesh_asserts.h"
+#include "support/scanned_scene.h"
+#include "support/shapes.h"
+#include "surface_repair/boundary/boundary_models.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using namespace ccaa::test;
+
+ModelSurvey
+survey(const Shape& shape)
+{
+  return surveyModel(
+      pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)), nullptr, {}, {});
+}
+
+/** Two squares side by side, the second one moved. */
+Shape
+twoSheets(const Position& shift)
+{
+  return joined(grid(12, 12), translated(grid(12, 12), shift));
+}
+
+bool
+anyJoined(const ModelSurvey& found)
+{
+  const auto& junctions = found.joined.junctions;
+  return std::any_of(junctions.begin(), junctions.end(), [](const Junction& junction) {
+    return junction.verdict == JunctionVerdict::JOINED;
+  });
+}
+
+TEST(SurfaceEnd, ConormalLeavesAFlatSheetAcrossItsBorder)
+{
+  const IncompleteModel model = modelOf(grid(12, 12));
+  const auto vertex = static_cast<pcl::index_t>(
+      std::find(model.positions.begin(), model.positions.end(), Position(11, 5, 0)) -
+      model.positions.begin());
+  const SurfaceEnd end = surfaceEndAt(model, vertex);
+  EXPECT_NEAR((end.normal - Direction(0, 0, 1)).norm(), 0.0, 1e-12);
+  EXPECT_GT(end.conormal.x(), 0.99);
+  EXPECT_NEAR(end.conormal.z(), 0.0, 1e-12);
+  EXPECT_GE(end.edge, 1.0);
+}
+
+TEST(Junctions, SheetsInOnePlaneAreJoined)
+{
+  const ModelSurvey found = survey(twoSheets({15, 0, 0}));
+  ASSERT_EQ(found.joined.junctions.size(), 1u);
+  const Junction& junction = found.joined.junctions.front();
+  EXPECT_EQ(junction.verdict, JunctionVerdict::JOINED);
+  EXPECT_NEAR(junction.evidence.fold, 0.0, 1e-9);
+  EXPECT_LT(junction.evidence.turn, 0.3);
+  EXPECT_NEAR(junction.evidence.gap, 4.0, 0.5);
+}
+
+TEST(Junctions, SheetsOneBehindTheOtherAreDifferentObjects)
+{
+  const ModelSurvey found = survey(twoSheets({6, 0, 12}));
+  EXPECT_FALSE(anyJoined(found));
+  EXPECT_TRUE(found.joined.bridges.empty());
+}
+
+TEST(Junctions, WithoutJudgingEveryPairIsJoined)
+{
+  SurveyParameters parameters;
+  parameters.junction.judge = false;
+  const ModelSurvey found = surveyModel(
+      pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(twoSheets({6, 0, 12}))),
+      nullptr,
+      parameters,
+      {});
+  for (const Junction& junction : found.joined.junctions) {
+    EXPECT_EQ(junction.verdict, JunctionVerdict::JOINED);
+    EXPECT_EQ(junction.believed, junction.lines);
+  }
+}
+
+/** A wall in z = 0, seen from z = 10. */
+IncompleteModel
+wallSeenFromAbove()
+{
+  IncompleteModel model = modelOf(grid(21, 21));
+  model.viewpoints.assign(model.positions.size(), Position(10, 10, 10));
+  return model;
+}
+
+TEST(SightLines, PlacesBeforeAMeasuredWallAreSeenEmpty)
+{
+  const SightLines sight(wallSeenFromAbove());
+  EXPECT_EQ(sight.seenEmpty({{10, 10, 5}, {12, 9, 5}}), 1.0);
+}
+
+TEST(SightLines, PlacesBehindAndBesideAMeasuredWallAreNot)
+{
+  const SightLines sight(wallSeenFromAbove());
+  EXPECT_EQ(sight.seenEmpty({{10, 10, -1}, {60, 10, 5}}), 0.0);
+}
+
+TEST(SightLines, TheWallItselfIsNotSeenThrough)
+{
+  const IncompleteModel model = wallSeenFromAbove();
+  EXPECT_EQ(SightLines(model).seenEmpty(model.positions), 0.0);
+}
+
+TEST(SightLines, AJumpInDepthRunsAlongTheRay)
+{
+  const SightLines sight(wallSeenFromAbove());
+  EXPECT_NEAR(sight.alongRay({10, 10, 1}, {10, 10, -1}), 1.0, 1e-12);
+  EXPECT_NEAR(sight.alongRay({9, 10, 0}, {11, 10, 0}), 0.0, 1e-12);
+}
+
+TEST(SightLines, AModelWithoutSensorsHasNone)
+{
+  EXPECT_TRUE(SightLines(modelOf(grid(4, 4))).empty());
+}
+
+class RangeMapJunctions : public testing::TestWithParam<std::uint64_t> {};
+
+/** No junction that is joined leads from one object to another. */
+TEST_P(RangeMapJunctions, JoinNoTwoObjects)
+{
+  const Scene scene = randomScene(GetParam());
+  ViewSettings view;
+  view.pixels = 100;
+  view.seed = GetParam();
+  const ModelSurvey found = survey(rangeMap(scene, view));
+  const auto object_at = [&](const Position& place) {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      for (const Position& vertex : scene.objects[i].vertices)
+        if ((vertex - place).squaredNorm() < least) {
+          least = (vertex - place).squaredNorm();
+          nearest = i;
+        }
+    return nearest;
+  };
+  for (const Bridge& bridge : found.joined.bridges)
+    EXPECT_EQ(object_at(bridge.points.front()), object_at(bridge.points.back()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds,
+                         RangeMapJunctions,
+                         testing::Range<std::uint64_t>(1, 13));
+
+} // namespace
+} // namespace repair
+} // namespace pcl
