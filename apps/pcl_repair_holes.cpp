@@ -12,6 +12,7 @@
 #include "common/inspection_files.h"
 #include "common/mesh_writers.h"
 #include "common/model_io.h"
+#include "common/overwriting.h"
 #include "common/progress.h"
 #include "common/repair_options.h"
 #include "common/repair_report.h"
@@ -48,9 +49,6 @@ makeCommandLine()
   app::CommandLine line(app::repairUsage());
   app::addRepairOptions(line);
   app::addViewOptions(line, "1600x900");
-  line.addPositional("INPUT_MESH");
-  line.addOptionalPositional("OUTPUT_MESH");
-  line.addMorePositionals("MORE");
   return line;
 }
 
@@ -79,6 +77,9 @@ checkFiles(const app::RepairSettings& settings)
       files.push_back(settings.inspect + "/" + name);
   app::Status status =
       app::checkDifferentFiles({settings.input, settings.free_points}, files);
+  for (const std::string& file : files)
+    if (status.ok())
+      status = app::checkReplaceable(file);
   if (status.ok() && !settings.output.empty())
     status = app::checkMeshOutput(settings.target());
   if (status.ok() && !settings.bridges.empty())

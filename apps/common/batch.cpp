@@ -4,6 +4,7 @@
 
 #include "interrupt.h"
 #include "output_folder.h"
+#include "overwriting.h"
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -133,6 +134,9 @@ planBatch(const BatchSettings& settings, std::vector<BatchItem>& items)
     outputs.push_back(output);
   }
   Status status = checkDifferentFiles(settings.inputs, outputs);
+  for (const BatchItem& item : items)
+    if (status.ok())
+      status = checkReplaceable(item.output);
   if (status.ok() && settings.writes)
     status = OutputFolder::check(settings.folder);
   if (status.ok() && !settings.report.empty() && !comesWithFolder(settings))

@@ -36,8 +36,9 @@ using BatchWork = std::function<Outcome(const BatchItem& item, nlohmann::json& r
 /** \brief Run \a work on one input after the other, on through those that fail, but not
  * after a signal. Each output has its input's name with the ending of the format, in
  * the folder. Tells on stderr what went wrong, and writes one report with a list
- * "files". Fails before the work for two inputs of one name, for standard input, and
- * for a folder or a report that cannot be written. \return the worst outcome. */
+ * "files". Fails before the work for two inputs of one name, for standard input, for
+ * a cloud that would be lost, and for a folder or a report that cannot be written.
+ * \return the worst outcome. */
 Outcome
 runBatch(const BatchSettings& settings, const BatchWork& work);
 

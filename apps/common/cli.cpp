@@ -6,6 +6,7 @@
 
 #include "file_format.h"
 #include "interrupt.h"
+#include "overwriting.h"
 #include "report.h"
 #include <sys/stat.h>
 
@@ -134,7 +135,10 @@ CommandLine::CommandLine(Usage usage)
 {
   options_.add_options()("help,h", "print this text and stop")(
       "version", "print the version and stop")(
-      "quiet,q", "print nothing but errors: no progress, no summary, no notes");
+      "quiet,q", "print nothing but errors: no progress, no summary, no notes")(
+      "force",
+      "write over files that hold points without triangles and were not written by "
+      "these programs, such as scans; refused otherwise");
 }
 
 void
@@ -239,6 +243,7 @@ runApp(const CommandLine& command_line,
   if (arguments.count("version") != 0)
     return answer(command_line.program(),
                   command_line.program() + " " + version() + "\n");
+  allowLosingClouds(arguments.count("force") != 0);
   Outcome outcome = runGuarded([&] { return body(arguments); });
   if (interrupted() && outcome.code == BAD_INPUT)
     outcome = {INTERRUPTED, stopped_by_signal, {}};

@@ -40,8 +40,8 @@ struct Outcome {
 
 using Arguments = boost::program_options::variables_map;
 
-/** \brief Options of one app; --help, --version and --quiet are there from the start.
- */
+/** \brief Options of one app; --help, --version, --quiet and --force are there from the
+ * start. */
 class CommandLine {
 public:
   explicit CommandLine(Usage usage);

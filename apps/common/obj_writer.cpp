@@ -65,7 +65,6 @@ writeObj(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file)
   const bool has_colour = findColour(cloud, colour);
   const bool has_normal = findNormal(cloud, normal);
   const std::size_t points = pointCount(cloud);
-  file.text("# " + std::string(our_mark) + "\n");
   for (const std::string& line : asComments(remarks))
     file.text("# " + line + "\n");
   for (std::size_t i = 0; i < points; ++i) {

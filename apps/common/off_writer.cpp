@@ -39,8 +39,7 @@ writeOff(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file)
   const bool has_colour = findColour(cloud, colour);
   const bool has_normal = findNormal(cloud, normal);
   const std::vector<Eigen::Vector3f> positions = readPositions(cloud);
-  file.text(std::string(has_colour ? "C" : "") + (has_normal ? "N" : "") + "OFF\n# " +
-            std::string(our_mark) + "\n");
+  file.text(std::string(has_colour ? "C" : "") + (has_normal ? "N" : "") + "OFF\n");
   for (const std::string& line : asComments(remarks))
     file.text("# " + line + "\n");
   file.text(std::to_string(positions.size()) + " " +

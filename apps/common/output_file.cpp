@@ -4,6 +4,7 @@
 
 #include "file_format.h"
 #include "interrupt.h"
+#include "overwriting.h"
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
@@ -54,7 +55,7 @@ isDevice(const std::string& path)
          !S_ISDIR(info.st_mode);
 }
 
-/** What is at \a path now must be nothing, a writable file or a device. */
+/** What is at \a path now must be nothing, a device, or a file that may be replaced. */
 Status
 checkTarget(const std::string& path)
 {
@@ -67,7 +68,7 @@ checkTarget(const std::string& path)
     return cannotWrite(path, "it is a folder");
   if (access(path.c_str(), W_OK) != 0)
     return cannotWrite(path, std::strerror(errno));
-  return {};
+  return checkReplaceable(path);
 }
 
 /** What has been begun is brought to its end, lest a reader gets half a result; after a
@@ -103,9 +104,8 @@ OutputFile::check(const std::string& path)
 {
   if (isStandardStream(path))
     return {};
-  const Status status = checkTarget(path);
-  if (!status.ok() || isDevice(path))
-    return status;
+  if (isDevice(path))
+    return checkTarget(path);
   OutputFile probe;
   return probe.open(path);
 }

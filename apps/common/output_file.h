@@ -15,7 +15,8 @@ namespace app {
 
 /** \brief Writes to a temporary name in the folder of the target; commit() renames it.
  * Without commit(), after an error or a signal, the temporary file is removed, and a
- * target of an earlier run stays as it was. Devices and pipes are written directly.
+ * target of an earlier run stays as it was. A cloud of others is not replaced, see
+ * checkReplaceable(). Devices and pipes are written directly.
  * Standard output ("-") gets its first byte in commit(). */
 class OutputFile {
 public:

@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/greedy_start.h>
 #include <pcl/point_types.h>
 
+#include "file_names.h"
 #include "model_io.h"
 
 #include <cmath>
@@ -20,7 +21,7 @@ usage()
   Usage usage;
   usage.program = "pcl_ccaa_reconstruct";
   usage.synopsis = "INPUT_CLOUD OUTPUT_MESH [options]\n"
-                   "       pcl_ccaa_reconstruct INPUT_CLOUD... OUTPUT_MESH --merge "
+                   "       pcl_ccaa_reconstruct INPUT_CLOUD... -o OUTPUT_MESH --merge "
                    "[options]\n"
                    "       pcl_ccaa_reconstruct INPUT_CLOUD... --output-folder DIR "
                    "[options]";
@@ -39,7 +40,7 @@ OUTPUT_MESH   )" +
   usage.examples = R"(  pcl_ccaa_reconstruct bunny.pcd bunny.ply
   pcl_ccaa_reconstruct scan.xyz scan.ply --threads 4 --report scan.json
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --repair
-  pcl_ccaa_reconstruct front.pcd left.pcd back.pcd bust.ply --merge
+  pcl_ccaa_reconstruct front.pcd left.pcd back.pcd --merge -o bust.ply
   pcl_ccaa_reconstruct - - < bunny.pcd | pcl_repair_holes - bunny.ply
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --labels --normals --measure-speedup
 )";
@@ -79,10 +80,6 @@ addOutputs(po::options_description_easy_init add)
       po::bool_switch(),
       "all inputs are views of one object and become one cloud, in which each point "
       "keeps the viewpoint of its file");
-  add("output-folder",
-      text(),
-      "write NAME.ply to this folder (made if missing) for each of any number of "
-      "inputs; --format chooses another ending");
   add("dry-run",
       po::bool_switch(),
       "say what would be read and how, and write nothing but the report");
@@ -130,34 +127,29 @@ addSettings(po::options_description_easy_init add)
       "all");
 }
 
-/** Which of the names are inputs: the first one, all but the last, or all. */
 Status
 takeFiles(const Arguments& arguments, ReconstructSettings& settings)
 {
-  std::vector<std::string> names{takeText(arguments, "INPUT_CLOUD")};
-  if (arguments.count("OUTPUT_MESH") != 0)
-    names.push_back(takeText(arguments, "OUTPUT_MESH"));
-  for (const std::string& name : takeTexts(arguments, "MORE"))
-    names.push_back(name);
-  const bool is_many = arguments.count("output-folder") != 0;
+  const FileRules rules{"INPUT_CLOUD",
+                        "OUTPUT_MESH",
+                        "--merge and -o/--output OUTPUT_MESH, or --output-folder DIR",
+                        settings.merge};
+  FileNames names;
+  Status status = takeFileNames(arguments, rules, names);
+  if (!status.ok())
+    return status;
+  const bool is_many = names.isBatch();
   if (is_many && settings.merge)
     return Status::error("--merge makes one mesh, --output-folder one of each input; "
                          "they do not go together");
-  settings.output_folder = takeText(arguments, "output-folder");
-  if (is_many && settings.output_folder.empty())
-    return Status::error("--output-folder needs the name of a folder");
-  if (!is_many && names.size() == 1 && !settings.dry_run)
+  if (!is_many && names.output.empty() && !settings.dry_run)
     return Status::error("OUTPUT_MESH is missing (try --help)");
-  if (!is_many && names.size() > 1) {
-    settings.output = names.back();
-    names.pop_back();
-  }
-  if (!is_many && !settings.merge && names.size() > 1)
-    return Status::error("several inputs need --merge or --output-folder (try --help)");
-  settings.input = names.front();
-  settings.inputs = names;
+  settings.input = names.inputs.front();
+  settings.inputs = std::move(names.inputs);
+  settings.output = std::move(names.output);
+  settings.output_folder = std::move(names.folder);
   const bool is_needed = is_many || isStandardStream(settings.output);
-  const Status status = takeFormat(arguments, is_needed, settings.format);
+  status = takeFormat(arguments, is_needed, settings.format);
   if (is_many && settings.format == FileFormat::UNKNOWN)
     settings.format = FileFormat::PLY;
   if (status.ok() && is_many && !isMeshOutput(Target("", settings.format)))
@@ -200,12 +192,10 @@ CommandLine
 makeReconstructCommandLine()
 {
   CommandLine line(usage());
+  addFileNames(line, "INPUT_CLOUD", "OUTPUT_MESH");
   addOutputs(line.addOptions());
   addSettings(line.addOptions());
   addFormatOption(line, "ply, vtk, obj, off or stl");
-  line.addPositional("INPUT_CLOUD");
-  line.addOptionalPositional("OUTPUT_MESH");
-  line.addMorePositionals("MORE");
   return line;
 }
 

@@ -102,13 +102,47 @@ takeComment(std::string_view& line)
   return true;
 }
 
+/** In a title other text follows behind it. */
+constexpr std::string_view mark_end = "; ";
+
+/** Cut off our mark; \return whether it was there. */
+bool
+takeMark(std::string_view& text)
+{
+  if (text.substr(0, our_mark.size()) != our_mark)
+    return false;
+  const std::string_view rest = text.substr(our_mark.size());
+  if (!rest.empty() && rest.substr(0, mark_end.size()) != mark_end)
+    return false;
+  text = trimmed(rest.substr(std::min(rest.size(), mark_end.size())));
+  return true;
+}
+
 } // namespace
+
+bool
+carriesOurMark(std::string_view beginning)
+{
+  constexpr int lines_with_mark = 3; // what a format must begin with, and the mark
+  constexpr std::string_view ply_keyword = "comment ";
+  TextScanner scanner(beginning.data(), beginning.data() + beginning.size());
+  std::string_view line;
+  for (int i = 0; i < lines_with_mark && scanner.nextLine(line); ++i) {
+    takeComment(line);
+    if (line.substr(0, ply_keyword.size()) == ply_keyword)
+      line.remove_prefix(ply_keyword.size());
+    if (takeMark(line))
+      return true;
+  }
+  return false;
+}
 
 void
 addComment(std::string_view text, Remarks& remarks)
 {
   text = trimmed(text);
-  if (!text.empty() && text != our_mark)
+  takeMark(text);
+  if (!text.empty())
     remarks.comments.emplace_back(text);
 }
 
@@ -134,7 +168,7 @@ readUnitComments(const InputFile& file, std::size_t lines_before, Remarks& remar
 std::vector<std::string>
 asComments(const Remarks& remarks)
 {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines{std::string(our_mark)};
   if (!remarks.title.empty())
     lines.push_back(remarks.title);
   lines.insert(lines.end(), remarks.comments.begin(), remarks.comments.end());
@@ -148,8 +182,8 @@ asTitle(const Remarks& remarks)
   std::string title;
   for (const std::string& line : asComments(remarks))
     if (title.size() + line.size() + 2 <= longest_title)
-      title += (title.empty() ? "" : "; ") + line;
-  return title.empty() ? std::string(our_mark) : title;
+      title += (title.empty() ? "" : mark_end.data()) + line;
+  return title;
 }
 
 std::string

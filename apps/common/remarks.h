@@ -11,10 +11,16 @@
 
 namespace app {
 
-/** \brief The mark that our own writers leave, which is not handed on. */
+/** \brief The mark that our own writers leave at the beginning of the file, which is
+ * not handed on. */
 constexpr std::string_view our_mark = "PclSurfaceRepair";
 
-/** \brief Add a comment, unless it is our own mark. */
+/** \brief Whether a file with these first bytes has our mark where our writers put it.
+ */
+bool
+carriesOurMark(std::string_view beginning);
+
+/** \brief Add a comment without our own mark, if there is more to it. */
 void
 addComment(std::string_view text, Remarks& remarks);
 
@@ -24,11 +30,13 @@ addComment(std::string_view text, Remarks& remarks);
 void
 readUnitComments(const InputFile& file, std::size_t lines_before, Remarks& remarks);
 
-/** \brief All of them as comments, for formats that know nothing else. */
+/** \brief All of them as comments behind our mark, for formats that know nothing else.
+ */
 std::vector<std::string>
 asComments(const Remarks& remarks);
 
-/** \brief One line, for formats with room for a title alone. */
+/** \brief One line that begins with our mark, for formats with room for a title alone.
+ */
 std::string
 asTitle(const Remarks& remarks);
 

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_holes.
 #include "repair_options.h"
 
+#include "file_names.h"
 #include "model_io.h"
 
 #include <limits>
@@ -103,10 +104,6 @@ addRunOptions(po::options_description_easy_init add)
   add("dry-run",
       "say what would be repaired, and write nothing but the report; exit code 0: "
       "nothing to do, 2: something");
-  add("output-folder",
-      path(),
-      "write NAME.ply to this folder (made if missing) for each of any number of "
-      "inputs; --format chooses another ending");
   add("no-pictures", "leave out the pictures");
   add("free-points", path(), "a cloud of points of the missing regions");
   add("bridges",
@@ -293,32 +290,25 @@ checkOutputs(const RepairSettings& settings)
   return {};
 }
 
-/** With --output-folder all names are inputs. */
 Status
-takeManyInputs(const Arguments& arguments, RepairSettings& settings)
+takeFiles(const Arguments& arguments, RepairSettings& settings)
 {
-  std::vector<std::string> more = takeTexts(arguments, "MORE");
-  const bool is_many = arguments.count("output-folder") != 0;
-  const Status status = takeFormat(
-      arguments, is_many || isStandardStream(settings.output), settings.format);
+  FileNames names;
+  Status status = takeFileNames(
+      arguments, {"INPUT_MESH", "OUTPUT_MESH", "--output-folder DIR", false}, names);
   if (!status.ok())
     return status;
-  if (!is_many)
-    return more.empty() ? Status()
-                        : Status::error("'" + more.front() +
-                                        "' is one name too many; several inputs need "
-                                        "--output-folder (try --help)");
-  settings.output_folder = takeText(arguments, "output-folder");
-  if (settings.output_folder.empty())
-    return Status::error("--output-folder needs the name of a folder");
-  settings.inputs.push_back(settings.input);
-  if (!settings.output.empty())
-    settings.inputs.push_back(settings.output);
-  settings.inputs.insert(settings.inputs.end(), more.begin(), more.end());
-  settings.output.clear();
-  if (settings.format == FileFormat::UNKNOWN)
+  settings.input = names.inputs.front();
+  settings.output = std::move(names.output);
+  settings.output_folder = std::move(names.folder);
+  const bool is_many = !settings.output_folder.empty();
+  if (is_many)
+    settings.inputs = std::move(names.inputs);
+  status = takeFormat(
+      arguments, is_many || isStandardStream(settings.output), settings.format);
+  if (is_many && settings.format == FileFormat::UNKNOWN)
     settings.format = FileFormat::PLY;
-  return {};
+  return status;
 }
 
 } // namespace
@@ -335,6 +325,7 @@ nameOf(DarningChoice choice)
 void
 addRepairOptions(CommandLine& command_line)
 {
+  addFileNames(command_line, "INPUT_MESH", "OUTPUT_MESH");
   addRunOptions(command_line.addOptions());
   addMethodOptions(command_line);
 }
@@ -357,19 +348,17 @@ takeMethod(const Arguments& arguments, RepairParameters& method)
 Status
 takeRepairSettings(const Arguments& arguments, RepairSettings& settings)
 {
-  settings.input = takeText(arguments, "INPUT_MESH");
   settings.inspect = takeText(arguments, "inspect");
   settings.free_points = takeText(arguments, "free-points");
   settings.report = takeText(arguments, "report");
   settings.pictures = arguments.count("no-pictures") == 0;
   settings.quiet = arguments.count("quiet") != 0;
-  settings.output = takeText(arguments, "OUTPUT_MESH");
   settings.bridges = takeText(arguments, "bridges");
   settings.labels = arguments.count("labels") != 0;
   settings.dry_run = arguments.count("dry-run") != 0;
   if (arguments.count("inspect") != 0 && settings.inspect.empty())
     return Status::error("--inspect needs the name of a folder");
-  Status status = takeManyInputs(arguments, settings);
+  Status status = takeFiles(arguments, settings);
   if (status.ok())
     status = checkOutputs(settings);
   if (status.ok())

@@ -59,8 +59,8 @@ nameOf(pcl::repair::DarningChoice choice);
 Usage
 repairUsage();
 
-/** \brief Add the options of the run and of the method, with the defaults of the
- * library. */
+/** \brief Add the names of files, and the options of the run and of the method with the
+ * defaults of the library. */
 void
 addRepairOptions(CommandLine& command_line);
 

@@ -97,8 +97,9 @@ TEST_F(RepairApp, ReconstructsSeveralCloudsAsOne)
   const RunResult result = runApp("pcl_ccaa_reconstruct",
                                   {folder_.path("a.pcd"),
                                    folder_.path("b.ply"),
-                                   folder_.path("out.ply"),
                                    "--merge",
+                                   "-o",
+                                   folder_.path("out.ply"),
                                    "--report",
                                    folder_.path("report.json")});
   ASSERT_EQ(0, result.exit_code) << result.errors;
