@@ -97,6 +97,7 @@ ForceLineHoleRepair::write(pcl::PolygonMesh& output)
                       repaired_->model.point_of_vertex,
                       context,
                       output.polygons);
+  report_.finished = true;
 }
 
 void

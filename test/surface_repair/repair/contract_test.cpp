@@ -275,6 +275,35 @@ TEST_F(RepairContract, RefusesParametersOutOfRange)
   }
 }
 
+TEST_F(RepairContract, IsNotCompleteBeforeARun)
+{
+  EXPECT_FALSE(RepairReport().complete());
+  EXPECT_FALSE(ForceLineHoleRepair().getReport().complete());
+}
+
+TEST_F(RepairContract, IsNotCompleteAfterAnError)
+{
+  RepairParameters out_of_range;
+  out_of_range.survey.field.trust = 1.0;
+  EXPECT_FALSE(repaired(holedSphere(), out_of_range).report.complete());
+  EXPECT_FALSE(repaired({icosphere(1).vertices, {}}).report.complete());
+  pcl::PolygonMesh cut_off = toPolygonMesh(holedSphere());
+  cut_off.cloud.data.resize(cut_off.cloud.data.size() / 2);
+  EXPECT_FALSE(repaired(cut_off).report.complete());
+}
+
+TEST_F(RepairContract, IsNotCompleteAfterAnErrorThatFollowsASuccess)
+{
+  ForceLineHoleRepair repair;
+  pcl::PolygonMesh output;
+  repair.setInputMesh(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(holedSphere())));
+  repair.process(output);
+  ASSERT_TRUE(repair.getReport().complete());
+  repair.setTrust(-1.0);
+  repair.process(output);
+  EXPECT_FALSE(repair.getReport().complete());
+}
+
 TEST_F(RepairContract, LeavesHolesOpenThatAreTooLarge)
 {
   RepairParameters parameters;

@@ -132,12 +132,14 @@ struct RepairReport {
   std::size_t shortfalls = 0;          /**< holes left open that should be closed */
   std::vector<std::pair<std::string, double>> seconds; /**< of each step */
   bool cancelled = false;
+  bool finished = false; /**< the output holds the result; false before the first run,
+                              after an error and after cancelling */
 
-  /** \brief All that should be closed is closed. */
+  /** \brief The run came to its end, and all that should be closed is closed. */
   bool
   complete() const
   {
-    return !cancelled && shortfalls == 0;
+    return finished && shortfalls == 0;
   }
 };
 
