@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: from islands and complex holes to one correct surface.
 
 #include <pcl/console/print.h>
+#include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/threads.h>
@@ -146,7 +147,14 @@ ForceLineHoleRepair::checkParameters() const
                 name);
       return false;
     }
-  return true;
+  // Free points come as a plain list.
+  const bool can_search = ccaa::canSearch(field.search.get(), PointCloud<PointXYZ>());
+  if (!can_search)
+    PCL_ERROR("[pcl::%s::initCompute] the search method %s needs an organised cloud, "
+              "free points are not\n",
+              getClassName().c_str(),
+              field.search->getName().c_str());
+  return can_search;
 }
 
 } // namespace pcl

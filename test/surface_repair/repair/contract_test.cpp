@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: tests of what ForceLineHoleRepair promises for any input.
 
 #include <pcl/console/print.h>
+#include <pcl/search/organized.h>
 #include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -302,6 +303,16 @@ TEST_F(RepairContract, IsNotCompleteAfterAnErrorThatFollowsASuccess)
   repair.setTrust(-1.0);
   repair.process(output);
   EXPECT_FALSE(repair.getReport().complete());
+}
+
+TEST_F(RepairContract, RefusesASearchOfOrganisedCloudsForFreePoints)
+{
+  RepairParameters parameters;
+  parameters.survey.field.search =
+      pcl::make_shared<pcl::search::OrganizedNeighbor<pcl::PointXYZ>>();
+  const Repaired result = repaired(holedSphere(), parameters);
+  EXPECT_TRUE(result.output.polygons.empty());
+  EXPECT_FALSE(result.report.complete());
 }
 
 TEST_F(RepairContract, LeavesHolesOpenThatAreTooLarge)

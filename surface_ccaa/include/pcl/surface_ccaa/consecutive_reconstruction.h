@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pcl/surface/processing.h>
-#include <pcl/surface/reconstruction.h>
+#include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/consecutive/chain_run.h>
 #include <pcl/surface_ccaa/consecutive/consecutive_report.h>
 #include <pcl/surface_ccaa/consecutive/point_stages.h>
@@ -52,7 +52,8 @@ namespace pcl {
  * points and points outside of the indices get none. The result is the same for any
  * number of threads if that is true of the parts.
  *
- * Errors (PCL_ERROR, no triangles): a part is missing, an index outside the cloud,
+ * Errors (PCL_ERROR, no triangles): no cloud, a search method for organised clouds
+ * with another one, a part is missing, an index outside the cloud,
  * fewer than three usable points, a filter that returns what it was not given, a base
  * algorithm that does not keep the given triangles, an exception from a part. If the
  * first start algorithm makes nothing (PCL_WARN), the others work alone. If the filter
@@ -64,7 +65,7 @@ namespace pcl {
  * \tparam PointT any point type with x, y and z of type float in a row
  */
 template <typename PointT>
-class ConsecutiveReconstruction : public MeshConstruction<PointT>,
+class ConsecutiveReconstruction : public ccaa::CheckedConstruction<PointT>,
                                   public ccaa::RunSettings {
 public:
   using Ptr = shared_ptr<ConsecutiveReconstruction<PointT>>;
@@ -73,7 +74,6 @@ public:
   using FilterPtr = MeshProcessing::Ptr;
   using BasePtr = typename MeshCompletion<PointT>::Ptr;
 
-  using MeshConstruction<PointT>::check_tree_;
   using MeshConstruction<PointT>::indices_;
   using MeshConstruction<PointT>::input_;
   using MeshConstruction<PointT>::tree_;

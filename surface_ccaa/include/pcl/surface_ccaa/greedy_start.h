@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: greedy triangulation extended to 3D (thesis 3.3).
 #pragma once
 
-#include <pcl/surface/reconstruction.h>
+#include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/greedy/ranked_points.h>
 #include <pcl/surface_ccaa/run_settings.h>
@@ -31,27 +31,20 @@ namespace pcl {
  *
  * Cost O(N k^2) and about 250 bytes per point while it runs. One object serves one
  * thread at a time. Errors (PCL_ERROR, no triangles): a parameter out of range, an
- * index outside the cloud, fewer than three usable points.
+ * index outside the cloud, fewer than three usable points, no cloud, a search method
+ * for organised clouds with another one.
  *
  * \tparam PointT any point type with x, y and z of type float in a row
  */
 template <typename PointT>
-class GreedyStart : public MeshConstruction<PointT>, public ccaa::RunSettings {
+class GreedyStart : public ccaa::CheckedConstruction<PointT>, public ccaa::RunSettings {
 public:
   using Ptr = shared_ptr<GreedyStart<PointT>>;
   using ConstPtr = shared_ptr<const GreedyStart<PointT>>;
 
-  using MeshConstruction<PointT>::check_tree_;
   using MeshConstruction<PointT>::indices_;
   using MeshConstruction<PointT>::input_;
   using MeshConstruction<PointT>::tree_;
-
-  GreedyStart()
-  {
-    // The tree is to hold usable points only, along a curve, so the base does not fill
-    // it.
-    check_tree_ = false;
-  }
 
   /** \brief k: neighbors of a point between which edges are considered, 3 to 64.
    * Default

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the contract of base algorithms (thesis 3.1, 3.5).
 #pragma once
 
-#include <pcl/surface/reconstruction.h>
+#include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/PolygonMesh.h>
 
@@ -36,18 +36,11 @@ namespace pcl {
  * \tparam PointT any point type with x, y and z of type float in a row
  */
 template <typename PointT>
-class MeshCompletion : public MeshConstruction<PointT>, public ccaa::RunSettings {
+class MeshCompletion : public ccaa::CheckedConstruction<PointT>,
+                       public ccaa::RunSettings {
 public:
   using Ptr = shared_ptr<MeshCompletion<PointT>>;
   using ConstPtr = shared_ptr<const MeshCompletion<PointT>>;
-
-  using MeshConstruction<PointT>::check_tree_;
-
-  MeshCompletion()
-  {
-    // Each algorithm decides for itself which points a tree is to hold.
-    check_tree_ = false;
-  }
 
   /** \brief The triangles to keep; null (the default) for none. The mesh is not copied:
    * it must not change during a run. */

@@ -32,7 +32,8 @@ namespace pcl {
  * Cost: 0.5 us a given point, 15 us an open one. Errors (PCL_ERROR, no triangles): a
  * parameter out of range, an index outside the cloud, fewer than three usable points, a
  * partial mesh of another cloud, with corners out of range, non-manifold or wound
- * inconsistently. One object serves one thread at a time.
+ * inconsistently, no cloud, a search method for organised clouds with another one. One
+ * object serves one thread at a time.
  *
  * \tparam PointT any point type with x, y and z of type float in a row
  */

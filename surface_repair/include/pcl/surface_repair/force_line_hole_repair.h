@@ -51,7 +51,8 @@ struct RepairedModel;
  * left out, and the report says why. The result is the same for any number of threads.
  *
  * Errors (PCL_ERROR, no polygons, a report that is not complete()): an unreadable
- * cloud, no valid polygon, a parameter out of range, memory. PCL's process() crashes without an input mesh, before this
+ * cloud, no valid polygon, a parameter out of range, a search method for organised
+ * clouds, memory. PCL's process() crashes without an input mesh, before this
  * class is asked. The input mesh itself may be given to process() as output.
  *
  * Cost: some 2 us a triangle for reading and orientation, 30 us a boundary edge and

@@ -35,6 +35,8 @@ needsCloudOfItsOwn(const PointCloud<PointT>& cloud,
 }
 
 /** \brief Run an algorithm that starts from points alone.
+ * A cloud of some of the points is no longer organised: an algorithm whose search
+ * method needs that loses it.
  * \param[in] chosen cloud indices of points that are finite
  * \param[out] made polygons of cloud indices, not checked */
 template <typename PointT>
@@ -56,6 +58,8 @@ constructFrom(const ChainInput<PointT>& input,
   }
   const auto part = std::make_shared<PointCloud<PointT>>(*input.cloud, *chosen);
   part->is_dense = true;
+  if (!canSearch(algorithm.getSearchMethod().get(), *part))
+    algorithm.setSearchMethod(nullptr); // it chooses one that can
   algorithm.setInputCloud(part);
   algorithm.setIndices(IndicesPtr());
   algorithm.reconstruct(made);

@@ -23,7 +23,6 @@ template <typename PointT>
 ConsecutiveReconstruction<PointT>::ConsecutiveReconstruction()
 : filter_(std::make_shared<UmbrellaFilter>())
 {
-  check_tree_ = false; // the parts decide for themselves what a tree is to hold
   const auto start = std::make_shared<GreedyStart<PointT>>();
   start->setSearchMethod(std::make_shared<search::BlockSearch<PointT>>());
   starts_.push_back(start);
@@ -189,7 +188,7 @@ ConsecutiveReconstruction<PointT>::measureSpeedup()
   if (!base_)
     PCL_ERROR("[pcl::%s::measureSpeedup] no base algorithm to compare with\n",
               getClassName().c_str());
-  if (!base_ || !this->initCompute())
+  if (!base_ || !this->hasUsableCloud("measureSpeedup") || !this->initCompute())
     return {};
   ccaa::ChainRun alone(progress_, ccaa::resolveThreads(threads_));
   std::vector<Vertices> polygons;
