@@ -4,6 +4,4 @@
 #include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
 #include <pcl/point_types.h>
 
-PCL_INSTANTIATE(ConsecutiveReconstruction,
-                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(
-                    pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointXYZINormal))
+PCL_INSTANTIATE(ConsecutiveReconstruction, PCL_XYZ_POINT_TYPES)

@@ -4,6 +4,4 @@
 #include <pcl/surface_ccaa/impl/greedy_start.hpp>
 #include <pcl/point_types.h>
 
-PCL_INSTANTIATE(GreedyStart,
-                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(
-                    pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointXYZINormal))
+PCL_INSTANTIATE(GreedyStart, PCL_XYZ_POINT_TYPES)

@@ -4,6 +4,4 @@
 #include <pcl/surface_ccaa/impl/projection_completion.hpp>
 #include <pcl/point_types.h>
 
-PCL_INSTANTIATE(ProjectionCompletion,
-                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(
-                    pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointXYZINormal))
+PCL_INSTANTIATE(ProjectionCompletion, PCL_XYZ_POINT_TYPES)

@@ -4,6 +4,4 @@
 #include <pcl/surface_ccaa/impl/block_search.hpp>
 #include <pcl/point_types.h>
 
-PCL_INSTANTIATE(BlockSearch,
-                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(
-                    pcl::PointNormal)(pcl::PointXYZRGBNormal)(pcl::PointXYZINormal))
+PCL_INSTANTIATE(BlockSearch, PCL_XYZ_POINT_TYPES)
