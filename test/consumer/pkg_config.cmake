@@ -12,5 +12,4 @@ run(make
     "CXX=${LAUNCHER} ${CXX_COMPILER}"
     "CXXFLAGS=-O0 ${CXX_FLAGS}"
     "PKG_CONFIG_PATH=${PREFIX}/${LIBDIR}/pkgconfig")
-set(ENV{LD_LIBRARY_PATH} "${PREFIX}/${LIBDIR}")
 run("${SCRATCH}/repair_scan")
