@@ -27,12 +27,19 @@ set_tests_properties(PackagesAreMade PROPERTIES FIXTURES_SETUP packages
                                                                                 600)
 
 if(PSR_DPKG_DEB AND psr_programs)
-  foreach(psr_case IN ITEMS runtime dev tools doc common dependencies)
+  foreach(psr_case IN ITEMS runtime dev tools doc site common dependencies)
     psr_add_package_test(
       PackageContents.${psr_case} packages bash
       "${CMAKE_CURRENT_SOURCE_DIR}/package/contents_test.sh" ${psr_case}
       "${psr_packages}" "${PROJECT_SOURCE_DIR}" "${PROJECT_VERSION}" ${psr_programs})
   endforeach()
+  # The site is there if its test is, whatever has been installed since.
+  if(PSR_DOXYGEN)
+    set_tests_properties(PackageContents.site PROPERTIES ENVIRONMENT
+                                                         "PSR_DOXYGEN=${PSR_DOXYGEN}")
+  endif()
+  set_tests_properties(PackageContents.site PROPERTIES SKIP_REGULAR_EXPRESSION
+                                                       "^skipped:")
 endif()
 
 # Of a launcher with settings only the launcher: a list would be taken apart on the way.
