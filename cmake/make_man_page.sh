@@ -40,8 +40,16 @@ summary() {
 }
 
 options() {
+  local group
+  help_groups <<<"$help" | while IFS= read -r group; do
+    [[ $group == Options ]] || printf '.SS "%s"\n' "$group"
+    options_of "$group"
+  done
+}
+
+options_of() {
   local option takes text
-  help_options <<<"$help" | escaped | while IFS=$'\t' read -r option takes text; do
+  help_options "$1" <<<"$help" | escaped | while IFS=$'\t' read -r option takes text; do
     case $takes in
       '\-') takes='' ;;
       'arg (='*) takes=" \\fIvalue\\fR (default: ${takes:6}" ;;

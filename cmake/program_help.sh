@@ -3,15 +3,21 @@
 # Part of PclSurfaceRepair: reads what a program prints for --help; to be sourced. The
 # functions read the text from standard input.
 
-# A line "--name<tab>argument and default, or -<tab>description" for each option.
+# The headings of the groups of options, without the colon.
+help_groups() {
+  sed -n 's/^\(Options.*\):$/\1/p'
+}
+
+# help_options [GROUP]: a line "--name<tab>argument and default, or -<tab>description" for
+# each option, of all groups or of one.
 help_options() {
-  awk '
+  awk -v group="${1:-}" '
     function flush() {
       sub(/ +$/, "", text)
       if (name != "") print name "\t" (takes == "" ? "-" : takes) "\t" text
       name = ""
     }
-    /^Options:/ { inside = 1; next }
+    /^Options.*:$/ { flush(); inside = group == "" || $0 == group ":"; next }
     inside && /^[^ ]/ { flush(); exit }
     inside && /^  -/ && match($0, /--[a-z0-9-]+/) {
       flush()

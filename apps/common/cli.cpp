@@ -131,7 +131,9 @@ checkDifferentPaths(const std::vector<std::string>& paths)
 } // namespace
 
 CommandLine::CommandLine(Usage usage)
-: usage_(std::move(usage)), options_("Options", 88, 50)
+: usage_(std::move(usage))
+, options_("Options", 88, 50)
+, method_options_("Options of the method, whose defaults fit nearly always", 88, 50)
 {
   options_.add_options()("help,h", "print this text and stop")(
       "version", "print the version and stop")(
@@ -167,7 +169,7 @@ CommandLine::parse(int argc, const char* const* argv, Arguments& arguments) cons
 {
   try {
     po::options_description all;
-    all.add(options_).add(hidden_);
+    all.add(options_).add(method_options_).add(hidden_);
     const int style =
         po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
     po::command_line_parser parser(argc, argv);
@@ -189,10 +191,13 @@ std::string
 CommandLine::help() const
 {
   std::ostringstream text;
+  text << "Usage: " << usage_.program << " " << usage_.synopsis << "\n\n"
+       << usage_.summary << "\n\n"
+       << options_ << "\n";
+  if (!method_options_.options().empty())
+    text << method_options_ << "\n";
   text
-      << "Usage: " << usage_.program << " " << usage_.synopsis << "\n\n"
-      << usage_.summary << "\n\n"
-      << options_ << "\nExamples:\n"
+      << "Examples:\n"
       << usage_.examples
       << "\nExit codes: 0 done; 1 bad usage or bad input, nothing written; 2 done, but "
          "something\nwas left undone (stderr says what); 130 stopped by Ctrl-C.\n";

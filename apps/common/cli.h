@@ -53,6 +53,14 @@ public:
     return options_.add_options();
   }
 
+  /** \brief The same for parameters of the method, which the help has behind all
+   * others. */
+  boost::program_options::options_description_easy_init
+  addMethodOptions()
+  {
+    return method_options_.add_options();
+  }
+
   /** \brief A required argument without a dash; \a name in capitals. */
   void
   addPositional(const std::string& name);
@@ -81,13 +89,15 @@ public:
 private:
   Usage usage_;
   boost::program_options::options_description options_;
+  boost::program_options::options_description method_options_;
   boost::program_options::options_description hidden_;
   boost::program_options::positional_options_description positional_;
   std::vector<std::string> required_;
 };
 
 /** \brief Whole course of an app: parse, answer --help and --version, run \a body with
- * signals caught and PCL's console silent, print its outcome, return the exit code.
+ * signals caught and PCL's console silent, print its outcome and, unless quiet, its
+ * verdict, return the exit code.
  * Running out of memory ends like bad input. */
 int
 runApp(const CommandLine& command_line,

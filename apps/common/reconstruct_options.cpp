@@ -62,13 +62,13 @@ count(long long default_value)
 void
 addOutputs(po::options_description_easy_init add)
 {
-  add("until",
-      text()->default_value("base"),
-      "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
-      "(correct triangles only) or base (what is missing between them, too)");
   add("repair",
       po::bool_switch(),
       "then join the islands and close the holes, as pcl_repair_holes does");
+  add("merge",
+      po::bool_switch(),
+      "all inputs are views of one object and become one cloud, in which each point "
+      "keeps the viewpoint of its file");
   add("labels",
       po::bool_switch(),
       "write which stage made each triangle as the face property 'stage': 0 start, "
@@ -76,19 +76,15 @@ addOutputs(po::options_description_easy_init add)
   add("normals",
       po::bool_switch(),
       "write a normal of the surface for each point, unless the cloud has normals");
-  add("merge",
-      po::bool_switch(),
-      "all inputs are views of one object and become one cloud, in which each point "
-      "keeps the viewpoint of its file");
   add("dry-run",
       po::bool_switch(),
       "say what would be read and how, and write nothing but the report");
   add("report",
       text(),
       "write figures about the run to this JSON file, or to standard output (-)");
-  add("measure-speedup",
-      po::bool_switch(),
-      "also run the base stage alone, and print whether the stages before it pay");
+  add("threads",
+      count(0),
+      "number of threads, 0 = all; the result is the same for any");
 }
 
 void
@@ -99,9 +95,13 @@ addSettings(po::options_description_easy_init add)
   const auto degrees = [](double angle) {
     return std::round(angle * 18000 / M_PI) / 100;
   };
-  add("threads",
-      count(0),
-      "number of threads, 0 = all; the result is the same for any");
+  add("until",
+      text()->default_value("base"),
+      "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
+      "(correct triangles only) or base (what is missing between them, too)");
+  add("measure-speedup",
+      po::bool_switch(),
+      "also run the base stage alone, and print whether the stages before it pay");
   add("search",
       text()->default_value("fast"),
       "neighbour search: fast, or kdtree (PCL's own)");
@@ -194,8 +194,8 @@ makeReconstructCommandLine()
   CommandLine line(usage());
   addFileNames(line, "INPUT_CLOUD", "OUTPUT_MESH");
   addOutputs(line.addOptions());
-  addSettings(line.addOptions());
   addFormatOption(line, "ply, vtk, obj, off or stl");
+  addSettings(line.addMethodOptions());
   return line;
 }
 

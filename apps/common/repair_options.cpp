@@ -97,24 +97,24 @@ void
 addRunOptions(po::options_description_easy_init add)
 {
   const auto path = [] { return po::value<std::string>(); };
+  add("free-points", path(), "a cloud of points of the missing regions");
+  add("dry-run",
+      "say what would be repaired, and write nothing but the report; exit code 0: "
+      "nothing to do, 2: something");
+  add("report",
+      path(),
+      "write figures about the model to this JSON file, or to standard output (-)");
+  add("labels",
+      "write how each triangle came about as the face property 'origin': 0 input, "
+      "1 fan, 2 minimum weight, 3 completion; PLY only");
+  add("bridges",
+      path(),
+      "write the bridges that were built, with normals and quality, to this .vtk file");
   add("inspect",
       path(),
       "write what was found to this folder (made if missing): .vtk and .pcd files for "
       "pcl_viewer, PNG pictures, and legend.txt, which explains them");
-  add("dry-run",
-      "say what would be repaired, and write nothing but the report; exit code 0: "
-      "nothing to do, 2: something");
   add("no-pictures", "leave out the pictures");
-  add("free-points", path(), "a cloud of points of the missing regions");
-  add("bridges",
-      path(),
-      "write the bridges that were built, with normals and quality, to this .vtk file");
-  add("labels",
-      "write how each triangle came about as the face property 'origin': 0 input, "
-      "1 fan, 2 minimum weight, 3 completion; PLY only");
-  add("report",
-      path(),
-      "write figures about the model to this JSON file, or to standard output (-)");
   add("threads",
       po::value<long long>()->default_value(0),
       "number of threads, 0 = all; the result is the same for any");
@@ -146,24 +146,29 @@ addSurveyOptions(po::options_description_easy_init add)
       "least distance between bridges, in lengths of the bridge, above 0");
 }
 
+/** Which holes are closed. */
 void
 addClosingOptions(po::options_description_easy_init add)
+{
+  add("no-join", "leave islands apart");
+  add("greatest-hole",
+      po::value<long long>()->default_value(0),
+      "holes of more edges are left open, 0: no limit");
+}
+
+/** How they are closed. */
+void
+addDarningOptions(po::options_description_easy_init add)
 {
   const RepairParameters defaults;
   add("darning",
       po::value<std::string>()->default_value("automatic"),
       "how simple holes are closed: fan (from the centroid), minimum-weight, "
-      "completion "
-      "(base algorithm, with free points as vertices), or automatic: completion where "
-      "a "
-      "hole holds enough free points, else minimum-weight");
-  add("greatest-hole",
-      po::value<long long>()->default_value(0),
-      "holes of more edges are left open, 0: no limit");
+      "completion (base algorithm, with free points as vertices), or automatic: "
+      "completion where a hole holds enough free points, else minimum-weight");
   add("edge-length",
       realValue(defaults.refinement.edge_length),
       "edges of new triangles, in those of the surface around, above 0");
-  add("no-join", "leave islands apart");
   add("no-refine",
       "do not make new triangles as small as those around; not fair either");
   add("no-fair", "do not move new vertices to a smooth surface");
@@ -327,15 +332,16 @@ addRepairOptions(CommandLine& command_line)
 {
   addFileNames(command_line, "INPUT_MESH", "OUTPUT_MESH");
   addRunOptions(command_line.addOptions());
+  addFormatOption(command_line, "ply, vtk, obj, off or stl");
   addMethodOptions(command_line);
 }
 
 void
 addMethodOptions(CommandLine& command_line)
 {
-  addSurveyOptions(command_line.addOptions());
   addClosingOptions(command_line.addOptions());
-  addFormatOption(command_line, "ply, vtk, obj, off or stl");
+  addDarningOptions(command_line.addMethodOptions());
+  addSurveyOptions(command_line.addMethodOptions());
 }
 
 Status

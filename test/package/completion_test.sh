@@ -46,6 +46,7 @@ offers 'minimum-weight' pcl_repair_holes a.ply b.ply --darning m
 offers 'report.json,results' pcl_repair_holes --report ''
 offers 'results' pcl_repair_holes --inspect ''
 offers 'lines.vtk' pcl_repair_holes --bridges l
+offers 'lines.vtk,results,scan.ply,two words.PLY' pcl_ccaa_reconstruct --output ''
 offers '' pcl_repair_holes --trust ''
 # --option=value comes as three words; a value is no argument.
 offers 'full,light' pcl_repair_holes --mode =
