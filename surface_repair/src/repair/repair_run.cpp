@@ -12,6 +12,7 @@
 #include "repair_log.h"
 
 #include <algorithm>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -23,6 +24,15 @@ namespace {
 /** Times that what came out is looked at again. What one pass leaves open because of
  * its neighbours, the next one finds alone. */
 constexpr int MOST_PASSES = 5;
+
+/** Name of the stage for people; \a pass counts from 0. */
+std::string
+closingStage(int pass)
+{
+  return pass == 0 ? "closing"
+                   : "closing, pass " + std::to_string(pass + 1) + " of at most " +
+                         std::to_string(MOST_PASSES);
+}
 
 /** Where a region is built: its boundary with room around it. */
 ccaa::Box
@@ -91,7 +101,7 @@ private:
   using Clock = RepairLog::Clock;
 
   bool
-  closeHoles();
+  closeHoles(const std::string& stage);
   bool
   allIsClosed() const;
   void
@@ -128,8 +138,13 @@ private:
 
 /** One pass. \return whether anything was closed */
 bool
-RepairRun::closeHoles()
+RepairRun::closeHoles(const std::string& stage)
 {
+  const auto tell = [&](double share) {
+    if (context_.control != nullptr)
+      context_.control->report(stage.c_str(), share);
+  };
+  tell(0.0);
   list_ = listHoles(survey_, parameters_.darning);
   Triangles given = list_.replaced.empty() ? Triangles() : survey_.model.triangles;
   if (!list_.replaced.empty())
@@ -157,9 +172,7 @@ RepairRun::closeHoles()
   for (std::size_t r = 0; r < regions.size() && !context_.cancelled(); ++r) {
     accept(
         list_.regions[r], closeRegion(place, regions[r], obstacle, context_), obstacle);
-    if (context_.control != nullptr)
-      context_.control->report(
-          "closing", static_cast<double>(r + 1) / static_cast<double>(regions.size()));
+    tell(static_cast<double>(r + 1) / static_cast<double>(regions.size()));
   }
   const bool closed_any = !added_.triangles.empty();
   if (!closed_any && !list_.replaced.empty())
@@ -332,7 +345,7 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
   bool finished = false;
   for (int pass = 0; pass < MOST_PASSES && !context_.cancelled(); ++pass) {
     const auto start = Clock::now();
-    const bool closed_any = closeHoles();
+    const bool closed_any = closeHoles(closingStage(pass));
     log_.countSeconds("closing", start);
     finished = allIsClosed();
     if (!closed_any || finished || context_.cancelled())

@@ -258,6 +258,27 @@ TEST_F(RepairContract, CanBeCancelledAtEveryStage)
   }
 }
 
+TEST_F(RepairContract, SaysWhichPassLooksAgain)
+{
+  const Shape two_holes = inPieces(
+      icosphere(3), [](const Position& p) { return std::abs(p.z()) > 0.9 ? -1 : 0; });
+  ForceLineHoleRepair repair;
+  repair.setInputMesh(pcl::make_shared<pcl::PolygonMesh>(
+      toPolygonMesh(withoutTriangles(two_holes, {two_holes.triangles.size() / 2}))));
+  repair.setGreatestHole(5);
+  std::vector<std::string> stages;
+  repair.setProgressCallback([&](const std::string& stage, double) {
+    if (stage.compare(0, 7, "closing") == 0 &&
+        (stages.empty() || stages.back() != stage))
+      stages.push_back(stage);
+    return true;
+  });
+  pcl::PolygonMesh output;
+  repair.process(output);
+  const std::vector<std::string> expected{"closing", "closing, pass 2 of at most 5"};
+  EXPECT_EQ(expected, stages);
+}
+
 TEST_F(RepairContract, RefusesParametersOutOfRange)
 {
   using Change = void (*)(RepairParameters&);

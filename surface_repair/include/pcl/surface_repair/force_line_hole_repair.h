@@ -59,7 +59,8 @@ struct RepairedModel;
  * 20 us a new vertex on one thread. One object serves one thread at a time.
  *
  * Progress: stages "reading", "orientation", "classification", "force lines",
- * "closing".
+ * "closing", which begins again as "closing, pass 2 of at most 5" when holes that were
+ * left open are looked at once more.
  */
 class ForceLineHoleRepair : public MeshProcessing, public ccaa::RunSettings {
 public:
