@@ -6,10 +6,13 @@
 #include "common/merge.h"
 #include "common/model_io.h"
 #include "common/output_folder.h"
+#include "common/point_columns.h"
 #include "common/position_check.h"
 #include "common/reconstruct_options.h"
 #include "common/reconstruct_report.h"
 #include "common/reconstruct_run.h"
+#include "common/verdict.h"
+#include "common/wording.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>
@@ -65,11 +68,10 @@ judge(const app::ReconstructResult& result)
         "on a line?); the output holds the points alone",
         {}};
   if (result.filter.one_sided_components > 0)
-    return {
-        app::INCOMPLETE,
-        std::to_string(result.filter.one_sided_components) +
-            " regions are one-sided (like a Moebius band) and could not be oriented",
-        {}};
+    return {app::INCOMPLETE,
+            app::pluralIs(result.filter.one_sided_components, "region") +
+                " one-sided (like a Moebius band) and could not be oriented",
+            {}};
   if (result.repair && !result.repair->complete())
     return {
         app::INCOMPLETE, app::tellShortfalls(*result.repair, result.model.mesh), {}};
@@ -128,6 +130,25 @@ sumUp(const app::ReconstructSettings& settings, const app::ReconstructResult& re
     people << app::tabulateSpeedup(*result.speedup) << std::endl;
 }
 
+std::string
+tellVerdict(const app::ReconstructSettings& settings,
+            const app::ReconstructResult& result)
+{
+  if (settings.dry_run)
+    return app::plural(app::pointCount(result.model.mesh.cloud), "point") +
+           " to reconstruct";
+  if (!settings.hasFilter())
+    return "raw triangles";
+  app::SurfaceFacts facts;
+  if (result.repair)
+    facts = app::surfaceFacts(*result.repair);
+  else
+    facts.open = result.boundary_loops.value_or(0);
+  facts.has_triangles = !result.model.mesh.polygons.empty();
+  facts.faults += result.filter.one_sided_components;
+  return app::tellSurface(facts);
+}
+
 /** \brief From the cloud that was read to the mesh. */
 app::Status
 work(const app::ReconstructSettings& settings,
@@ -144,8 +165,8 @@ work(const app::ReconstructSettings& settings,
     status = app::repairResult(settings, bar, result);
   if (result.chain.skipped_points > 0)
     result.model.warnings.push_back(
-        std::to_string(result.chain.skipped_points) +
-        " points have coordinates that are not finite; they stay without triangles");
+        app::pluralHas(result.chain.skipped_points, "point") +
+        " coordinates that are not finite, and no triangle");
   return status;
 }
 
@@ -172,6 +193,8 @@ runOne(const app::ReconstructSettings& settings, app::ReconstructResult& result)
   if (!settings.quiet)
     sumUp(settings, result);
   outcome.notes = result.model.warnings;
+  outcome.verdict = {tellVerdict(settings, result),
+                     &app::peopleStream({settings.output, settings.report})};
   return outcome;
 }
 

@@ -8,6 +8,7 @@
 #include "common/output_format.h"
 #include "common/point_columns.h"
 #include "common/report.h"
+#include "common/wording.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -196,7 +197,7 @@ readInput(const app::DamageSettings& settings, app::Model& model)
   if (finite < 3)
     return app::Status::error(app::nameForPeople(settings.input) + " has only " +
                               std::to_string(finite) +
-                              " usable points; at least three are needed");
+                              " usable; at least three points are needed");
   return {};
 }
 
@@ -290,16 +291,22 @@ writeFiles(const app::DamageSettings& settings,
   return files.commit();
 }
 
+std::ostream&
+people(const app::DamageSettings& settings)
+{
+  return app::peopleStream(
+      {settings.output, settings.removed, settings.free_points, settings.report});
+}
+
 void
 sumUp(const app::DamageSettings& settings,
       const app::Damage& damage,
       const Result& result)
 {
-  app::peopleStream(
-      {settings.output, settings.removed, settings.free_points, settings.report})
-      << app::summaryName(settings.output) << ": of " << damage.removed.size()
-      << " points " << result.removed << " taken out, " << result.kept
-      << " of them left as free points\n";
+  people(settings) << app::summaryName(settings.output) << ": of "
+                   << app::plural(damage.removed.size(), "point") << " "
+                   << result.removed << " taken out, " << result.kept
+                   << " of them left as free\n";
 }
 
 app::Outcome
@@ -329,6 +336,9 @@ damageModel(const app::Arguments& arguments)
   if (!settings.quiet)
     sumUp(settings, damage, result);
   result.outcome.notes = model.warnings;
+  result.outcome.verdict = {
+      app::plural(static_cast<std::size_t>(result.removed), "point") + " taken out",
+      &people(settings)};
   return result.outcome;
 }
 

@@ -9,6 +9,7 @@
 #include "common/progress.h"
 #include "common/quality_report.h"
 #include "common/report.h"
+#include "common/verdict.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>
@@ -99,6 +100,20 @@ saveReport(const Settings& settings,
   return file.commit();
 }
 
+app::SurfaceFacts
+surfaceFacts(const pcl::ccaa::MeshFacts& mesh)
+{
+  app::SurfaceFacts facts;
+  facts.has_triangles = mesh.triangles > 0;
+  facts.open = mesh.boundary_loops.size();
+  facts.faults = mesh.non_manifold_edges + mesh.non_manifold_vertices +
+                 mesh.misoriented_edges + mesh.degenerate_triangles +
+                 mesh.invalid_triangles + mesh.non_finite_triangles +
+                 mesh.self_intersections.value_or(0);
+  facts.pieces = mesh.components;
+  return facts;
+}
+
 app::Outcome
 measure(const app::Arguments& arguments)
 {
@@ -125,12 +140,13 @@ measure(const app::Arguments& arguments)
   if (!status.ok())
     return app::Outcome::badInput(status);
   bar.clear();
+  std::ostream& people = app::peopleStream({settings.report});
   if (!settings.quiet)
-    app::peopleStream({settings.report})
-        << (app::isStandardStream(settings.mesh) ? "standard input" : settings.mesh)
-        << ": " << app::summarizeFacts(facts) << '\n'
-        << app::tabulateFacts(facts);
-  return {app::DONE, "", model.warnings};
+    people << (app::isStandardStream(settings.mesh) ? "standard input" : settings.mesh)
+           << ": " << app::summarizeFacts(facts) << '\n'
+           << app::tabulateFacts(facts);
+  return {
+      app::DONE, "", model.warnings, {app::tellSurface(surfaceFacts(facts)), &people}};
 }
 
 } // namespace

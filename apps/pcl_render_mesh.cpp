@@ -6,6 +6,7 @@
 #include "common/output_format.h"
 #include "common/point_columns.h"
 #include "common/report.h"
+#include "common/wording.h"
 #include "render/display.h"
 #include "render/mesh_parts.h"
 #include "render/picture.h"
@@ -143,8 +144,9 @@ sumUp(const Files& files, const app::RenderSettings& settings, const app::Model&
 {
   app::peopleStream({files.output, files.report})
       << app::summaryName(files.output) << ": " << settings.width << " x "
-      << settings.height << " pixels, " << app::pointCount(model.mesh.cloud)
-      << " points, " << model.mesh.polygons.size() << " polygons\n";
+      << settings.height << " pixels, "
+      << app::plural(app::pointCount(model.mesh.cloud), "point") << ", "
+      << app::plural(model.mesh.polygons.size(), "polygon") << "\n";
 }
 
 app::Outcome
@@ -176,7 +178,10 @@ renderMesh(const app::Arguments& arguments)
     return app::Outcome::badInput(status);
   if (arguments.count("quiet") == 0)
     sumUp(files, settings, model);
-  return {app::DONE, "", model.warnings};
+  return {app::DONE,
+          "",
+          model.warnings,
+          {"1 picture", &app::peopleStream({files.output, files.report})}};
 }
 
 } // namespace

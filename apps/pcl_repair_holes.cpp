@@ -18,6 +18,7 @@
 #include "common/repair_report.h"
 #include "common/repair_run.h"
 #include "common/report.h"
+#include "common/verdict.h"
 #include "render/display.h"
 #include "render/inspection_pictures.h"
 #include "render/render_options.h"
@@ -257,6 +258,15 @@ sumUp(const app::RepairSettings& settings, const Result& result)
            << app::summarizeRepair(result.repair) << std::endl;
 }
 
+std::string
+tellVerdict(const app::RepairSettings& settings, const Result& result)
+{
+  if (settings.repairs())
+    return app::tellSurface(app::surfaceFacts(result.repair));
+  return settings.dry_run ? app::summarizePlan(app::planRepair(result.survey))
+                          : "inspected";
+}
+
 /** \brief Everything up to the files. */
 app::Status
 work(const app::RepairSettings& settings,
@@ -298,6 +308,8 @@ runOne(const app::RepairSettings& settings,
   if (!settings.quiet)
     sumUp(settings, result);
   outcome.notes = result.warnings;
+  outcome.verdict = {tellVerdict(settings, result),
+                     &app::peopleStream({settings.output, settings.report})};
   return outcome;
 }
 

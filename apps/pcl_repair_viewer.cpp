@@ -7,6 +7,7 @@
 #include "common/output_folder.h"
 #include "common/point_columns.h"
 #include "common/progress.h"
+#include "common/verdict.h"
 #include "render/display.h"
 #include "render/drawing.h"
 #include "render/view_choice.h"
@@ -193,6 +194,13 @@ sumUp(const app::ViewerSettings& settings, const app::ViewerRun& run)
             << std::endl;
 }
 
+/** Whether something stays open is no matter of this program's exit code. */
+std::string
+tellVerdict(const app::ViewerRun& run)
+{
+  return run.repaired ? app::tellSurface(app::surfaceFacts(run.repair)) : "shown";
+}
+
 app::Outcome
 run(const app::Arguments& arguments)
 {
@@ -226,7 +234,7 @@ run(const app::Arguments& arguments)
     return app::Outcome::badInput(status);
   if (stopped)
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  return {app::DONE, "", run.input.warnings};
+  return {app::DONE, "", run.input.warnings, {tellVerdict(run), &std::cout}};
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "interrupt.h"
 #include "output_folder.h"
 #include "overwriting.h"
+#include "wording.h"
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -60,7 +61,7 @@ struct Totals {
   std::string
   text(std::size_t inputs) const
   {
-    return std::to_string(inputs) + " inputs: " + std::to_string(done) + " done, " +
+    return plural(inputs, "input") + ": " + std::to_string(done) + " done, " +
            std::to_string(incomplete) + " with something left undone, " +
            std::to_string(failed) + " failed";
   }
@@ -165,9 +166,8 @@ runBatch(const BatchSettings& settings, const BatchWork& work)
     const Outcome outcome = runGuarded([&] { return work(item, report); });
     if (interrupted() || outcome.code == INTERRUPTED)
       return {INTERRUPTED,
-              "stopped by a signal; of " + std::to_string(items.size()) +
-                  " inputs the first " + std::to_string(files.size()) +
-                  " were worked on to the end",
+              "stopped by a signal; of " + plural(items.size(), "input") + " " +
+                  std::to_string(files.size()) + " had been worked on to the end",
               {}};
     const bool names_input = outcome.reason.find(item.input) != std::string::npos;
     tellOutcome(settings.program + (names_input ? "" : ": " + item.input),
@@ -179,7 +179,8 @@ runBatch(const BatchSettings& settings, const BatchWork& work)
   status = writeBatchReport(settings, totals, watch.lap(), std::move(files));
   if (!status.ok())
     return Outcome::badInput(status);
-  return {totals.worst, totals.text(items.size()), {}};
+  const std::string text = totals.text(items.size());
+  return {totals.worst, text, {}, {text, &peopleStream({settings.report})}};
 }
 
 } // namespace app

@@ -30,8 +30,8 @@ addLegend(const std::vector<pcl::RepairBridge>& bridges, LayerBuilder& builder)
   builder.addLegend(colorOfBridge(1.0), "strong bridge");
   builder.addLegend(colorOfBridge(0.0),
                     "weak bridge; in all " + std::to_string(between_islands) +
-                        " join boundaries, " + std::to_string(within_holes) +
-                        " divide holes");
+                        " between boundaries, " + std::to_string(within_holes) +
+                        " within holes");
 }
 
 } // namespace

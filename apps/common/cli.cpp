@@ -229,6 +229,19 @@ tellOutcome(const std::string& who, const Outcome& outcome, bool quiet)
     complain(who, outcome.reason);
 }
 
+namespace {
+
+/** The last line of a run that came to its end. */
+void
+tellVerdict(const Outcome& outcome)
+{
+  if (outcome.verdict.people != nullptr && !outcome.verdict.facts.empty())
+    *outcome.verdict.people << (outcome.code == DONE ? "complete: " : "incomplete: ")
+                            << onOneLine(outcome.verdict.facts) << std::endl;
+}
+
+} // namespace
+
 int
 runApp(const CommandLine& command_line,
        int argc,
@@ -253,7 +266,10 @@ runApp(const CommandLine& command_line,
   if (interrupted() && outcome.code == BAD_INPUT)
     outcome = {INTERRUPTED, stopped_by_signal, {}};
   const bool succeeded = outcome.code == DONE || outcome.code == INCOMPLETE;
-  tellOutcome(command_line.program(), outcome, arguments.count("quiet") != 0);
+  const bool quiet = arguments.count("quiet") != 0;
+  tellOutcome(command_line.program(), outcome, quiet);
+  if (succeeded && !quiet)
+    tellVerdict(outcome);
   // A reader that has seen enough of the summary (head) is no failure.
   if (flushedStandardOutput() || errno == EPIPE || !succeeded)
     return outcome.code;

@@ -24,11 +24,18 @@ struct Usage {
 /** \brief The sentence for the code INTERRUPTED. */
 constexpr const char* stopped_by_signal = "stopped by a signal; nothing was written";
 
+/** \brief The last line of a run, which begins with "complete" or "incomplete". */
+struct Verdict {
+  std::string facts;              /**< what follows that; empty: no line */
+  std::ostream* people = nullptr; /**< where it goes, see peopleStream() */
+};
+
 /** \brief How a run ended. */
 struct Outcome {
   ExitCode code = DONE;
   std::string reason; /**< one sentence for stderr unless the code is DONE */
   Warnings notes;     /**< printed to stderr after success, unless quiet */
+  Verdict verdict = {};
 
   /** \brief BAD_INPUT with the message of a failed status. */
   static Outcome

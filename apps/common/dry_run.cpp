@@ -3,6 +3,7 @@
 #include "dry_run.h"
 
 #include "repair_details.h"
+#include "wording.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "layer_builder.h"
 #include "point_columns.h"
 #include "repair_details.h"
+#include "wording.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -213,10 +214,12 @@ tellShortfalls(const RepairReport& report, const pcl::PolygonMesh& mesh)
   std::string text;
   for (const auto& [reason, holes] : groups) {
     const std::string place = placeOf(*holes.front(), mesh);
-    text += (text.empty() ? "" : ". ") + plural(holes.size(), "boundary loop") +
-            " left open: " + describe(reason);
+    const bool is_one = holes.size() == 1;
+    text += (text.empty() ? "" : ". ") + pluralIs(holes.size(), "boundary loop") +
+            " left open" + (is_one ? " because " : ", each because ") +
+            describe(reason);
     if (!place.empty())
-      text += std::string(" (") + (holes.size() > 1 ? "one is " : "") + place + ")";
+      text += std::string(" (") + (is_one ? "" : "one is ") + place + ")";
   }
   return text;
 }

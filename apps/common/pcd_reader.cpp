@@ -4,6 +4,7 @@
 
 #include "lzf.h"
 #include "point_table.h"
+#include "wording.h"
 
 #include <limits>
 
@@ -160,8 +161,8 @@ makeColumns(const PcdHeader& header, std::vector<SourceColumn>& columns)
 Status
 tooShort(const PcdHeader& header)
 {
-  return Status::error("it is too short for the " + std::to_string(header.points) +
-                       " points its header announces (truncated?)");
+  return Status::error("it is too short for the " + plural(header.points, "point") +
+                       " its header announces (truncated?)");
 }
 
 /** Lengths of compressed data, which stand before it. */

@@ -3,6 +3,7 @@
 #include "ply_header.h"
 
 #include "remarks.h"
+#include "wording.h"
 
 #include <array>
 #include <utility>
@@ -164,8 +165,8 @@ checkRowCounts(const PlyHeader& header, std::size_t bytes_left)
     // The last number of an ASCII file needs no space behind it.
     const std::size_t slack = header.format == PlyFormat::ASCII ? 1 : 0;
     if (row > 0 && element.rows > (bytes_left + slack) / row)
-      return Status::error("it is too short for the " + std::to_string(element.rows) +
-                           " rows of '" + element.name +
+      return Status::error("it is too short for the " + plural(element.rows, "row") +
+                           " of '" + element.name +
                            "' its header announces (truncated?)");
     bytes_left -= row * element.rows < bytes_left ? row * element.rows : bytes_left;
   }

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: columns of numbers in a file become the fields of a cloud.
 #include "point_table.h"
 
+#include "wording.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -301,7 +303,7 @@ decodeText(const TablePlan& plan, TextScanner& scanner, pcl::PCLPointCloud2& clo
     for (const Slot& slot : plan.slots) {
       if (!scanner.nextWord(word))
         return Status::error("it ends after " + std::to_string(i) + " of " +
-                             std::to_string(points) + " points");
+                             plural(points, "point"));
       if (!decodeWord(word, slot.target_type, point + slot.target_offset))
         return Status::error("'" + std::string(word.substr(0, 40)) + "' in point " +
                              std::to_string(i) + " is not the number it should be");

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: collects polygons whose indices come from a file.
 #include "polygon_builder.h"
 
+#include "wording.h"
+
 #include <limits>
 
 namespace app {
@@ -49,8 +51,8 @@ PolygonBuilder::finish(Warnings& warnings) const
     return Status::error("a face refers to vertex " + std::to_string(bad_index_) +
                          ", which does not exist");
   if (short_faces_ > 0)
-    warnings.push_back(std::to_string(short_faces_) +
-                       " faces with fewer than three corners are left out");
+    warnings.push_back(plural(short_faces_, "face") +
+                       " with fewer than three corners left out");
   return {};
 }
 

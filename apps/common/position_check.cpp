@@ -64,9 +64,10 @@ requireTrianglePoints(const pcl::PCLPointCloud2& cloud, const std::string& name)
   const std::size_t usable = countUsablePoints(cloud, 3);
   if (usable >= 3)
     return {};
-  return Status::error(name + ": there are only " + std::to_string(usable) +
-                       " usable points (finite, at different places); at least three "
-                       "are needed");
+  return Status::error(name +
+                       ": of at least three points needed (finite, at different "
+                       "places) there " +
+                       (usable == 1 ? "is " : "are ") + std::to_string(usable));
 }
 
 } // namespace app

@@ -191,7 +191,7 @@ summarizeInput(const ReconstructSettings& settings, const Model& model)
       settings.inputs.size() > 1
           ? settings.inputName()
           : (isStandardStream(settings.input) ? "standard input" : settings.input);
-  return name + ": " + std::to_string(pointCount(cloud)) + " points, " +
+  return name + ": " + plural(pointCount(cloud), "point") + ", " +
          std::to_string(extentOf(cloud).first) + " of them finite; fields" + fields +
          "; outer side by " + outerSideBy(model) +
          (units.empty() ? "" : "; units " + units);
@@ -200,20 +200,17 @@ summarizeInput(const ReconstructSettings& settings, const Model& model)
 std::string
 summarizeRun(const ReconstructSettings& settings, const ReconstructResult& result)
 {
-  const auto points = static_cast<double>(pointCount(result.model.mesh.cloud));
+  const std::size_t count = pointCount(result.model.mesh.cloud);
+  const auto points = static_cast<double>(count);
   const double seconds = totalSeconds(result);
   char text[256];
-  std::snprintf(text,
-                sizeof(text),
-                ": %.0f points, %zu free, %zu triangles",
-                points,
-                result.chain.free_points,
-                result.model.mesh.polygons.size());
-  std::string line = summaryName(settings.output) + text;
+  std::string line = summaryName(settings.output) + ": " + plural(count, "point") +
+                     ", " + std::to_string(result.chain.free_points) + " free, " +
+                     plural(result.model.mesh.polygons.size(), "triangle");
   if (result.repair)
     line += ", " + std::to_string(result.repair->new_triangles) + " of them by repair";
   if (result.boundary_loops)
-    line += ", " + std::to_string(*result.boundary_loops) + " boundary loops";
+    line += ", " + plural(*result.boundary_loops, "boundary loop");
   std::snprintf(text,
                 sizeof(text),
                 "; k %.4f, internal %.4f; %.3f s, us/point: %.2f (",

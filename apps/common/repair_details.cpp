@@ -3,6 +3,7 @@
 #include "repair_details.h"
 
 #include "repair_options.h"
+#include "wording.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -152,9 +153,12 @@ Tally::text() const
 }
 
 std::string
-plural(std::size_t count, const char* word)
+Tally::nouns() const
 {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+  std::string text;
+  for (const auto& [name, count] : counts_)
+    text += (text.empty() ? "" : ", ") + plural(count, name);
+  return text;
 }
 
 } // namespace app

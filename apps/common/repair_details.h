@@ -45,7 +45,7 @@ addJunction(pcl::repair::JunctionVerdict verdict,
 double
 totalSeconds(const StageTimes& stages);
 
-/** \brief "3 hole, 1 island rim": how often each name comes up, in the order of first
+/** \brief "3 fan, 1 completion": how often each name comes up, in the order of first
  * appearance. */
 class Tally {
 public:
@@ -55,12 +55,12 @@ public:
   std::string
   text() const;
 
+  /** \brief The same for names that are nouns: "3 holes, 1 island rim". */
+  std::string
+  nouns() const;
+
 private:
   std::vector<std::pair<std::string, std::size_t>> counts_;
 };
-
-/** \brief A count with its word, in the plural but for one. */
-std::string
-plural(std::size_t count, const char* word);
 
 } // namespace app

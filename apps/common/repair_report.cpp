@@ -8,6 +8,7 @@
 #include "layer_builder.h"
 #include "repair_details.h"
 #include "report.h"
+#include "wording.h"
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -145,9 +146,13 @@ std::string
 tellLoops(const ModelSurvey& survey)
 {
   Tally classes;
-  for (const auto& loop_class : survey.classes)
-    classes.add(describe(loop_class.boundary_class));
-  return row("loops", survey.classes.size(), classes.text());
+  for (const auto& loop_class : survey.classes) {
+    const bool is_undecided =
+        loop_class.boundary_class == pcl::repair::BoundaryClass::UNDECIDED;
+    classes.add(describe(loop_class.boundary_class) +
+                std::string(is_undecided ? " loop" : ""));
+  }
+  return row("loops", survey.classes.size(), classes.nouns());
 }
 
 std::string
@@ -175,7 +180,7 @@ tellBridges(const ModelSurvey& survey)
   return row("bridges",
              joined.bridges.size() - joined.holes.removed_bridges.size(),
              "would join islands and leave " +
-                 std::to_string(joined.holes.contours.size()) + " holes; " +
+                 plural(joined.holes.contours.size(), "hole") + "; " +
                  std::to_string(joined.holes.removed_bridges.size()) + " deleted");
 }
 
@@ -184,19 +189,20 @@ std::string
 tellReading(const ReadingReport& reading)
 {
   std::string text;
-  const auto tell = [&](std::size_t count, const char* what) {
+  const auto tell = [&](std::size_t count, const char* word, const char* what) {
     if (count > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+      text += (text.empty() ? "" : ", ") + plural(count, word) + " " + what;
   };
   const auto& filter = reading.filter;
-  tell(reading.invalid_polygons, "invalid polygons left out");
-  tell(reading.non_finite_points, "points that are not finite left out");
-  tell(reading.separated_fans, "points given to fans that touch in one");
+  tell(reading.invalid_polygons, "invalid polygon", "left out");
+  tell(reading.non_finite_points, "point", "left out: not finite");
+  tell(reading.separated_fans, "point", "given to fans that touch in one");
   if (reading.filtered)
     tell(filter.duplicate_triangles + filter.overfull_triangles +
              filter.umbrella_triangles + filter.twist_triangles,
-         "triangles taken out by the umbrella filter");
-  tell(reading.reversed_triangles, "triangles wound the other way");
+         "triangle",
+         "taken out by the umbrella filter");
+  tell(reading.reversed_triangles, "triangle", "wound the other way");
   return text.empty() ? "" : "  on reading: " + text + "\n";
 }
 
@@ -248,10 +254,9 @@ summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
 {
   std::string text =
       (isStandardStream(settings.input) ? "standard input" : settings.input) + ": " +
-      nameOf(survey.icm_class) + ", " + std::to_string(survey.counts.islands) +
-      (survey.counts.islands == 1 ? " island, " : " islands, ") +
-      std::to_string(survey.counts.simple_holes) + " simple and " +
-      std::to_string(survey.counts.complex_holes) + " complex holes\n";
+      nameOf(survey.icm_class) + ", " + plural(survey.counts.islands, "island") + ", " +
+      plural(survey.counts.simple_holes, "simple hole") + ", " +
+      plural(survey.counts.complex_holes, "complex hole") + "\n";
   text += row("triangles", survey.model.triangles.size(), "");
   text +=
       tellIslands(survey) + tellLoops(survey) + tellLines(survey) + tellBridges(survey);

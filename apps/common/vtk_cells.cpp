@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: the surface among the cells of an unstructured VTK grid.
 #include "vtk_cells.h"
 
+#include "wording.h"
+
 #include <utility>
 
 namespace app {
@@ -57,8 +59,8 @@ addSurfaceCells(const std::vector<std::int64_t>& cells,
     others += addCell(types[cell], corners, builder) ? 0 : 1;
   }
   if (others > 0)
-    warnings.push_back(std::to_string(others) +
-                       " cells that are no flat polygons are left out");
+    warnings.push_back(plural(others, "cell") +
+                       " left out: only flat polygons are read");
   return cell == types.size();
 }
 

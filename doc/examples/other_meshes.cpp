@@ -114,7 +114,7 @@ printBoundaries(const pcl::PolygonMesh::ConstPtr& mesh)
                 boundary.length,
                 boundary.island);
   const pcl::repair::IcmCounts& counts = classifier.getReport().counts;
-  std::printf("%zu islands, %zu simple and %zu complex holes\n",
+  std::printf("islands: %zu; holes: %zu simple, %zu complex\n",
               counts.islands,
               counts.simple_holes,
               counts.complex_holes);

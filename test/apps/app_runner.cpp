@@ -146,6 +146,14 @@ writeFile(const std::string& path, const std::string& bytes)
 }
 
 bool
+isOneLineWithVerdict(const std::string& text)
+{
+  const std::size_t verdict = text.find('\n') + 1;
+  return isOneLine(text.substr(0, verdict)) && isOneLine(text.substr(verdict)) &&
+         text.substr(verdict).find("complete: ") != std::string::npos;
+}
+
+bool
 isOneLine(const std::string& text)
 {
   return text.size() > 1 && text.find('\n') == text.size() - 1;

@@ -65,6 +65,10 @@ readFile(const std::string& path);
 void
 writeFile(const std::string& path, const std::string& bytes);
 
+/** \brief Whether \a text is one line of figures and the verdict of a run. */
+bool
+isOneLineWithVerdict(const std::string& text);
+
 /** \brief Whether \a text is one line: not empty, ending with its only line end. */
 bool
 isOneLine(const std::string& text);

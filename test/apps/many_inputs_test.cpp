@@ -40,7 +40,7 @@ TEST_F(ManyInputs, EachBecomesAFileOfItsName)
   ASSERT_EQ(0, result.exit_code) << result.errors;
   EXPECT_EQ(320U, loadMesh(folder_.path("out/a.off")).mesh.polygons.size());
   EXPECT_EQ(80U, loadMesh(folder_.path("out/b.off")).mesh.polygons.size());
-  EXPECT_EQ(2, std::count(result.output.begin(), result.output.end(), '\n'));
+  EXPECT_EQ(3, std::count(result.output.begin(), result.output.end(), '\n'));
 }
 
 TEST_F(ManyInputs, GoesOnAfterABadOneAndEndsWithTheWorstCode)
@@ -72,7 +72,7 @@ TEST_F(ManyInputs, TheirReportMayGoToStandardOutput)
   const RunResult result = repairAll({"a.ply", "b.ply"}, {"--report", "-"});
   ASSERT_EQ(0, result.exit_code) << result.errors;
   EXPECT_EQ(2U, nlohmann::json::parse(result.output).at("files").size());
-  EXPECT_EQ(2, std::count(result.errors.begin(), result.errors.end(), '\n'));
+  EXPECT_EQ(3, std::count(result.errors.begin(), result.errors.end(), '\n'));
 }
 
 TEST_F(ManyInputs, TwoOfOneNameAreRefusedBeforeTheWork)

@@ -62,7 +62,7 @@ TEST_F(RenderMesh, TakesPictureOfMeshInTheAskedSize)
 {
   const auto run = render({path("triangle.obj"), path("a.png"), "--size", "320x200"});
   ASSERT_EQ(0, run.exit_code) << run.errors;
-  EXPECT_TRUE(app_test::isOneLine(run.output)) << run.output;
+  EXPECT_TRUE(app_test::isOneLineWithVerdict(run.output)) << run.output;
   EXPECT_EQ(std::make_pair(320u, 200u), readPngSize(path("a.png")));
 }
 

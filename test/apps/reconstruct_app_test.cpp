@@ -20,7 +20,7 @@ TEST_F(ReconstructApp, MeshesACloudAndKeepsItsFieldsBitForBit)
   save(folder_.path("in.pcd"), cloud);
   const RunResult result = reconstruct("in.pcd", "out.ply");
   EXPECT_EQ(0, result.exit_code) << result.errors;
-  EXPECT_TRUE(isOneLine(result.output)) << result.output;
+  EXPECT_TRUE(isOneLineWithVerdict(result.output)) << result.output;
   EXPECT_EQ("", result.errors);
   EXPECT_EQ((std::vector<std::string>{"in.pcd", "out.ply"}), folder_.names());
   const pcl::PolygonMesh mesh = loadMesh(folder_.path("out.ply")).mesh;

@@ -129,7 +129,7 @@ TEST_F(ReconstructApp, PrintsWhetherTheChainPays)
       "--measure-speedup", "--report", folder_.path("report.json")};
   const RunResult result = reconstruct("in.ply", "out.ply", options);
   ASSERT_TRUE(hasMeshed(result));
-  EXPECT_EQ(3, std::count(result.output.begin(), result.output.end(), '\n'));
+  EXPECT_EQ(4, std::count(result.output.begin(), result.output.end(), '\n'));
   EXPECT_NE(std::string::npos, result.output.find("k c_A > c_B + c_F"));
   const auto speedup = report().at("speedup");
   EXPECT_GT(speedup.at("t_A"), 0.0);

@@ -37,6 +37,34 @@ describe(OpenReason reason)
   return "";
 }
 
+const char*
+nameOf(OpenReason reason)
+{
+  switch (reason) {
+  case OpenReason::NONE:
+    return "NONE";
+  case OpenReason::OUTER_BORDER:
+    return "OUTER_BORDER";
+  case OpenReason::TUBE_MOUTH:
+    return "TUBE_MOUTH";
+  case OpenReason::NOT_JOINED:
+    return "NOT_JOINED";
+  case OpenReason::UNDECIDED:
+    return "UNDECIDED";
+  case OpenReason::ONE_SIDED:
+    return "ONE_SIDED";
+  case OpenReason::TOO_LARGE:
+    return "TOO_LARGE";
+  case OpenReason::NO_DARN:
+    return "NO_DARN";
+  case OpenReason::NOT_MANIFOLD:
+    return "NOT_MANIFOLD";
+  case OpenReason::INTERSECTION:
+    return "INTERSECTION";
+  }
+  return "";
+}
+
 bool
 isShortfall(OpenReason reason)
 {

@@ -80,6 +80,10 @@ enum class OpenReason : std::uint8_t {
 const char*
 describe(OpenReason reason);
 
+/** \brief As it is called above, such as "NOT_JOINED". */
+const char*
+nameOf(OpenReason reason);
+
 /** \brief Whether something that should be closed was left open for this reason: all
  * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS and SEEN_EMPTY. */
 bool

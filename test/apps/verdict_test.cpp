@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the last line of runs, and how counts and options are told.
+#include "common/verdict.h"
+#include "common/wording.h"
+#include "repair_fixture.h"
+
+namespace app_test {
+namespace {
+
+TEST(Wording, HasSingularAndPlural)
+{
+  EXPECT_EQ("1 hole", app::plural(1, "hole"));
+  EXPECT_EQ("0 holes", app::plural(0, "hole"));
+  EXPECT_EQ("2 boundaries", app::plural(2, "boundary"));
+  EXPECT_EQ("2 days", app::plural(2, "day"));
+  EXPECT_EQ("1 region is", app::pluralIs(1, "region"));
+  EXPECT_EQ("2 regions are", app::pluralIs(2, "region"));
+  EXPECT_EQ("1 point has", app::pluralHas(1, "point"));
+  EXPECT_EQ("2 points have", app::pluralHas(2, "point"));
+}
+
+TEST(SurfaceVerdict, OfAClosedSurfaceIsWatertight)
+{
+  app::SurfaceFacts facts;
+  facts.pieces = 1;
+  EXPECT_EQ("watertight, 1 piece", app::tellSurface(facts));
+}
+
+TEST(SurfaceVerdict, NamesReasonsOfABoundaryLeftOpen)
+{
+  app::SurfaceFacts facts;
+  facts.left_open = 3;
+  facts.reasons = "2 INTERSECTION, 1 UNDECIDED";
+  EXPECT_EQ("3 boundaries left open (2 INTERSECTION, 1 UNDECIDED)",
+            app::tellSurface(facts));
+}
+
+TEST(SurfaceVerdict, TellsBordersThatMayBeOpen)
+{
+  app::SurfaceFacts facts;
+  facts.open = 1;
+  facts.pieces = 2;
+  EXPECT_EQ("1 border open, 2 pieces", app::tellSurface(facts));
+}
+
+TEST(SurfaceVerdict, OfAFaultySurfaceIsNotWatertight)
+{
+  app::SurfaceFacts facts;
+  facts.faults = 2;
+  EXPECT_EQ("2 faults", app::tellSurface(facts));
+}
+
+/** \brief What a run prints last, on stdout or, where that is taken, on stderr. */
+class RunVerdict : public RepairApp {
+protected:
+  void
+  SetUp() override
+  {
+    const test::Shape sphere = test::icosphere(3);
+    save(folder_.path("closed.ply"), test::toPolygonMesh(sphere));
+    save(folder_.path("holed.ply"),
+         test::toPolygonMesh(test::withoutTriangles(sphere, {0, 1, 2, 3})));
+  }
+
+  RunResult
+  run(const std::string& command) const
+  {
+    return runInShell("cd " + folder_.path("") + "; " + command);
+  }
+
+  static std::string
+  lastLine(const std::string& text)
+  {
+    const std::size_t end = text.size() < 2 ? text.size() : text.size() - 1;
+    const std::size_t start = text.rfind('\n', end - 1);
+    return text.substr(start == std::string::npos ? 0 : start + 1);
+  }
+};
+
+TEST_F(RunVerdict, EndsEveryProgram)
+{
+  const std::pair<const char*, const char*> verdicts[] = {
+      {"pcl_repair_holes holed.ply out.ply", "complete: watertight, 1 piece\n"},
+      {"pcl_repair_holes holed.ply out.ply --greatest-hole 3 2>&1",
+       "incomplete: 1 boundary left open (1 TOO_LARGE), 1 piece\n"},
+      {"pcl_repair_holes holed.ply --dry-run", "incomplete: 1 hole to close\n"},
+      {"pcl_repair_holes closed.ply --dry-run", "complete: nothing to repair\n"},
+      {"pcl_repair_holes holed.ply closed.ply --output-folder all",
+       "complete: 2 inputs: 2 done, 0 with something left undone, 0 failed\n"},
+      {"pcl_ccaa_reconstruct closed.ply out.ply", "complete: watertight\n"},
+      {"pcl_ccaa_reconstruct closed.ply out.ply --repair",
+       "complete: watertight, 1 piece\n"},
+      {"pcl_ccaa_reconstruct closed.ply --dry-run",
+       "complete: 642 points to reconstruct\n"},
+      {"pcl_mesh_quality holed.ply", "complete: 1 border open, 1 piece\n"},
+      {"pcl_damage_cloud closed.ply out.ply --sphere 0.5,0.5,0.5,0.01 2>/dev/null",
+       "incomplete: 0 points taken out\n"}};
+  for (const auto& [command, verdict] : verdicts)
+    EXPECT_EQ(verdict, lastLine(run(command).output)) << command;
+}
+
+TEST_F(RunVerdict, GoesToStandardErrorWhereTheMeshGoesToStandardOutput)
+{
+  const RunResult result = run("pcl_repair_holes holed.ply -");
+  EXPECT_EQ("complete: watertight, 1 piece\n", lastLine(result.errors));
+}
+
+TEST_F(RunVerdict, IsNotPrintedWhenQuietOrFailed)
+{
+  EXPECT_EQ("", run("pcl_repair_holes holed.ply out.ply -q").output);
+  EXPECT_EQ("", run("pcl_repair_holes missing.ply out.ply").output);
+}
+
+} // namespace
+} // namespace app_test
