@@ -24,7 +24,6 @@
 #include "render/render_options.h"
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <ostream>
 
 namespace {
@@ -53,20 +52,6 @@ makeCommandLine()
   return line;
 }
 
-/** The report may lie in the folder that is yet to be made. */
-bool
-comesWithFolder(const app::RepairSettings& settings)
-{
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (settings.inspect.empty() || fs::exists(settings.inspect, ignored))
-    return false;
-  const auto folder_of = [&](const std::string& file) {
-    return fs::weakly_canonical(file, ignored).parent_path();
-  };
-  return folder_of(settings.report) == folder_of(settings.inspect + "/any");
-}
-
 /** All that can be known to fail before the work begins. */
 app::Status
 checkFiles(const app::RepairSettings& settings)
@@ -87,7 +72,8 @@ checkFiles(const app::RepairSettings& settings)
     status = app::OutputFile::check(settings.bridges);
   if (status.ok() && !settings.inspect.empty())
     status = app::OutputFolder::check(settings.inspect);
-  if (status.ok() && !settings.report.empty() && !comesWithFolder(settings))
+  if (status.ok() && !settings.report.empty() &&
+      !app::OutputFolder::bringsAlong(settings.inspect, settings.report))
     status = app::OutputFile::check(settings.report);
   return status;
 }

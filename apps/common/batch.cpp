@@ -106,16 +106,6 @@ finished(const BatchSettings& settings,
   return report;
 }
 
-/** Whether the report lies in the folder that is yet to be made. */
-bool
-comesWithFolder(const BatchSettings& settings)
-{
-  std::error_code ignored;
-  return settings.writes && !fs::exists(settings.folder, ignored) &&
-         fs::weakly_canonical(settings.report, ignored).parent_path() ==
-             fs::weakly_canonical(settings.folder + "/any", ignored).parent_path();
-}
-
 /** The outputs, when all of them can be written. */
 Status
 planBatch(const BatchSettings& settings, std::vector<BatchItem>& items)
@@ -140,7 +130,8 @@ planBatch(const BatchSettings& settings, std::vector<BatchItem>& items)
       status = checkReplaceable(item.output);
   if (status.ok() && settings.writes)
     status = OutputFolder::check(settings.folder);
-  if (status.ok() && !settings.report.empty() && !comesWithFolder(settings))
+  if (status.ok() && !settings.report.empty() &&
+      !(settings.writes && OutputFolder::bringsAlong(settings.folder, settings.report)))
     status = OutputFile::check(settings.report);
   return status;
 }

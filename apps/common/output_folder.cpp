@@ -54,6 +54,18 @@ OutputFolder::check(const std::string& path)
   return {};
 }
 
+bool
+OutputFolder::bringsAlong(const std::string& path, const std::string& file)
+{
+  std::error_code ignored;
+  if (path.empty() || fs::exists(path, ignored))
+    return false;
+  const auto folder_of = [&](const std::string& name) {
+    return fs::weakly_canonical(name, ignored).parent_path();
+  };
+  return folder_of(file) == folder_of(path + "/any");
+}
+
 Status
 OutputFolder::open(const std::string& path)
 {

@@ -27,6 +27,10 @@ public:
   static Status
   check(const std::string& path);
 
+  /** \brief Whether \a file lies in the folder at \a path, which is yet to be made. */
+  static bool
+  bringsAlong(const std::string& path, const std::string& file);
+
   /** \brief Use the folder at \a path, made if missing. */
   Status
   open(const std::string& path);

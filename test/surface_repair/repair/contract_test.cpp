@@ -2,7 +2,6 @@
 // Part of PclSurfaceRepair: tests of what ForceLineHoleRepair promises for any input.
 
 #include <pcl/console/print.h>
-#include <pcl/search/organized.h>
 #include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -258,27 +257,6 @@ TEST_F(RepairContract, CanBeCancelledAtEveryStage)
   }
 }
 
-TEST_F(RepairContract, SaysWhichPassLooksAgain)
-{
-  const Shape two_holes = inPieces(
-      icosphere(3), [](const Position& p) { return std::abs(p.z()) > 0.9 ? -1 : 0; });
-  ForceLineHoleRepair repair;
-  repair.setInputMesh(pcl::make_shared<pcl::PolygonMesh>(
-      toPolygonMesh(withoutTriangles(two_holes, {two_holes.triangles.size() / 2}))));
-  repair.setGreatestHole(5);
-  std::vector<std::string> stages;
-  repair.setProgressCallback([&](const std::string& stage, double) {
-    if (stage.compare(0, 7, "closing") == 0 &&
-        (stages.empty() || stages.back() != stage))
-      stages.push_back(stage);
-    return true;
-  });
-  pcl::PolygonMesh output;
-  repair.process(output);
-  const std::vector<std::string> expected{"closing", "closing, pass 2 of at most 5"};
-  EXPECT_EQ(expected, stages);
-}
-
 TEST_F(RepairContract, RefusesParametersOutOfRange)
 {
   using Change = void (*)(RepairParameters&);
@@ -295,45 +273,6 @@ TEST_F(RepairContract, RefusesParametersOutOfRange)
     changes[i](parameters);
     EXPECT_TRUE(repaired(holedSphere(), parameters).output.polygons.empty()) << i;
   }
-}
-
-TEST_F(RepairContract, IsNotCompleteBeforeARun)
-{
-  EXPECT_FALSE(RepairReport().complete());
-  EXPECT_FALSE(ForceLineHoleRepair().getReport().complete());
-}
-
-TEST_F(RepairContract, IsNotCompleteAfterAnError)
-{
-  RepairParameters out_of_range;
-  out_of_range.survey.field.trust = 1.0;
-  EXPECT_FALSE(repaired(holedSphere(), out_of_range).report.complete());
-  EXPECT_FALSE(repaired({icosphere(1).vertices, {}}).report.complete());
-  pcl::PolygonMesh cut_off = toPolygonMesh(holedSphere());
-  cut_off.cloud.data.resize(cut_off.cloud.data.size() / 2);
-  EXPECT_FALSE(repaired(cut_off).report.complete());
-}
-
-TEST_F(RepairContract, IsNotCompleteAfterAnErrorThatFollowsASuccess)
-{
-  ForceLineHoleRepair repair;
-  pcl::PolygonMesh output;
-  repair.setInputMesh(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(holedSphere())));
-  repair.process(output);
-  ASSERT_TRUE(repair.getReport().complete());
-  repair.setTrust(-1.0);
-  repair.process(output);
-  EXPECT_FALSE(repair.getReport().complete());
-}
-
-TEST_F(RepairContract, RefusesASearchOfOrganisedCloudsForFreePoints)
-{
-  RepairParameters parameters;
-  parameters.survey.field.search =
-      pcl::make_shared<pcl::search::OrganizedNeighbor<pcl::PointXYZ>>();
-  const Repaired result = repaired(holedSphere(), parameters);
-  EXPECT_TRUE(result.output.polygons.empty());
-  EXPECT_FALSE(result.report.complete());
 }
 
 TEST_F(RepairContract, LeavesHolesOpenThatAreTooLarge)
