@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: seeded point sets for tests and benchmarks.
 #include "clouds.h"
 
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/conversions.h>
 
 #include "random_source.h"
@@ -262,6 +263,36 @@ toRawCloud(const Positions& points)
   pcl::PCLPointCloud2 raw;
   pcl::toPCLPointCloud2(*toCloud(points), raw);
   return raw;
+}
+
+pcl::PCLPointCloud2
+toDoubleCloud(const Positions& points)
+{
+  pcl::PCLPointCloud2 cloud;
+  for (const char* name : {"x", "y", "z"}) {
+    pcl::PCLPointField field;
+    field.name = name;
+    field.offset = cloud.point_step;
+    field.datatype = pcl::PCLPointField::FLOAT64;
+    field.count = 1;
+    cloud.fields.push_back(field);
+    cloud.point_step += sizeof(double);
+  }
+  cloud.height = 1;
+  std::vector<NewVertex> vertices;
+  for (const Position& point : points)
+    vertices.push_back({point, {}});
+  appendVertices(cloud, vertices);
+  return cloud;
+}
+
+Positions
+onGrid(Positions points)
+{
+  constexpr double steps = 65536.0;
+  for (Position& point : points)
+    point = (point * steps).array().round().matrix() / steps;
+  return points;
 }
 
 } // namespace test

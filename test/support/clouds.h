@@ -93,6 +93,18 @@ sameBytes(const pcl::PointCloud<pcl::PointXYZ>& one,
 pcl::PCLPointCloud2
 toRawCloud(const Positions& points);
 
+/** \brief The same with x, y and z as doubles. */
+pcl::PCLPointCloud2
+toDoubleCloud(const Positions& points);
+
+/** \brief Each coordinate at the nearest multiple of 2^-16, so that it stays exact in
+ * doubles millions of units away, and in floats near the origin. */
+Positions
+onGrid(Positions points);
+
+/** \brief A place on a map in metres. */
+const Position MAP_PLACE(596648.0, 5420317.0, 251.0);
+
 } // namespace test
 } // namespace ccaa
 } // namespace pcl

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: keeps only the correct triangles of any mesh (thesis 3.4).
 #include <pcl/console/print.h>
+#include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/threads.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
@@ -10,6 +11,20 @@
 #include <new>
 
 namespace pcl {
+
+namespace {
+
+/** What is looked at, less the global shift. */
+ccaa::FilterViews
+nearOrigin(const pcl::PCLPointCloud2& cloud)
+{
+  const Eigen::Vector3d offset = GlobalShift::of(cloud).offset();
+  return {ccaa::positionView(cloud).relativeTo(offset),
+          ccaa::normalView(cloud),
+          ccaa::viewpointView(cloud).relativeTo(offset)};
+}
+
+} // namespace
 
 /** PCL clears the polygons of the output between initCompute() and performProcessing():
  * they are read here, so that output may be the input mesh. */
@@ -57,8 +72,7 @@ UmbrellaFilter::readInput()
   settings.threads = ccaa::resolveThreads(threads_);
   ccaa::FilterViews views;
   if (ccaa::pointCount(cloud) > 0)
-    views = {
-        ccaa::positionView(cloud), ccaa::normalView(cloud), ccaa::viewpointView(cloud)};
+    views = nearOrigin(cloud);
   run_ = std::make_shared<ccaa::FilterRun>(views, settings, progress_);
   run_->read(input_mesh_->polygons);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: from any polygon mesh to an incomplete model.
+#include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
@@ -85,8 +86,13 @@ areAt(const Positions& places, const Positions& points)
 class Reading {
 public:
   Reading(const pcl::PolygonMesh& mesh, const ccaa::LoopContext& context)
-  : mesh_(mesh), points_(ccaa::positionView(mesh.cloud)), context_(context)
-  {}
+  : mesh_(mesh)
+  , shift_(GlobalShift::of(mesh.cloud).offset())
+  , points_(ccaa::positionView(mesh.cloud).relativeTo(shift_))
+  , context_(context)
+  {
+    result_.report.global_shift = shift_;
+  }
 
   ReadModel
   run(const pcl::PCLPointCloud2* free_points)
@@ -178,7 +184,8 @@ private:
                           context_);
     model.point_of_vertex = std::move(input_.point_of_vertex);
     model.given_normals = gather(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
-    model.viewpoints = gather(ccaa::viewpointView(mesh_.cloud), model.point_of_vertex);
+    model.viewpoints = gather(ccaa::viewpointView(mesh_.cloud).relativeTo(shift_),
+                              model.point_of_vertex);
   }
 
   /** \brief Points of the mesh's cloud that carry no triangle. */
@@ -196,7 +203,7 @@ private:
   void
   listSeparatePoints(const pcl::PCLPointCloud2& free_points)
   {
-    const ccaa::PointView view = ccaa::positionView(free_points);
+    const ccaa::PointView view = ccaa::positionView(free_points).relativeTo(shift_);
     for (std::size_t i = 0; i < view.size(); ++i)
       addFreePoint(view[i], pcl::UNAVAILABLE);
   }
@@ -234,6 +241,7 @@ private:
   }
 
   const pcl::PolygonMesh& mesh_;
+  Eigen::Vector3d shift_;
   ccaa::PointView points_;
   const ccaa::LoopContext& context_;
   ccaa::PolygonTriangles input_;

@@ -80,7 +80,11 @@ ForceLineHoleRepair::write(pcl::PolygonMesh& output)
   if (!repaired_ || report_.cancelled)
     return;
   auto next = static_cast<pcl::index_t>(ccaa::pointCount(output.cloud));
-  const repair::AddedVertices added = addedVertices(*repaired_);
+  repair::AddedVertices added = addedVertices(*repaired_);
+  const Eigen::Vector3d& shift = report_.reading.global_shift;
+  for (ccaa::NewVertex& vertex : added.vertices)
+    if (!shift.isZero(0.0)) // which would make 0 of -0
+      vertex.position += shift;
   const ccaa::CloudProblem problem = ccaa::appendVertices(output.cloud, added.vertices);
   if (problem != ccaa::CloudProblem::NONE) {
     PCL_ERROR("[pcl::%s::performProcessing] cannot append vertices: %s (%zu)\n",

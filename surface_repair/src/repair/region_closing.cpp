@@ -101,14 +101,17 @@ private:
   std::set<VertexPair> edges_;
 };
 
-/** The nearest place that floats can hold. Through memory: GCC 12 takes a vector of
- * doubles that became floats and doubles again for the doubles that they were. */
+/** The nearest place that floats at an origin can hold. Through memory: GCC 12 takes a
+ * vector of doubles that became floats and doubles again for the doubles that they
+ * were. */
 Position
-nearestFloats(Position place)
+nearestFloats(Position place, const Position& origin)
 {
-  for (double& coordinate : place) {
-    volatile const float held = static_cast<float>(coordinate);
-    coordinate = static_cast<double>(held);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double there =
+        origin[axis] == 0.0 ? place[axis] : place[axis] + origin[axis]; // keeps -0
+    volatile const float held = static_cast<float>(there);
+    place[axis] = static_cast<double>(held) - origin[axis];
   }
   return place;
 }
@@ -268,7 +271,7 @@ RegionClosing::roundPositions()
     return;
   Positions& positions = result_.patch.positions;
   for (std::size_t v = result_.patch.rim.size(); v < positions.size(); ++v)
-    positions[v] = nearestFloats(positions[v]);
+    positions[v] = nearestFloats(positions[v], place_.origin);
 }
 
 void

@@ -168,7 +168,8 @@ RepairRun::closeHoles(const std::string& stage)
   const ClosingPlace place{survey_.model,
                            survey_.guides ? *survey_.guides : none,
                            parameters_,
-                           float_positions_};
+                           float_positions_,
+                           report_.reading.global_shift};
   for (std::size_t r = 0; r < regions.size() && !context_.cancelled(); ++r) {
     accept(
         list_.regions[r], closeRegion(place, regions[r], obstacle, context_), obstacle);
@@ -365,6 +366,17 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
   return std::move(result_);
 }
 
+/** Bridges are told in the frame of the cloud. */
+void
+moveBridges(const Eigen::Vector3d& shift, std::vector<RepairBridge>& bridges)
+{
+  if (shift.isZero(0.0))
+    return;
+  for (RepairBridge& bridge : bridges)
+    for (Position& point : bridge.points)
+      point += shift;
+}
+
 } // namespace
 
 RepairedModel
@@ -377,6 +389,7 @@ runRepair(const pcl::PolygonMesh::ConstPtr& mesh,
   report = RepairReport();
   RepairedModel repaired =
       RepairRun(parameters, context, report).run(mesh, free_points);
+  moveBridges(report.reading.global_shift, report.bridges);
   report.cancelled = context.cancelled();
   return repaired;
 }

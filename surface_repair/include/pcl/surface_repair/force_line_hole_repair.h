@@ -46,6 +46,10 @@ struct RepairedModel;
  * vertices. A mesh that is no manifold goes through UmbrellaFilter first; what that
  * costs is in the report.
  *
+ * A cloud in map coordinates, with x, y and z as doubles (FLOAT64), is worked on near
+ * the origin (pcl::GlobalShift; getReport().reading.global_shift tells the offset);
+ * new points are doubles at the original place. Free points are in the same frame.
+ *
  * The result is never worse than the input: a patch that would run through the surface
  * or through another one, or give an edge a third triangle, is made in another way or
  * left out, and the report says why. The result is the same for any number of threads.

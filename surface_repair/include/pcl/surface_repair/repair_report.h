@@ -42,7 +42,8 @@ struct RepairBridge {
   pcl::index_t end = -1;
   std::size_t begin_island = 0;
   std::size_t end_island = 0;
-  repair::Positions points; /**< as built, before fairing; ends included */
+  repair::Positions points; /**< as built, before fairing; ends included; in the frame
+                                 of the cloud */
   repair::Directions normals;
   double quality = 0.0;     /**< mean tension (4.41) */
   bool within_hole = false; /**< it divides a hole (4.5); else it joins islands */

@@ -26,8 +26,8 @@ struct TripleLayout {
  * that the rooms work on a raw cloud, on floats or on doubles without a copy.
  *
  * The view owns nothing: what it looks at must outlive it and stay where it is. Numbers
- * are returned as they are, also when not finite. Const methods may be called from
- * several threads.
+ * are returned as they are, also when not finite, unless an origin is taken off. Const
+ * methods may be called from several threads.
  */
 class PointView {
 public:
@@ -63,6 +63,15 @@ public:
     return size_ == 0;
   }
 
+  /** \brief The same triples less an origin. */
+  PointView
+  relativeTo(const Position& origin) const
+  {
+    PointView moved = *this;
+    moved.origin_ = origin;
+    return moved;
+  }
+
   /** \brief The triple of a record; the index must be below size(). */
   Position
   operator[](std::size_t index) const
@@ -70,10 +79,10 @@ public:
     const std::uint8_t* record = data_ + index * layout_.record_bytes;
     if (layout_.row_padding_bytes != 0)
       record += index / layout_.records_per_row * layout_.row_padding_bytes;
-    return tripleAt(record);
+    return tripleAt(record) - origin_;
   }
 
-  /** \brief The triple of a record of the same layout that lies elsewhere. */
+  /** \brief The triple of a record of the same layout that lies elsewhere, as it is. */
   Position
   tripleAt(const std::uint8_t* record) const
   {
@@ -101,6 +110,7 @@ private:
   const std::uint8_t* data_ = nullptr;
   std::size_t size_ = 0;
   TripleLayout layout_;
+  Position origin_ = Position::Zero();
 };
 
 } // namespace ccaa

@@ -47,7 +47,7 @@ struct Island {
  * Vertices are the points that carry a triangle, numbered by first appearance in the
  * triangles; point_of_vertex leads back to the cloud. A point with several fans has a
  * vertex for each, those beside the first after all others. Positions are double
- * precision in the frame and the units of the cloud.
+ * precision in the units of the cloud, and in its frame less the global shift.
  */
 struct IncompleteModel {
   Positions positions; /**< of the vertices */

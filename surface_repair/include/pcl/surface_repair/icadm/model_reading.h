@@ -28,7 +28,9 @@ struct ReadingReport {
   std::size_t reversed_triangles = 0;
   std::size_t non_finite_points = 0;
   std::size_t points_on_vertices = 0; /**< that are no free points for that reason */
-  std::string problem;                /**< why there is no model; empty: there is one */
+  Eigen::Vector3d global_shift = Eigen::Vector3d::Zero(); /**< taken off all positions
+                                       of the model: see pcl::GlobalShift */
+  std::string problem; /**< why there is no model; empty: there is one */
 };
 
 /** \brief A model, and what reading had to change. */
@@ -40,9 +42,11 @@ struct ReadModel {
 /** \brief Read a mesh. Manifold, consistently wound input is taken as it is, triangle
  * for triangle. Where fans touch in a point only (bow-ties), each gets a vertex of its
  * own, so that no triangle is lost. Anything else (three on an edge, mixed winding)
- * goes through UmbrellaFilter first, without its rule on small regions. \param[in]
- * free_points a separate cloud of free points, or null \return with report.problem set
- * when the cloud is unreadable, there is no triangle, or the run was cancelled */
+ * goes through UmbrellaFilter first, without its rule on small regions. A cloud far
+ * from the origin is read less its GlobalShift, which the report tells; so are free
+ * points and sensor positions. \param[in] free_points a separate cloud of free points,
+ * or null \return with report.problem set when the cloud is unreadable, there is no
+ * triangle, or the run was cancelled */
 ReadModel
 readModel(const pcl::PolygonMesh::ConstPtr& mesh,
           const pcl::PCLPointCloud2* free_points,
