@@ -42,9 +42,12 @@ readInput(const app::ReconstructSettings& settings, app::ReconstructResult& resu
     if (!status.ok())
       return status;
   }
-  const app::Status status = app::mergeModels(parts, result.model);
+  app::Status status = app::mergeModels(parts, result.model);
+  if (status.ok() && !settings.dry_run)
+    status = app::checkCoordinates(settings.target(), result.model);
   if (!status.ok())
     return status;
+  app::noteShift(result.model);
   return app::requireTrianglePoints(result.model.mesh.cloud, settings.inputName());
 }
 
@@ -92,7 +95,8 @@ describe(const app::ReconstructSettings& settings,
                     settings.dry_run ? "" : settings.output,
                     outcome.code,
                     seconds,
-                    result.model.remarks},
+                    result.model.remarks,
+                    result.model.shift},
                    report);
   if (settings.merge)
     report["input"] = settings.inputs;

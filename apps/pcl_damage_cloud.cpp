@@ -7,6 +7,7 @@
 #include "common/output_folder.h"
 #include "common/output_format.h"
 #include "common/point_columns.h"
+#include "common/position_check.h"
 #include "common/report.h"
 #include "common/wording.h"
 #include <nlohmann/json.hpp>
@@ -198,6 +199,14 @@ readInput(const app::DamageSettings& settings, app::Model& model)
     return app::Status::error(app::nameForPeople(settings.input) + " has only " +
                               std::to_string(finite) +
                               " usable; at least three points are needed");
+  for (const std::string& output : {settings.output, settings.removed})
+    if (!output.empty()) {
+      const app::Status fits =
+          app::checkCoordinates(app::makeTarget(output, settings.format), model);
+      if (!fits.ok())
+        return fits;
+    }
+  app::noteShift(model);
   return {};
 }
 
@@ -267,7 +276,8 @@ describe(const app::DamageSettings& settings,
                     settings.output,
                     result.outcome.code,
                     result.seconds,
-                    model.remarks},
+                    model.remarks,
+                    model.shift},
                    report);
   return report;
 }
@@ -320,6 +330,7 @@ damageModel(const app::Arguments& arguments)
     status = checkFiles(settings);
   if (status.ok())
     status = readInput(settings, model);
+  settings.shift = model.shift;
   app::RandomNumbers random(settings.seed);
   app::Stopwatch watch;
   if (status.ok())

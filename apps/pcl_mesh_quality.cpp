@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that tells all there is to know about a mesh.
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/threads.h>
 
 #include "common/cli.h"
 #include "common/model_io.h"
-#include "common/point_columns.h"
+#include "common/position_check.h"
 #include "common/progress.h"
 #include "common/quality_report.h"
 #include "common/report.h"
@@ -87,9 +88,14 @@ saveReport(const Settings& settings,
            const app::Model& model)
 {
   nlohmann::json report = app::describeFacts(facts);
-  app::addRunFacts(
-      {"pcl_mesh_quality", settings.mesh, "", app::DONE, seconds, model.remarks},
-      report);
+  app::addRunFacts({"pcl_mesh_quality",
+                    settings.mesh,
+                    "",
+                    app::DONE,
+                    seconds,
+                    model.remarks,
+                    model.shift},
+                   report);
   report["polygons"] = model.mesh.polygons.size();
   report["warnings"] = model.warnings;
   app::OutputFile file;
@@ -124,14 +130,15 @@ measure(const app::Arguments& arguments)
     status = app::readMesh(settings.mesh, model);
   if (!status.ok())
     return app::Outcome::badInput(status);
+  app::noteShift(model);
   app::ProgressBar bar(settings.quiet);
   pcl::ccaa::RunControl control(bar.callback());
   app::Stopwatch watch;
-  const pcl::ccaa::MeshFacts facts =
-      pcl::ccaa::measureMesh(pcl::ccaa::fanTriangles(model.mesh.polygons),
-                             app::readPositions(model.mesh.cloud),
-                             settings.options,
-                             control);
+  const pcl::ccaa::MeshFacts facts = pcl::ccaa::measureMesh(
+      pcl::ccaa::fanTriangles(model.mesh.polygons),
+      pcl::ccaa::positionView(model.mesh.cloud).relativeTo(model.shift.offset()),
+      settings.options,
+      control);
   if (facts.cancelled)
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
   const double seconds = watch.lap();

@@ -5,6 +5,7 @@
 #include "common/output_folder.h"
 #include "common/output_format.h"
 #include "common/point_columns.h"
+#include "common/position_check.h"
 #include "common/report.h"
 #include "common/wording.h"
 #include "render/display.h"
@@ -72,7 +73,7 @@ readParts(const std::string& path, app::Model& model, app::MeshParts& parts)
 {
   const app::Status status = app::readModel(path, model);
   if (status.ok())
-    parts = app::takeApart(model.mesh);
+    parts = app::takeApart(model.mesh, model.shift);
   return status;
 }
 
@@ -87,6 +88,7 @@ loadParts(const std::string& path,
   const app::Status status = readParts(path, model, parts);
   if (!status.ok())
     return status;
+  app::noteShift(model);
   if (parts.positions.empty())
     return app::Status::error(app::nameForPeople(path) +
                               " has no finite point to show");
@@ -132,7 +134,8 @@ writeFiles(const Files& files,
                       files.output,
                       app::DONE,
                       seconds,
-                      model.remarks},
+                      model.remarks,
+                      model.shift},
                      report);
     app::writeReport(report, outputs.addElsewhere(files.report));
   }
@@ -167,6 +170,8 @@ renderMesh(const app::Arguments& arguments)
     status = loadEarlierFaces(arguments, parts);
   if (!status.ok())
     return app::Outcome::badInput(status);
+  if (settings.focus)
+    *settings.focus -= model.shift.offset();
   const app::Display display;
   if (!display.ready())
     return app::Outcome::badInput(

@@ -13,6 +13,7 @@
 #include "common/mesh_writers.h"
 #include "common/model_io.h"
 #include "common/overwriting.h"
+#include "common/position_check.h"
 #include "common/progress.h"
 #include "common/repair_options.h"
 #include "common/repair_report.h"
@@ -84,7 +85,12 @@ readInput(const app::RepairSettings& settings, Result& result)
   app::Status status = app::readMesh(settings.input, result.model);
   if (status.ok() && !settings.free_points.empty())
     status = app::readCloud(settings.free_points, result.free_points);
+  if (status.ok() && settings.repairs())
+    status = app::checkCoordinates(settings.target(), result.model);
+  app::noteShift(result.model);
   result.warnings = result.model.warnings;
+  for (const std::string& warning : result.free_points.warnings)
+    result.warnings.push_back("free points: " + warning);
   return status;
 }
 
@@ -191,7 +197,8 @@ describe(const app::RepairSettings& settings,
                     settings.repairs() ? settings.output : "",
                     outcome.code,
                     seconds,
-                    result.model.remarks},
+                    result.model.remarks,
+                    result.model.shift},
                    report);
   return report;
 }
@@ -209,7 +216,7 @@ writeOutputs(const app::RepairSettings& settings,
   if (!status.ok())
     return status;
   if (!settings.inspect.empty())
-    writeInspection(result.layers, result.pictures, folder);
+    writeInspection(result.layers, result.pictures, result.model.shift, folder);
   if (settings.repairs()) {
     app::FileExtras extras{{}, result.model.viewpoint, result.model.remarks};
     if (settings.labels)
@@ -221,7 +228,9 @@ writeOutputs(const app::RepairSettings& settings,
                    result.warnings);
   }
   if (!settings.bridges.empty()) {
-    const auto layer = app::showBridges(result.repair.bridges);
+    auto layer = app::showBridges(result.repair.bridges, result.model.shift);
+    if (!result.model.shift.isNone())
+      result.model.shift.toGlobal(pcl::PCLPointCloud2(layer.cloud), layer.cloud);
     app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(settings.bridges));
   }
   // Of many inputs there is one report, at the end.

@@ -71,7 +71,8 @@ aim(const app::InspectionView& view, const app::ViewerRun& run)
   app::StageCamera camera;
   camera.positions = run.survey.model.positions;
   if (camera.positions.empty())
-    for (const auto& position : app::readPositions(run.input.mesh.cloud))
+    for (const auto& position :
+         app::readPositions(run.input.mesh.cloud, run.input.shift))
       if (position.allFinite())
         camera.positions.push_back(position.cast<double>());
   camera.view = view.view ? *view.view : app::chooseView(run.survey);

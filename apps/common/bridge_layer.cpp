@@ -37,7 +37,8 @@ addLegend(const std::vector<pcl::RepairBridge>& bridges, LayerBuilder& builder)
 } // namespace
 
 InspectionLayer
-showBridges(const std::vector<pcl::RepairBridge>& bridges)
+showBridges(const std::vector<pcl::RepairBridge>& bridges,
+            const pcl::GlobalShift& shift)
 {
   LayerBuilder builder("bridges.vtk", "Bridges by quality");
   FieldArray& normals = builder.realField("normal", 3);
@@ -51,7 +52,8 @@ showBridges(const std::vector<pcl::RepairBridge>& bridges)
     const pcl::RepairBridge& bridge = bridges[i];
     pcl::index_t last = -1;
     for (std::size_t k = 0; k < bridge.points.size(); ++k) {
-      last = builder.addPoint(bridge.points[k], colorOfBridge(bridge.quality / best));
+      last = builder.addPoint(bridge.points[k] - shift.offset(),
+                              colorOfBridge(bridge.quality / best));
       appendDirection(normals, bridge.normals[k]);
       qualities.append(static_cast<float>(bridge.quality));
       numbers.append(static_cast<std::int32_t>(i));

@@ -4,6 +4,8 @@
 
 #include "point_table.h"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -32,12 +34,15 @@ appendColour(FieldArray& colours, unsigned red, unsigned green, unsigned blue)
   colours.append(static_cast<std::uint32_t>(red << 16 | green << 8 | blue));
 }
 
+template <typename Real>
 Status
-assembleCloud(const std::vector<float>& positions,
+assembleCloud(const std::vector<Real>& positions,
               const std::vector<FieldArray>& arrays,
               pcl::PCLPointCloud2& cloud)
 {
-  const ScalarType real = pcl::PCLPointField::FLOAT32;
+  constexpr bool is_double = sizeof(Real) == sizeof(double);
+  const ScalarType real =
+      is_double ? pcl::PCLPointField::FLOAT64 : pcl::PCLPointField::FLOAT32;
   const std::size_t points = positions.size() / 3;
   std::vector<SourceColumn> columns{{"x", real, 1}, {"y", real, 1}, {"z", real, 1}};
   std::vector<const FieldArray*> used;
@@ -60,7 +65,7 @@ assembleCloud(const std::vector<float>& positions,
   if (!status.ok() || points == 0)
     return status;
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
-  interleave(bytes, 3 * sizeof(float), 0, cloud);
+  interleave(bytes, 3 * sizeof(Real), 0, cloud);
   std::size_t slot = 3;
   for (const FieldArray* array : used) {
     const std::size_t size = array->count * scalarSize(array->type);
@@ -68,6 +73,30 @@ assembleCloud(const std::vector<float>& positions,
     slot += array->count;
   }
   return {};
+}
+
+template Status
+assembleCloud(const std::vector<float>&,
+              const std::vector<FieldArray>&,
+              pcl::PCLPointCloud2&);
+template Status
+assembleCloud(const std::vector<double>&,
+              const std::vector<FieldArray>&,
+              pcl::PCLPointCloud2&);
+
+Status
+assembleCloud(const std::vector<double>& positions,
+              bool is_wide,
+              const std::vector<FieldArray>& arrays,
+              pcl::PCLPointCloud2& cloud)
+{
+  if (is_wide)
+    return assembleCloud(positions, arrays, cloud);
+  std::vector<float> singles(positions.size());
+  std::transform(positions.begin(), positions.end(), singles.begin(), [](double value) {
+    return static_cast<float>(value);
+  });
+  return assembleCloud(singles, arrays, cloud);
 }
 
 } // namespace app

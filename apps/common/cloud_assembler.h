@@ -32,11 +32,20 @@ struct FieldArray {
 void
 appendColour(FieldArray& colours, unsigned red, unsigned green, unsigned blue);
 
-/** \brief Make \a cloud from \a positions (x, y, z one after the other) and fields that
- * have as many values as there are points; a field with three numbers called "normal"
- * becomes normal_x, normal_y, normal_z. Fields of another length are left out. */
+/** \brief Make \a cloud from \a positions (x, y, z one after the other, floats or
+ * doubles, as the fields will be) and fields that have as many values as there are
+ * points; a field with three numbers called "normal" becomes normal_x, normal_y,
+ * normal_z. Fields of another length are left out. */
+template <typename Real>
 Status
-assembleCloud(const std::vector<float>& positions,
+assembleCloud(const std::vector<Real>& positions,
+              const std::vector<FieldArray>& arrays,
+              pcl::PCLPointCloud2& cloud);
+
+/** \brief The same for text, read as doubles: floats unless \a is_wide. */
+Status
+assembleCloud(const std::vector<double>& positions,
+              bool is_wide,
               const std::vector<FieldArray>& arrays,
               pcl::PCLPointCloud2& cloud);
 

@@ -18,11 +18,18 @@ namespace app {
 bool
 appendNormals(const pcl::PointCloud<pcl::Normal>& normals, pcl::PCLPointCloud2& cloud);
 
-/** \brief Append the sensor position of a file to every point as vp_x, vp_y and vp_z.
- * \return false, with nothing done, when it is not known or the cloud has one of these
- * fields already */
+/** \brief Append the sensor position of a file to every point as vp_x, vp_y and vp_z,
+ * as floats, or as doubles where it has more digits or that is wanted. \return false,
+ * with nothing done, when it is not known or the cloud has one of these fields already
+ */
 bool
-appendViewpoint(const Viewpoint& viewpoint, pcl::PCLPointCloud2& cloud);
+appendViewpoint(const Viewpoint& viewpoint,
+                pcl::PCLPointCloud2& cloud,
+                bool as_double = false);
+
+/** \brief Whether floats lose digits of it. */
+bool
+needsDouble(const Viewpoint& viewpoint);
 
 /** \brief Take away what appendViewpoint() appended last. */
 void

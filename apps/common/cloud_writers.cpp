@@ -53,9 +53,12 @@ void
 writeViewpoint(const Viewpoint& viewpoint, OutputFile& file)
 {
   const Eigen::Quaternionf& q = viewpoint.orientation;
-  const Eigen::Vector3f& p = viewpoint.position;
   file.text("VIEWPOINT");
-  for (const float value : {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()}) {
+  for (const double value : viewpoint.position) {
+    file.text(" ");
+    file.number(value);
+  }
+  for (const float value : {q.w(), q.x(), q.y(), q.z()}) {
     file.text(" ");
     file.number(value);
   }

@@ -29,8 +29,10 @@ parseList(const std::string& text, std::size_t count, std::vector<double>& numbe
 
 } // namespace
 
-RegionMaker::RegionMaker(const Points& points, bool absolute)
-: points_(points), absolute_(absolute)
+RegionMaker::RegionMaker(const Points& points,
+                         bool absolute,
+                         const pcl::GlobalShift& shift)
+: points_(points), absolute_(absolute), shift_(shift.offset())
 {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].allFinite()) {
@@ -47,7 +49,10 @@ RegionMaker::parseSphere(const std::string& text, Sphere& sphere) const
     return Status::error("--sphere wants x,y,z,r with a positive r, not '" + text +
                          "'");
   const Eigen::Vector3d place(numbers[0], numbers[1], numbers[2]);
-  sphere.center = absolute_ ? place : box_.min() + place.cwiseProduct(box_.sizes());
+  if (absolute_)
+    sphere.center = place - shift_;
+  else
+    sphere.center = box_.min() + place.cwiseProduct(box_.sizes());
   sphere.radius = numbers[3] * (absolute_ ? 1.0 : box_.diagonal().norm());
   return {};
 }
@@ -67,7 +72,7 @@ RegionMaker::parseSlab(const std::string& text, Slab& slab) const
         "zero and a positive thickness, not '" +
         text + "'");
   if (absolute_)
-    slab = {normal / length, numbers[3], numbers[4] / 2};
+    slab = {normal / length, numbers[3] - normal.dot(shift_) / length, numbers[4] / 2};
   else
     slab = slabInShares(normal / length, numbers[3], numbers[4]);
   return {};

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: spheres and slabs inside which points are taken away.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
+
 #include <Eigen/Geometry>
 
 #include "random_numbers.h"
@@ -32,10 +34,11 @@ struct Slab {
  *
  * Places along an axis are shares of the bounding box from 0 to 1, radii are shares of
  * its diagonal; offset and thickness of a slab are shares of the extent of the cloud
- * along the normal. With \a absolute all of them are in units of the cloud. */
+ * along the normal. With \a absolute all of them are in units of the cloud, in its
+ * frame; points and regions are less the shift. */
 class RegionMaker {
 public:
-  RegionMaker(const Points& points, bool absolute);
+  RegionMaker(const Points& points, bool absolute, const pcl::GlobalShift& shift = {});
 
   /** \brief From "x,y,z,r". */
   Status
@@ -59,6 +62,7 @@ private:
 
   const Points& points_;
   bool absolute_;
+  Eigen::Vector3d shift_;
   Eigen::AlignedBox3d box_;
   std::vector<std::size_t> finite_;
 };

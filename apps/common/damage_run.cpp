@@ -20,7 +20,7 @@ markRegions(const DamageSettings& settings,
             RandomNumbers& random,
             std::vector<char>& removed)
 {
-  const RegionMaker maker(points, settings.absolute);
+  const RegionMaker maker(points, settings.absolute, settings.shift);
   for (const std::string& text : settings.spheres) {
     Sphere sphere;
     const Status status = maker.parseSphere(text, sphere);
@@ -76,20 +76,34 @@ chooseKept(const std::vector<char>& removed, double share, RandomNumbers& random
   return kept;
 }
 
+void
+writeCoordinate(double value, const pcl::PCLPointField& field, std::uint8_t* point)
+{
+  const auto single = static_cast<float>(value);
+  if (field.datatype == pcl::PCLPointField::FLOAT64)
+    std::memcpy(point + field.offset, &value, sizeof(value));
+  else
+    std::memcpy(point + field.offset, &single, sizeof(single));
+}
+
 /** Moves the kept points of \a cloud. */
 void
-addNoise(const Damage& damage, RandomNumbers& random, pcl::PCLPointCloud2& cloud)
+addNoise(const Damage& damage,
+         const pcl::GlobalShift& shift,
+         RandomNumbers& random,
+         pcl::PCLPointCloud2& cloud)
 {
   const char* const names[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t offset = findField(cloud, names[axis])->offset;
+    const pcl::PCLPointField& field = *findField(cloud, names[axis]);
     for (std::size_t i = 0; i < damage.kept.size(); ++i) {
       if (damage.kept[i] == 0)
         continue;
       const double step = damage.deviation * random.normal();
-      const auto value = static_cast<float>(double{damage.points[i][axis]} + step);
-      std::memcpy(
-          cloud.data.data() + i * cloud.point_step + offset, &value, sizeof(value));
+      if (step != 0.0)
+        writeCoordinate(double{damage.points[i][axis]} + step + shift.offset()[axis],
+                        field,
+                        cloud.data.data() + i * cloud.point_step);
     }
   }
 }
@@ -115,7 +129,7 @@ planDamage(const DamageSettings& settings,
            RandomNumbers& random,
            Damage& damage)
 {
-  damage.points = readPositions(mesh.cloud);
+  damage.points = readPositions(mesh.cloud, settings.shift);
   damage.removed.assign(damage.points.size(), 0);
   const Status status = markRegions(settings, damage.points, random, damage.removed);
   if (!status.ok())
@@ -142,7 +156,7 @@ makeParts(const DamageSettings& settings,
   splitPolygons(mesh.polygons, damage.removed, untouched, touched);
   if (!settings.removed.empty())
     parts.push_back({settings.removed, takeRemoved(mesh, damage.removed, touched)});
-  addNoise(damage, random, mesh.cloud);
+  addNoise(damage, settings.shift, random, mesh.cloud);
   if (!settings.free_points.empty())
     parts.push_back({settings.free_points, takePoints(mesh, damage.kept, {})});
   std::vector<char> left(damage.removed.size());

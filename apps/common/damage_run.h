@@ -3,6 +3,7 @@
 // them.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/PolygonMesh.h>
 
 #include "damage_regions.h"
@@ -21,6 +22,7 @@ struct DamageSettings {
   std::vector<std::string> spheres;
   std::vector<std::string> slabs;
   bool absolute = false;
+  pcl::GlobalShift shift; // of the input; the regions are given without it
   unsigned int random_spheres = 0;
   unsigned int random_slabs = 0;
   unsigned int random_patches = 0;
@@ -35,7 +37,7 @@ struct DamageSettings {
 
 /** \brief What becomes of each point. */
 struct Damage {
-  Points points;             // as they were
+  Points points;             // as they were, less the shift
   std::vector<char> removed; // in a region
   std::vector<char> kept;    // in a region, but left as a free point
   double deviation = 0;      // of the noise on the kept points, in units of the cloud

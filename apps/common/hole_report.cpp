@@ -2,8 +2,11 @@
 // Part of PclSurfaceRepair: what is told about a repair.
 #include "hole_report.h"
 
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+
 #include "layer_builder.h"
 #include "point_columns.h"
+#include "position_check.h"
 #include "repair_details.h"
 #include "wording.h"
 #include <nlohmann/json.hpp>
@@ -140,13 +143,11 @@ placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
   std::string place = "at point " + std::to_string(hole.point);
   if (point >= pointCount(mesh.cloud))
     return place;
-  const Eigen::Vector3f position = readPositions(mesh.cloud)[point];
-  std::snprintf(text,
-                sizeof(text),
-                ", %g %g %g",
-                static_cast<double>(position.x()),
-                static_cast<double>(position.y()),
-                static_cast<double>(position.z()));
+  const Eigen::Vector3d position = pcl::ccaa::positionView(mesh.cloud)[point];
+  if (hasDoublePositions(mesh.cloud))
+    return place + ", " + placeText(position, " ");
+  std::snprintf(
+      text, sizeof(text), ", %g %g %g", position.x(), position.y(), position.z());
   return place + text;
 }
 

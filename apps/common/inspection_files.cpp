@@ -5,6 +5,7 @@
 #include "cloud_writers.h"
 #include "mesh_writers.h"
 #include "point_columns.h"
+#include "position_check.h"
 
 #include <cstdio>
 #include <set>
@@ -68,6 +69,7 @@ inspectionNames()
 void
 writeInspection(const std::vector<InspectionLayer>& layers,
                 const std::vector<InspectionPicture>& pictures,
+                const pcl::GlobalShift& shift,
                 OutputFolder& folder)
 {
   std::set<std::string> written{"legend.txt"};
@@ -78,6 +80,9 @@ writeInspection(const std::vector<InspectionLayer>& layers,
       "  pcl_viewer line_points.pcd -normals 1\n"
       "pcl_viewer turns to a cloud by itself; for .vtk files alone press r.\n"
       "A file is left out when there is nothing to put in it.\n");
+  if (!shift.isNone())
+    legend.text("All is drawn near the origin; the global shift to be added is " +
+                placeText(shift.offset()) + ".\n");
   for (const InspectionLayer& layer : layers) {
     if (pointCount(layer.cloud) == 0)
       continue;

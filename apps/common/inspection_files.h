@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: writes inspection layers for other programs to open.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
+
 #include "inspection.h"
 #include "output_folder.h"
 
@@ -19,10 +21,12 @@ inspectionNames();
 
 /** \brief Write the layers that hold something as .vtk or .pcd, the pictures, and
  * legend.txt, which explains them. Files of an earlier run that have no successor are
- * dropped. Errors are kept in the folder's status. */
+ * dropped. Layers are less the shift, which the legend tells. Errors are kept in the
+ * folder's status. */
 void
 writeInspection(const std::vector<InspectionLayer>& layers,
                 const std::vector<InspectionPicture>& pictures,
+                const pcl::GlobalShift& shift,
                 OutputFolder& folder);
 
 } // namespace app

@@ -104,9 +104,28 @@ shareViewpoints(std::vector<NamedModel>& parts, Model& whole)
   if (!all_known)
     whole.warnings.push_back("the sensor's place is not told by all clouds; none is "
                              "used");
+  const bool as_double =
+      std::any_of(parts.begin(), parts.end(), [](const NamedModel& part) {
+        return needsDouble(part.model.viewpoint);
+      });
   for (NamedModel& part : parts)
     if (all_known)
-      appendViewpoint(part.model.viewpoint, part.model.mesh.cloud);
+      appendViewpoint(part.model.viewpoint, part.model.mesh.cloud, as_double);
+}
+
+/** Doubles for all parts where one has them. */
+void
+alignPositions(std::vector<NamedModel>& parts)
+{
+  const auto has_doubles = [](const NamedModel& part) {
+    return hasDoublePositions(part.model.mesh.cloud);
+  };
+  if (std::none_of(parts.begin(), parts.end(), has_doubles))
+    return;
+  for (NamedModel& part : parts)
+    if (!has_doubles(part))
+      pcl::GlobalShift().toGlobal(pcl::PCLPointCloud2(part.model.mesh.cloud),
+                                  part.model.mesh.cloud);
 }
 
 void
@@ -148,6 +167,7 @@ mergeModels(std::vector<NamedModel>& parts, Model& whole)
     return {};
   }
   mergeRemarks(parts, whole);
+  alignPositions(parts);
   shareViewpoints(parts, whole);
   const std::string differing = differingFields(parts);
   if (!differing.empty())
@@ -170,6 +190,7 @@ mergeModels(std::vector<NamedModel>& parts, Model& whole)
     cloud.is_dense = cloud.is_dense && part.model.mesh.cloud.is_dense;
     part.model.mesh.cloud.data = {};
   }
+  whole.shift = pcl::GlobalShift::of(cloud);
   return {};
 }
 

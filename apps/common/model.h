@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: what a cloud or mesh file holds.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/PolygonMesh.h>
 
 #include <Eigen/Geometry>
@@ -17,7 +18,7 @@ namespace app {
 /** \brief Where the sensor stood, if the file says so. */
 struct Viewpoint {
   bool known = false;
-  Eigen::Vector3f position = Eigen::Vector3f::Zero(); /**< in the units of the cloud */
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); /**< in the frame of the cloud */
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 
   /** \brief Whether there is more to it than what files have that know none. */
@@ -36,10 +37,12 @@ struct Remarks {
   std::string title;                 /**< of a VTK file; empty where it tells nothing */
 };
 
-/** \brief Contents of a file: a cloud with all its fields (x, y and z always float32)
- * and, for a mesh, polygons whose indices have been checked. */
+/** \brief Contents of a file: a cloud with all its fields (x, y and z all float32, or
+ * all double where the file has more digits than that) and, for a mesh, polygons whose
+ * indices have been checked. */
 struct Model {
   pcl::PolygonMesh mesh;
+  pcl::GlobalShift shift; /**< taken off the positions wherever floats are worked on */
   Viewpoint viewpoint;
   Remarks remarks;
   Warnings warnings; /**< what the file holds that the model does not */

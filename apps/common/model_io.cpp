@@ -88,7 +88,7 @@ parse(FileFormat format, Wanted wanted, InputFile& file, Model& model)
   if (status.ok() && with_polygons)
     status = checkPolygonIndices(model.mesh.polygons, pointCount(model.mesh.cloud));
   if (status.ok())
-    checkPositions(model);
+    status = checkPositions(model);
   if (!with_polygons)
     model.mesh.polygons.clear();
   return status;
@@ -148,6 +148,16 @@ bool
 isMeshOutput(const Target& target)
 {
   return holdsPolygons(target.format);
+}
+
+Status
+checkCoordinates(const Target& target, const Model& model)
+{
+  if (target.format != FileFormat::STL || model.shift.isNone() ||
+      !hasDoublePositions(model.mesh.cloud))
+    return {};
+  return Status::error("STL holds single precision only, too coarse for coordinates as "
+                       "large as these; write .ply, .vtk, .obj or .off");
 }
 
 bool
@@ -235,6 +245,8 @@ writeMesh(const Target& target,
     warnings.push_back(
         "STL holds triangles only: no points without a triangle, no order "
         "of points");
+    if (hasDoublePositions(mesh.cloud))
+      warnings.push_back("STL holds single precision only: positions were rounded");
     warnAboutLostFields(mesh.cloud, {"x", "y", "z"}, "STL", warnings);
   }
 }

@@ -68,6 +68,11 @@ isCloudOutput(const Target& target);
 bool
 isMeshOutput(const Target& target);
 
+/** \brief Fails when the coordinates of \a model are too large for the format (doubles,
+ * for STL): what it would hold is of no use. */
+Status
+checkCoordinates(const Target& target, const Model& model);
+
 /** \brief Whether the format can hold points without a triangle (STL cannot). */
 bool
 holdsFreePoints(const Target& target);

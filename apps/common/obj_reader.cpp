@@ -81,11 +81,25 @@ private:
     return true;
   }
 
+  bool
+  readPosition(TextScanner& words)
+  {
+    std::string_view word;
+    for (int axis = 0; axis < 3; ++axis) {
+      double value = 0;
+      if (!words.nextWord(word) || !parseNumber(word, value))
+        return false;
+      is_wide_ = is_wide_ || needsDouble(word, value);
+      positions_.push_back(value);
+    }
+    return true;
+  }
+
   /** "v x y z", "v x y z w", "v x y z r g b" */
   bool
   readVertex(TextScanner& words)
   {
-    if (!readVector(words, positions_))
+    if (!readPosition(words))
       return false;
     std::vector<float> rest;
     std::string_view word;
@@ -197,12 +211,14 @@ private:
     else if (!colours_.empty())
       model_.warnings.push_back("the colours are not taken over: some vertex has none");
     const Status status = polygons_.finish(model_.warnings);
-    return status.ok() ? assembleCloud(positions_, arrays, model_.mesh.cloud) : status;
+    return status.ok() ? assembleCloud(positions_, is_wide_, arrays, model_.mesh.cloud)
+                       : status;
   }
 
   Model& model_;
   PolygonBuilder polygons_;
-  std::vector<float> positions_;
+  std::vector<double> positions_;
+  bool is_wide_ = false; // some position has more digits than a float
   std::vector<float> normals_;
   std::vector<float> colours_;
   std::vector<std::int64_t> corners_;

@@ -36,7 +36,7 @@ public:
       arrays.push_back(std::move(normals_));
     if (has_colours_)
       arrays.push_back(std::move(colours_));
-    return assembleCloud(positions_, arrays, model_.mesh.cloud);
+    return assembleCloud(positions_, is_wide_, arrays, model_.mesh.cloud);
   }
 
 private:
@@ -128,8 +128,9 @@ private:
       if (!nextDataLine(line) || !parseLine(line, numbers) || numbers.size() < needed)
         return Status::error("its vertex " + std::to_string(i) + " of " +
                              std::to_string(vertices_) + " is damaged or cut off");
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        positions_.push_back(static_cast<float>(numbers[axis]));
+      positions_.insert(positions_.end(), numbers.begin(), numbers.begin() + 3);
+      if (!is_wide_)
+        lookForDigits(line, numbers);
       if (has_normals_)
         for (std::size_t axis = 3; axis < 6; ++axis)
           normals_.append(static_cast<float>(numbers[axis]));
@@ -137,6 +138,15 @@ private:
         addColour(line, numbers);
     }
     return {};
+  }
+
+  void
+  lookForDigits(std::string_view line, const std::vector<double>& numbers)
+  {
+    TextScanner words(line.data(), line.data() + line.size());
+    std::string_view word;
+    for (std::size_t axis = 0; axis < 3 && words.nextWord(word); ++axis)
+      is_wide_ = is_wide_ || needsDouble(word, numbers[axis]);
   }
 
   /** Whole numbers up to 255, or, where any has a point, shares up to 1. */
@@ -193,7 +203,8 @@ private:
   bool has_normals_ = false;
   std::size_t vertices_ = 0;
   std::size_t faces_ = 0;
-  std::vector<float> positions_;
+  std::vector<double> positions_;
+  bool is_wide_ = false; // some position has more digits than a float
   FieldArray normals_{"normal", pcl::PCLPointField::FLOAT32, 3, {}};
   FieldArray colours_{"rgb", pcl::PCLPointField::FLOAT32, 1, {}};
   std::vector<std::int64_t> corners_;

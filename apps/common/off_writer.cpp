@@ -38,16 +38,17 @@ writeOff(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file)
   std::size_t normal = 0;
   const bool has_colour = findColour(cloud, colour);
   const bool has_normal = findNormal(cloud, normal);
-  const std::vector<Eigen::Vector3f> positions = readPositions(cloud);
+  const std::vector<PointColumn> columns = listColumns(cloud);
+  const std::size_t points = pointCount(cloud);
   file.text(std::string(has_colour ? "C" : "") + (has_normal ? "N" : "") + "OFF\n");
   for (const std::string& line : asComments(remarks))
     file.text("# " + line + "\n");
-  file.text(std::to_string(positions.size()) + " " +
-            std::to_string(mesh.polygons.size()) + " 0\n");
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
+  file.text(std::to_string(points) + " " + std::to_string(mesh.polygons.size()) +
+            " 0\n");
+  for (std::size_t i = 0; i < points; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       file.text(axis == 0 ? "" : " ");
-      file.number(positions[i][axis]);
+      writeAsText(pointAt(cloud, i), columns.at(axis), file);
     }
     if (has_normal)
       writeFloats(pointAt(cloud, i) + normal, file);

@@ -41,7 +41,7 @@ struct PcdHeader {
   std::vector<std::size_t> sizes;
   std::vector<std::string> kinds;
   std::vector<std::size_t> counts;
-  std::vector<float> viewpoint;
+  std::vector<double> viewpoint;
   std::size_t width = 0;
   std::size_t height = 1;
   std::size_t points = 0;
@@ -231,13 +231,13 @@ checkLength(const PcdHeader& header, const TablePlan& plan, const TextScanner& s
 }
 
 void
-setViewpoint(const std::vector<float>& numbers, Viewpoint& viewpoint)
+setViewpoint(const std::vector<double>& numbers, Viewpoint& viewpoint)
 {
   if (numbers.size() != 7)
     return;
-  viewpoint.position = Eigen::Vector3f(numbers[0], numbers[1], numbers[2]);
+  viewpoint.position = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
   viewpoint.orientation =
-      Eigen::Quaternionf(numbers[3], numbers[4], numbers[5], numbers[6]);
+      Eigen::Quaterniond(numbers[3], numbers[4], numbers[5], numbers[6]).cast<float>();
   viewpoint.known = viewpoint.position.allFinite() && !viewpoint.position.isZero(0);
 }
 
@@ -254,6 +254,8 @@ readPcd(const InputFile& file, Model& model)
   Status status = readHeader(scanner, header);
   if (status.ok())
     status = makeColumns(header, columns);
+  if (status.ok() && header.data == "ascii")
+    widenForText(scanner, header.points, columns);
   if (status.ok())
     status = planTable(columns, Naming::PCL, plan);
   if (status.ok())

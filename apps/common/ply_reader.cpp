@@ -222,8 +222,10 @@ private:
   Status
   readVertices(const PlyElement& element)
   {
-    const std::vector<SourceColumn> columns = columnsOf(element);
+    std::vector<SourceColumn> columns = columnsOf(element);
     const bool has_list = columns.size() < element.properties.size();
+    if (header_.format == PlyFormat::ASCII && !has_list)
+      widenForText(scanner_, element.rows, columns);
     TablePlan plan;
     Status status = planTable(columns, Naming::PLY, plan);
     pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
@@ -248,9 +250,9 @@ private:
   readCamera(const PlyElement& element)
   {
     ValueReader values(scanner_, header_.format);
-    std::map<std::string, float> numbers;
+    std::map<std::string, double> numbers;
     for (const PlyProperty& property : element.properties) {
-      float value = 0;
+      double value = 0;
       if (property.isList() ? !values.skipProperty(property)
                             : !values.read(property.type, value))
         return truncated(element, 0);
@@ -263,10 +265,10 @@ private:
 
   /** PCL's size of the picture is that of an organised cloud. */
   void
-  organise(float columns, float rows)
+  organise(double columns, double rows)
   {
     pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
-    constexpr float most = 1e6F;
+    constexpr double most = 1e6;
     if (!(columns >= 1 && columns <= most && rows >= 1 && rows <= most))
       return;
     const auto width = static_cast<std::uint64_t>(columns);
@@ -279,16 +281,16 @@ private:
   }
 
   void
-  placeCamera(const std::map<std::string, float>& numbers)
+  placeCamera(const std::map<std::string, double>& numbers)
   {
-    const auto take = [&](const std::string& name, float& value) {
+    const auto take = [&](const std::string& name, double& value) {
       const auto found = numbers.find(name);
       if (found != numbers.end())
         value = found->second;
       return found != numbers.end();
     };
     Viewpoint& viewpoint = model_.viewpoint;
-    Eigen::Matrix3f axes;
+    Eigen::Matrix3d axes;
     bool has_place = true;
     bool has_axes = true;
     for (int i = 0; i < 3; ++i) {
@@ -297,8 +299,9 @@ private:
       for (int k = 0; k < 3; ++k)
         has_axes = take(name + "_axis" + "xyz"[k], axes(i, k)) && has_axes;
     }
-    if (has_axes && axes.allFinite() && axes.isUnitary(1e-3F))
-      viewpoint.orientation = Eigen::Quaternionf(axes).normalized();
+    if (has_axes && axes.allFinite() && axes.isUnitary(1e-3))
+      viewpoint.orientation =
+          Eigen::Quaternionf(axes.cast<float>().eval()).normalized();
     // PCL writes the origin when it knows no better.
     viewpoint.known =
         has_place && viewpoint.position.allFinite() && !viewpoint.position.isZero(0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: writes binary PLY with all fields.
+#include "cloud_normals.h"
 #include "mesh_writers.h"
 #include "point_columns.h"
 #include "remarks.h"
@@ -78,13 +79,23 @@ writeRemarks(const Remarks& remarks, OutputFile& file)
     file.text("obj_info " + line + "\n");
 }
 
+/** PCL reads floats; of places that floats do not hold it would read nonsense. */
+bool
+isDouble(std::string_view name, const Viewpoint& viewpoint)
+{
+  return name.substr(0, 6) == "view_p" && needsDouble(viewpoint);
+}
+
 void
-announceCamera(OutputFile& file)
+announceCamera(const Viewpoint& viewpoint, OutputFile& file)
 {
   file.text("element camera 1\n");
   for (const std::string name : CAMERA_NUMBERS)
-    file.text("property " + std::string(isWhole(name) ? "int " : "float ") + name +
-              "\n");
+    file.text("property " +
+              std::string(isWhole(name)               ? "int "
+                          : isDouble(name, viewpoint) ? "double "
+                                                      : "float ") +
+              name + "\n");
 }
 
 /** The axes are the rows of the rotation, as PCL writes them. Like PCL, the size of the
@@ -95,19 +106,22 @@ writeCamera(const Viewpoint& viewpoint,
             OutputFile& file)
 {
   const Eigen::Matrix3f axes = viewpoint.orientation.toRotationMatrix();
-  std::vector<float> numbers(viewpoint.position.data(), viewpoint.position.data() + 3);
+  std::vector<double> numbers(viewpoint.position.data(), viewpoint.position.data() + 3);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
-      numbers.push_back(axes(row, column));
-  numbers.resize(CAMERA_NUMBERS.size(), 0.0F);
+      numbers.push_back(double{axes(row, column)});
+  numbers.resize(CAMERA_NUMBERS.size(), 0.0);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string_view name = CAMERA_NUMBERS[i];
     const auto size =
         static_cast<std::int32_t>(name == "viewportx" ? cloud.width : cloud.height);
+    const auto single = static_cast<float>(numbers[i]);
     if (isWhole(name))
       file.write(&size, sizeof(size));
+    else if (isDouble(name, viewpoint))
+      file.write(&numbers[i], sizeof(double));
     else
-      file.write(&numbers[i], sizeof(float));
+      file.write(&single, sizeof(single));
   }
 }
 
@@ -124,7 +138,7 @@ writeHeader(const pcl::PolygonMesh& mesh,
   for (const PointColumn& column : columns)
     file.text("property " + plyTypeName(column.type) + " " + column.name + "\n");
   if (extras.viewpoint.isTold())
-    announceCamera(file);
+    announceCamera(extras.viewpoint, file);
   if (faces) {
     file.text("element face " + std::to_string(mesh.polygons.size()) + "\n");
     file.text("property list " + std::string(faces) + " int vertex_indices\n");

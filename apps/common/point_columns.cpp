@@ -116,7 +116,7 @@ listColumns(const pcl::PCLPointCloud2& cloud)
 }
 
 std::vector<Eigen::Vector3f>
-readPositions(const pcl::PCLPointCloud2& cloud)
+readPositions(const pcl::PCLPointCloud2& cloud, const pcl::GlobalShift& shift)
 {
   const std::size_t points = pointCount(cloud);
   std::vector<Eigen::Vector3f> positions(points, Eigen::Vector3f::Zero());
@@ -124,9 +124,17 @@ readPositions(const pcl::PCLPointCloud2& cloud)
   for (int axis = 0; axis < 3; ++axis)
     if (const Field* const field = findField(cloud, names[axis]))
       for (std::size_t i = 0; i < points; ++i)
-        positions[i][axis] = loadScalarAs<float>(
-            pointAt(cloud, i) + field->offset, field->datatype, false);
+        positions[i][axis] = static_cast<float>(
+            loadScalarAs<double>(
+                pointAt(cloud, i) + field->offset, field->datatype, false) -
+            shift.offset()[axis]);
   return positions;
+}
+
+bool
+hasDoublePositions(const pcl::PCLPointCloud2& cloud)
+{
+  return findField(cloud, "x", Field::FLOAT64) != nullptr;
 }
 
 void

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the fields of a cloud as single columns for writing.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include <Eigen/Core>
@@ -47,9 +48,14 @@ findNormal(const pcl::PCLPointCloud2& cloud, std::size_t& offset);
 std::vector<PointColumn>
 listColumns(const pcl::PCLPointCloud2& cloud);
 
-/** \brief x, y and z of all points, 0 where the cloud has no such field. */
+/** \brief x, y and z of all points less the shift, 0 where the cloud has no such field.
+ */
 std::vector<Eigen::Vector3f>
-readPositions(const pcl::PCLPointCloud2& cloud);
+readPositions(const pcl::PCLPointCloud2& cloud, const pcl::GlobalShift& shift = {});
+
+/** \brief Whether x, y and z are doubles. */
+bool
+hasDoublePositions(const pcl::PCLPointCloud2& cloud);
 
 /** \brief Append one number of \a point as text. */
 void

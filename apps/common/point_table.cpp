@@ -39,6 +39,18 @@ isPosition(const std::string& name)
   return name == "x" || name == "y" || name == "z";
 }
 
+/** All three of one type, as PCL and all our rooms want them. */
+ScalarType
+positionType(const std::vector<SourceColumn>& columns)
+{
+  const bool all_fit =
+      std::all_of(columns.begin(), columns.end(), [](const SourceColumn& column) {
+        return !isPosition(column.name) || column.type == Field::FLOAT32 ||
+               scalarSize(column.type) < sizeof(float);
+      });
+  return all_fit ? Field::FLOAT32 : Field::FLOAT64;
+}
+
 std::string
 pclName(const std::string& name)
 {
@@ -56,6 +68,7 @@ public:
   , packed_colour_(naming == Naming::PLY && hasByteColumn(columns, "red") &&
                    hasByteColumn(columns, "green") && hasByteColumn(columns, "blue"))
   , packed_alpha_(packed_colour_ && hasByteColumn(columns, "alpha"))
+  , position_type_(positionType(columns))
   {}
 
   void
@@ -68,9 +81,7 @@ public:
     else if (byte >= 0 && (byte < 3 || packed_alpha_))
       addSlots(column, colourOffset() + static_cast<std::size_t>(byte), Field::UINT8);
     else {
-      const ScalarType type = isPosition(column.name)
-                                  ? static_cast<ScalarType>(Field::FLOAT32)
-                                  : column.type;
+      const ScalarType type = isPosition(column.name) ? position_type_ : column.type;
       const std::string name = is_ply ? pclName(column.name) : column.name;
       addSlots(column, addField(name, type, column.count), type);
     }
@@ -124,6 +135,7 @@ private:
   TablePlan& plan_;
   bool packed_colour_;
   bool packed_alpha_;
+  ScalarType position_type_;
   bool has_colour_ = false;
   std::size_t colour_offset_ = 0;
   std::size_t size_ = 0;
@@ -182,7 +194,7 @@ planCopies(const TablePlan& plan, bool swapped, std::vector<Slot>& converted)
   return runs;
 }
 
-/** Same type: swap only. Otherwise the target is a position, and float32. */
+/** Same type: swap only. Otherwise the target is a position, and float or double. */
 void
 convertSlot(const Slot& slot, const char* record, bool swapped, std::uint8_t* point)
 {
@@ -193,8 +205,12 @@ convertSlot(const Slot& slot, const char* record, bool swapped, std::uint8_t* po
       std::memcpy(point + slot.target_offset, &value, sizeof(T));
       return;
     }
-    const float position = static_cast<float>(value);
-    std::memcpy(point + slot.target_offset, &position, sizeof(float));
+    const auto single = static_cast<float>(value);
+    const auto real = static_cast<double>(value);
+    if (slot.target_type == Field::FLOAT64)
+      std::memcpy(point + slot.target_offset, &real, sizeof(real));
+    else
+      std::memcpy(point + slot.target_offset, &single, sizeof(single));
   });
 }
 
@@ -225,6 +241,24 @@ planTable(const std::vector<SourceColumn>& columns, Naming naming, TablePlan& pl
   if (std::adjacent_find(names.begin(), names.end()) != names.end())
     return Status::error("two of its columns stand for the same field");
   return {};
+}
+
+void
+widenForText(TextScanner scanner,
+             std::size_t points,
+             std::vector<SourceColumn>& columns)
+{
+  std::string_view word;
+  double value = 0;
+  bool is_wide = positionType(columns) == Field::FLOAT64;
+  for (std::size_t i = 0; i < points && !is_wide && scanner.remaining() > 0; ++i)
+    for (const SourceColumn& column : columns)
+      for (std::size_t k = 0; k < column.count && scanner.nextWord(word); ++k)
+        is_wide = is_wide || (isPosition(column.name) && parseNumber(word, value) &&
+                              needsDouble(word, value));
+  for (SourceColumn& column : columns)
+    if (is_wide && isPosition(column.name))
+      column.type = Field::FLOAT64;
 }
 
 Status

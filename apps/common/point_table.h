@@ -37,8 +37,9 @@ struct Slot {
   ScalarType target_type = 0;
 };
 
-/** \brief How records become points. Positions become float32, as PCL wants them; every
- * other number keeps its type. Fields are aligned to their size. */
+/** \brief How records become points. Positions become float32, as PCL wants them, or
+ * double where one of them is a double or a long whole number; every other number keeps
+ * its type. Fields are aligned to their size. */
 struct TablePlan {
   std::vector<pcl::PCLPointField> fields;
   std::size_t point_step = 0;    /**< bytes of a point */
@@ -50,6 +51,13 @@ struct TablePlan {
  * Fails when x, y or z is missing or a name occurs twice. */
 Status
 planTable(const std::vector<SourceColumn>& columns, Naming naming, TablePlan& plan);
+
+/** \brief Turn x, y and z into doubles where the text of \a points records has more
+ * digits than floats can hold. */
+void
+widenForText(TextScanner scanner,
+             std::size_t points,
+             std::vector<SourceColumn>& columns);
 
 /** \brief Set fields and size of \a cloud and take its memory (zeroed).
  * Fails for more points than PCL can index. Call it only for counts which the file is

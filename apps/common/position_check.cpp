@@ -2,7 +2,8 @@
 // Part of PclSurfaceRepair: are the positions of a cloud fit for work?
 #include "position_check.h"
 
-#include <Eigen/Geometry>
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/mesh/cloud_extent.h>
 
 #include "point_columns.h"
 
@@ -13,44 +14,74 @@
 
 namespace app {
 
-void
-checkPositions(Model& model)
+std::string
+placeText(const Eigen::Vector3d& place, const char* separator)
 {
-  Eigen::AlignedBox3f box;
-  std::size_t finite = 0;
-  const auto positions = readPositions(model.mesh.cloud);
-  for (const Eigen::Vector3f& position : positions)
-    if (position.allFinite()) {
-      box.extend(position);
-      ++finite;
-    }
-  model.mesh.cloud.is_dense = finite == positions.size();
-  if (finite < 3)
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::digits10);
+  text << place.x() << separator << place.y() << separator << place.z();
+  return text.str();
+}
+
+namespace {
+
+/** What single precision has cost the positions of the file. */
+void
+warnAboutFloats(Model& model)
+{
+  const auto view = pcl::ccaa::positionView(model.mesh.cloud);
+  const pcl::ccaa::CloudExtent extent = pcl::ccaa::measureExtent(view);
+  if (!(extent.side > 0) || !(extent.floatRounding() > 0.01 * extent.spacing))
     return;
-  const double farthest =
-      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  const double side = box.sizes().cast<double>().maxCoeff();
-  const double spacing = side / std::sqrt(static_cast<double>(finite));
-  const double step = farthest * std::numeric_limits<float>::epsilon() / 2;
-  if (!(step > 0.01 * spacing) || side == 0)
-    return;
+  const double step = 2 * extent.floatRounding();
+  const auto decimals = static_cast<int>(std::max(0.0, std::floor(-std::log10(step))));
   std::ostringstream text;
   text.precision(2);
-  text << "the points lie so far from the origin that single precision rounds them by "
-          "up "
-          "to "
-       << step << " units, where they are some " << spacing
-       << " apart; move them near the origin first";
+  text << "the file holds its positions in single precision, which so far from the "
+          "origin steps by "
+       << step << " units (" << decimals << (decimals == 1 ? " decimal" : " decimals")
+       << "), where points are some " << extent.spacing
+       << " apart: write it in double precision";
   model.warnings.push_back(text.str());
+}
+
+} // namespace
+
+Status
+checkPositions(Model& model)
+{
+  constexpr double most = std::numeric_limits<float>::max();
+  const auto view = pcl::ccaa::positionView(model.mesh.cloud);
+  model.mesh.cloud.is_dense = true;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    const pcl::ccaa::Position position = view[i];
+    if (!position.allFinite())
+      model.mesh.cloud.is_dense = false;
+    else if (!(position.cwiseAbs().maxCoeff() <= most))
+      return Status::error("its point " + std::to_string(i) +
+                           " is too far away: " + placeText(position, " "));
+  }
+  model.shift = pcl::GlobalShift::of(model.mesh.cloud);
+  if (!hasDoublePositions(model.mesh.cloud))
+    warnAboutFloats(model);
+  return {};
+}
+
+void
+noteShift(Model& model)
+{
+  if (!model.shift.isNone())
+    model.warnings.push_back("large coordinates: worked on less a global shift of " +
+                             placeText(model.shift.offset()));
 }
 
 std::size_t
 countUsablePoints(const pcl::PCLPointCloud2& cloud, std::size_t enough)
 {
-  std::vector<Eigen::Vector3f> different;
-  for (const Eigen::Vector3f& position : readPositions(cloud)) {
-    if (different.size() >= enough)
-      break;
+  const auto view = pcl::ccaa::positionView(cloud);
+  pcl::ccaa::Positions different;
+  for (std::size_t i = 0; i < view.size() && different.size() < enough; ++i) {
+    const pcl::ccaa::Position position = view[i];
     if (position.allFinite() &&
         std::find(different.begin(), different.end(), position) == different.end())
       different.push_back(position);

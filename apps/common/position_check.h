@@ -10,12 +10,19 @@
 
 namespace app {
 
-/** \brief Set is_dense, and warn when the cloud lies so far from the origin that
- * float32 cannot tell its points apart: steps of more than a hundredth of the mean
- * spacing, taken as the longest side of the bounding box over the root of the number of
- * points. */
-void
+/** \brief Set is_dense and the shift; fail for a double beyond the range of floats.
+ * Warn when positions in float32 lie so far from the origin that digits are lost in the
+ * file already: steps of more than a hundredth of the mean spacing. */
+Status
 checkPositions(Model& model);
+
+/** \brief "596600,5420300,300": as many digits as a double surely has. */
+std::string
+placeText(const Eigen::Vector3d& place, const char* separator = ",");
+
+/** \brief Say in the warnings which shift there is, if any. */
+void
+noteShift(Model& model);
 
 /** \brief Number of points with finite coordinates at different places, counted only up
  * to \a enough. */

@@ -95,10 +95,10 @@ describeLaterStages(const ReconstructSettings& settings,
 
 /** How many points are finite, and the box around them. */
 std::pair<std::size_t, Eigen::AlignedBox3f>
-extentOf(const pcl::PCLPointCloud2& cloud)
+extentOf(const Model& model)
 {
   std::pair<std::size_t, Eigen::AlignedBox3f> extent;
-  for (const Eigen::Vector3f& position : readPositions(cloud))
+  for (const Eigen::Vector3f& position : readPositions(model.mesh.cloud, model.shift))
     if (position.allFinite()) {
       extent.second.extend(position);
       ++extent.first;
@@ -162,7 +162,7 @@ json
 describeInput(const Model& model)
 {
   const pcl::PCLPointCloud2& cloud = model.mesh.cloud;
-  const auto [finite, box] = extentOf(cloud);
+  const auto [finite, box] = extentOf(model);
   json fields = json::array();
   for (const pcl::PCLPointField& field : cloud.fields)
     fields.push_back(field.name);
@@ -192,7 +192,7 @@ summarizeInput(const ReconstructSettings& settings, const Model& model)
           ? settings.inputName()
           : (isStandardStream(settings.input) ? "standard input" : settings.input);
   return name + ": " + plural(pointCount(cloud), "point") + ", " +
-         std::to_string(extentOf(cloud).first) + " of them finite; fields" + fields +
+         std::to_string(extentOf(model).first) + " of them finite; fields" + fields +
          "; outer side by " + outerSideBy(model) +
          (units.empty() ? "" : "; units " + units);
 }

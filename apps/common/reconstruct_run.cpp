@@ -38,20 +38,22 @@ setHints(const Model& model, pcl::PointCloud<pcl::PointWithViewpoint>& cloud)
 {
   const auto sensors = pcl::ccaa::viewpointView(model.mesh.cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f at =
-        sensors.empty() ? model.viewpoint.position : sensors[i].cast<float>();
+    const Eigen::Vector3d sensor =
+        sensors.empty() ? model.viewpoint.position : sensors[i];
+    const Eigen::Vector3f at = (sensor - model.shift.offset()).cast<float>();
     cloud[i].vp_x = at.x();
     cloud[i].vp_y = at.y();
     cloud[i].vp_z = at.z();
   }
 }
 
-/** The positions, and what of the other fields tells the outer side. */
+/** The positions near the origin, and what of the other fields tells the outer side. */
 template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr
 toTypedCloud(const Model& model)
 {
-  const auto positions = pcl::ccaa::positionView(model.mesh.cloud);
+  const auto positions =
+      pcl::ccaa::positionView(model.mesh.cloud).relativeTo(model.shift.offset());
   auto cloud = std::make_shared<pcl::PointCloud<PointT>>();
   cloud->resize(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)

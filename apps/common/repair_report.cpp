@@ -52,28 +52,30 @@ describeLoops(const ModelSurvey& survey)
 }
 
 json
-describeEnd(const pcl::repair::BoundaryPoint& point)
+describeEnd(const pcl::repair::BoundaryPoint& point, const Eigen::Vector3d& shift)
 {
   return {{"curve", indexOrMinusOne(point.curve)},
           {"edge", point.edge},
           {"share", point.share},
-          {"position", describePosition(point.position)}};
+          {"position", describePosition(point.position + shift)}};
 }
 
 /** \brief The lines of one step, each with the hole it lies in or -1. */
 void
-appendLines(const pcl::repair::SurveyedField& field, json& list)
+appendLines(const pcl::repair::SurveyedField& field,
+            const Eigen::Vector3d& shift,
+            json& list)
 {
   for (const auto& line : field.lines) {
     json description = {{"hole", indexOrMinusOne(field.hole)},
-                        {"origin", describeEnd(line.origin)},
+                        {"origin", describeEnd(line.origin, shift)},
                         {"target", nullptr},
                         {"quality", line.quality},
                         {"length", line.length},
                         {"bridge", line.end == LineEnd::BRIDGE},
                         {"end", describe(line.end)}};
     if (line.end == LineEnd::BRIDGE)
-      description["target"] = describeEnd(line.target);
+      description["target"] = describeEnd(line.target, shift);
     list.push_back(std::move(description));
   }
 }
@@ -82,9 +84,10 @@ json
 describeLines(const ModelSurvey& survey)
 {
   json list = json::array();
-  appendLines(survey.between_islands, list);
+  const Eigen::Vector3d& shift = survey.reading.global_shift;
+  appendLines(survey.between_islands, shift, list);
   for (const auto& field : survey.in_holes)
-    appendLines(field, list);
+    appendLines(field, shift, list);
   return list;
 }
 
@@ -107,12 +110,13 @@ json
 describeBridges(const ModelSurvey& survey)
 {
   const auto& joined = survey.joined;
+  const Eigen::Vector3d& shift = survey.reading.global_shift;
   json list = json::array();
   for (const auto& bridge : joined.bridges)
     list.push_back({{"from_loop", joined.loops[bridge.begin.curve]},
                     {"to_loop", joined.loops[bridge.end.curve]},
-                    {"from", describePosition(bridge.begin.position)},
-                    {"to", describePosition(bridge.end.position)},
+                    {"from", describePosition(bridge.begin.position + shift)},
+                    {"to", describePosition(bridge.end.position + shift)},
                     {"quality", bridge.quality}});
   return {{"list", std::move(list)},
           {"deleted", joined.holes.removed_bridges},

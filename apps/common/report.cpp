@@ -73,6 +73,7 @@ addRunFacts(const RunFacts& facts, nlohmann::json& report)
   report["exit_code"] = facts.exit_code;
   report["complete"] = facts.exit_code == DONE;
   report["seconds"] = facts.seconds;
+  report["global_shift"] = facts.shift.offset();
   const std::string units = namedUnits(facts.remarks);
   if (!units.empty())
     report["units"] = units;

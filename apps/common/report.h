@@ -49,11 +49,13 @@ struct RunFacts {
   std::string input;
   std::string output; /**< empty: none */
   ExitCode exit_code = DONE;
-  double seconds = 0; /**< of the work, without reading and writing files */
-  Remarks remarks;    /**< of the input; they may name units */
+  double seconds = 0;          /**< of the work, without reading and writing files */
+  Remarks remarks;             /**< of the input; they may name units */
+  pcl::GlobalShift shift = {}; /**< of the input */
 };
 
-/** \brief Add program, version, input, output, exit_code, complete, seconds and, where
+/** \brief Add program, version, input, output, exit_code, complete, seconds,
+ * global_shift and, where
  * the input names any, units. */
 void
 addRunFacts(const RunFacts& facts, nlohmann::json& report);

@@ -79,7 +79,46 @@ parseInteger(std::string_view word, T& value)
   return fits;
 }
 
+/** The power of ten of the last digit that is not 0. */
+int
+lastPower(std::string_view word)
+{
+  int power = 0;
+  int zeros = 0; // at the end, so far
+  bool is_fraction = false;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const char c = word[i];
+    int exponent = 0;
+    if (c == 'e' || c == 'E') {
+      parseInteger(word.substr(word.substr(i + 1, 1) == "+" ? i + 2 : i + 1), exponent);
+      return power + zeros + exponent;
+    }
+    is_fraction = is_fraction || c == '.';
+    if (c < '0' || c > '9')
+      continue;
+    power -= is_fraction ? 1 : 0;
+    zeros = c == '0' ? zeros + 1 : 0;
+  }
+  return power + zeros;
+}
+
 } // namespace
+
+bool
+needsDouble(std::string_view word, double value)
+{
+  const auto single = static_cast<float>(value);
+  const double off = std::abs(double{single} - value);
+  if (!(off > 0.0) || !std::isfinite(single))
+    return false;
+  const int power = lastPower(word);
+  const double units = off / std::pow(10.0, power);
+  constexpr double little = 1e-6;
+  if (std::abs(units - 0.5) > little)
+    return units > 0.5;
+  const double halves = std::ldexp(double{single}, 1 - power);
+  return halves == std::trunc(halves); // else the quotient was rounded
+}
 
 template <typename T>
 bool

@@ -69,4 +69,10 @@ template <typename T>
 bool
 parseNumber(std::string_view word, T& value);
 
+/** \brief Whether a float would lose digits of \a word, whose number is \a value: the
+ * nearest float is off by half a unit of the last digit or more. A number that a
+ * program has printed of a float is off by less. */
+bool
+needsDouble(std::string_view word, double value);
+
 } // namespace app

@@ -3,6 +3,7 @@
 #include "vtk_reader.h"
 
 #include "cloud_assembler.h"
+#include "point_table.h"
 #include "polygon_builder.h"
 #include "remarks.h"
 #include "vtk_cells.h"
@@ -40,7 +41,8 @@ public:
       return Status::error("its cells and their types do not fit together");
     if (status.ok())
       status = builder_.finish(model_.warnings);
-    return status.ok() ? assembleCloud(positions_, arrays_, model_.mesh.cloud) : status;
+    return status.ok() ? assembleCloud(positions_, is_wide_, arrays_, model_.mesh.cloud)
+                       : status;
   }
 
 private:
@@ -138,6 +140,11 @@ private:
     if (!nextCount(words, count) || !nextType(words, type) ||
         count > scanner_.remaining())
       return false;
+    std::vector<SourceColumn> columns{{"x", type, 1}, {"y", type, 1}, {"z", type, 1}};
+    if (!is_binary_)
+      widenForText(scanner_, count, columns);
+    type = columns.front().type;
+    is_wide_ = type != Field::FLOAT32 && scalarSize(type) >= sizeof(float);
     return VtkValues(scanner_, is_binary_).read(type, 3 * count, positions_);
   }
 
@@ -350,7 +357,8 @@ private:
   bool is_binary_ = false;
   bool is_point_data_ = false;
   std::size_t data_rows_ = 0;
-  std::vector<float> positions_;
+  std::vector<double> positions_;
+  bool is_wide_ = false; // positions that floats do not hold
   std::vector<FieldArray> arrays_;
   std::vector<std::int64_t> cells_;      // of an unstructured grid
   std::vector<std::int64_t> cell_types_; // of the same

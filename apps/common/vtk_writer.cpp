@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: writes legacy binary VTK with all fields.
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+
 #include "mesh_writers.h"
 #include "point_columns.h"
 #include "remarks.h"
@@ -62,10 +64,16 @@ writeColumn(const pcl::PCLPointCloud2& cloud,
 void
 writePositions(const pcl::PCLPointCloud2& cloud, OutputFile& file)
 {
-  file.text("POINTS " + std::to_string(pointCount(cloud)) + " float\n");
-  for (const Eigen::Vector3f& position : readPositions(cloud))
-    for (int axis = 0; axis < 3; ++axis)
-      file.bigEndian(position[axis]);
+  const bool is_double = hasDoublePositions(cloud);
+  file.text("POINTS " + std::to_string(pointCount(cloud)) +
+            (is_double ? " double\n" : " float\n"));
+  const auto view = pcl::ccaa::positionView(cloud);
+  for (std::size_t i = 0; i < view.size(); ++i)
+    for (const double coordinate : view[i])
+      if (is_double)
+        file.bigEndian(coordinate);
+      else
+        file.bigEndian(static_cast<float>(coordinate));
   file.text("\n");
 }
 

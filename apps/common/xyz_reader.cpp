@@ -80,6 +80,7 @@ struct Survey {
   std::vector<std::string> heading;
   std::vector<ColumnRange> columns;
   std::size_t skipped_lines = 0; /**< heading and count at the beginning */
+  bool is_wide = false;          /**< positions have digits that floats do not hold */
 };
 
 std::string
@@ -132,8 +133,10 @@ surveyPoint(const Words& words, std::size_t line_number, Survey& survey)
                    "has " + std::to_string(words.size()) +
                        " numbers where the first has " +
                        std::to_string(survey.columns.size()));
+  double value = 0;
+  for (std::size_t i = 0; i < 3 && !survey.is_wide; ++i)
+    survey.is_wide = parseNumber(words[i], value) && needsDouble(words[i], value);
   for (std::size_t i = 3; i < words.size(); ++i) {
-    double value = 0;
     if (!parseNumber(words[i], value))
       return badLine(line_number,
                      "has '" + std::string(words[i].substr(0, 40)) +
@@ -266,6 +269,8 @@ readXyz(const InputFile& file, Model& model)
   std::vector<SourceColumn> columns;
   for (std::size_t i = 0; i < names.size(); ++i)
     columns.push_back({names[i], columnType(names[i], survey.columns[i]), 1});
+  if (survey.is_wide)
+    columns.front().type = Field::FLOAT64; // and so all three
   TablePlan plan;
   status = planTable(columns, Naming::PLY, plan);
   if (status.ok())

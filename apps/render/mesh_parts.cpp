@@ -2,14 +2,10 @@
 // Part of PclSurfaceRepair: a mesh taken apart into what a picture shows of it.
 #include "render/mesh_parts.h"
 
-#include <pcl/common/point_tests.h>
-#include <pcl/conversions.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
-
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 
+#include "common/point_columns.h"
 #include "render/layer_parts.h"
 
 #include <algorithm>
@@ -26,15 +22,15 @@ using VtkIndices = std::vector<vtkIdType>;
 
 VtkIndices
 insertFinitePoints(const pcl::PolygonMesh& mesh,
+                   const pcl::GlobalShift& shift,
                    vtkPoints& points,
                    std::vector<Eigen::Vector3d>& positions)
 {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  pcl::fromPCLPointCloud2(mesh.cloud, cloud);
-  VtkIndices indices(cloud.size(), -1);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (pcl::isFinite(cloud[i])) {
-      positions.push_back(cloud[i].getVector3fMap().cast<double>());
+  const std::vector<Eigen::Vector3f> all = readPositions(mesh.cloud, shift);
+  VtkIndices indices(all.size(), -1);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].allFinite()) {
+      positions.push_back(all[i].cast<double>());
       indices[i] = points.InsertNextPoint(positions.back().data());
     }
   }
@@ -135,11 +131,11 @@ findUsed(vtkCellArray& cells, std::size_t points)
 } // namespace
 
 MeshParts
-takeApart(const pcl::PolygonMesh& mesh)
+takeApart(const pcl::PolygonMesh& mesh, const pcl::GlobalShift& shift)
 {
   MeshParts parts;
   const auto points = vtkSmartPointer<vtkPoints>::New();
-  const VtkIndices indices = insertFinitePoints(mesh, *points, parts.positions);
+  const VtkIndices indices = insertFinitePoints(mesh, shift, *points, parts.positions);
   parts.colors = colorsOfFinitePoints(mesh.cloud, indices);
   for (auto* part : {&parts.faces,
                      &parts.boundaries,
@@ -168,12 +164,14 @@ takeApart(const pcl::PolygonMesh& mesh)
 }
 
 MeshParts
-takeApart(const pcl::PCLPointCloud2& cloud, const std::vector<pcl::Vertices>& polygons)
+takeApart(const pcl::PCLPointCloud2& cloud,
+          const std::vector<pcl::Vertices>& polygons,
+          const pcl::GlobalShift& shift)
 {
   pcl::PolygonMesh mesh;
   mesh.cloud = cloud;
   mesh.polygons = polygons;
-  return takeApart(mesh);
+  return takeApart(mesh, shift);
 }
 
 } // namespace app

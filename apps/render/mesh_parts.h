@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: a mesh taken apart into what a picture shows of it.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/PolygonMesh.h>
 
 #include <Eigen/Core>
@@ -27,13 +28,16 @@ struct MeshParts {
                                                    done to it; null: not asked for */
 };
 
-/** \brief Take \a mesh apart. A cloud is a mesh without polygons. Points that are not
- * finite, and polygons that use one or an index out of range, are left out. */
+/** \brief Take \a mesh apart, its positions less the shift. A cloud is a mesh without
+ * polygons. Points that are not finite, and polygons that use one or an index out of
+ * range, are left out. */
 MeshParts
-takeApart(const pcl::PolygonMesh& mesh);
+takeApart(const pcl::PolygonMesh& mesh, const pcl::GlobalShift& shift = {});
 
 /** \brief The same for the points of \a cloud with some polygons. */
 MeshParts
-takeApart(const pcl::PCLPointCloud2& cloud, const std::vector<pcl::Vertices>& polygons);
+takeApart(const pcl::PCLPointCloud2& cloud,
+          const std::vector<pcl::Vertices>& polygons,
+          const pcl::GlobalShift& shift = {});
 
 } // namespace app

@@ -21,12 +21,20 @@
 namespace app {
 namespace {
 
+/** \brief The points of a model with some polygons. */
+MeshParts
+partsOf(const Model& model, const std::vector<pcl::Vertices>& polygons)
+{
+  return takeApart(model.mesh.cloud, polygons, model.shift);
+}
+
 /** \brief The finite points in the colours that they have. */
 vtkSmartPointer<vtkPolyData>
-coloredPoints(const pcl::PCLPointCloud2& cloud, std::size_t color_offset)
+coloredPoints(const Model& model, std::size_t color_offset)
 {
   LayerBuilder points("cloud.pcd", "Points in their own colours");
-  const std::vector<Eigen::Vector3f> positions = readPositions(cloud);
+  const pcl::PCLPointCloud2& cloud = model.mesh.cloud;
+  const std::vector<Eigen::Vector3f> positions = readPositions(cloud, model.shift);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (!positions[i].allFinite())
       continue;
@@ -44,12 +52,11 @@ Stage
 cloudStage(const ViewerRun& run, const Eigen::Vector3d& view)
 {
   StageBuilder stage("cloud", "Cloud", "The points as they were read.");
-  const MeshParts parts = takeApart(run.input.mesh.cloud, {});
+  const MeshParts parts = partsOf(run.input, {});
   const std::string count = " (" + std::to_string(parts.positions.size()) + ")";
   std::size_t offset = 0;
   if (findColour(run.input.mesh.cloud, offset)) {
-    stage.addColored(
-        Layer::POINTS, coloredPoints(run.input.mesh.cloud, offset), MEDIUM);
+    stage.addColored(Layer::POINTS, coloredPoints(run.input, offset), MEDIUM);
     stage.addLegend(
         Layer::POINTS, ROLE_INTERNAL, "points in their own colours" + count);
     return stage.finish();
@@ -95,7 +102,7 @@ startStage(const ViewerRun& run)
                      "GreedyStart joins the points fast. Some triangles are wrong, and "
                      "they are wound in any way.");
   const auto [kept, removed] = sortOut(run.start, run.filtered);
-  const auto kept_faces = takeApart(run.input.mesh.cloud, kept).faces;
+  const auto kept_faces = partsOf(run.input, kept).faces;
   stage.addSurface(kept_faces, OUTER_SIDE_PALE, RAW_BACK);
   if (!kept.empty())
     stage.addLegend(Layer::SURFACE,
@@ -103,13 +110,13 @@ startStage(const ViewerRun& run)
                     "triangles (" + std::to_string(run.start.size()) + ")");
   if (!run.start.empty())
     stage.addLegend(Layer::INNER_SIDE, RAW_BACK, "seen from their back");
-  const auto removed_faces = takeApart(run.input.mesh.cloud, removed).faces;
+  const auto removed_faces = partsOf(run.input, removed).faces;
   stage.addSurface(removed_faces, REMOVED_CORAL, REMOVED_CORAL);
   if (!removed.empty())
     stage.addLegend(Layer::SURFACE,
                     REMOVED_CORAL,
                     "not kept by the filter (" + std::to_string(removed.size()) + ")");
-  const MeshParts parts = takeApart(run.input.mesh.cloud, run.start);
+  const MeshParts parts = partsOf(run.input, run.start);
   stage.addMarks(
       Layer::LINES, parts.overfull, OVERFULL_MAGENTA, MEDIUM, "edges of three or more");
   stage.addMarks(
@@ -149,7 +156,7 @@ filterStage(const ViewerRun& run)
       "Filter: correct triangles",
       "UmbrellaFilter keeps what is a correct surface. Around an internal "
       "point its triangles close like an umbrella.");
-  const MeshParts parts = takeApart(run.input.mesh.cloud, run.filtered);
+  const MeshParts parts = partsOf(run.input, run.filtered);
   stage.addSurface(parts.faces, OUTER_SIDE_PALE, "triangles kept");
   stage.addMarks(Layer::POINTS,
                  internalPoints(parts),
@@ -165,18 +172,18 @@ filterStage(const ViewerRun& run)
 
 /** \brief A mesh before it is repaired; \a added are triangles told from the others. */
 void
-addMesh(const pcl::PCLPointCloud2& cloud,
+addMesh(const Model& model,
         const std::vector<pcl::Vertices>& given,
         const std::vector<pcl::Vertices>& added,
         StageBuilder& stage)
 {
   std::vector<pcl::Vertices> all = given;
   all.insert(all.end(), added.begin(), added.end());
-  const MeshParts parts = takeApart(cloud, all);
-  const auto given_faces = added.empty() ? parts.faces : takeApart(cloud, given).faces;
+  const MeshParts parts = partsOf(model, all);
+  const auto given_faces = added.empty() ? parts.faces : partsOf(model, given).faces;
   stage.addSurface(given_faces, OUTER_SIDE_PALE, "triangles");
   if (!added.empty())
-    stage.addSurface(takeApart(cloud, added).faces, ADDED_TEAL, "triangles added");
+    stage.addSurface(partsOf(model, added).faces, ADDED_TEAL, "triangles added");
   if (parts.faces->GetNumberOfPolys() > 0)
     stage.addLegend(Layer::INNER_SIDE, INNER_SIDE_PALE, "inner side");
   stage.addMarks(
@@ -195,7 +202,7 @@ baseStage(const ViewerRun& run)
       "Base: completed surface",
       "The base algorithm keeps these triangles and adds what is missing "
       "as far as there are points.");
-  addMesh(run.input.mesh.cloud, run.filtered, run.added, stage);
+  addMesh(run.input, run.filtered, run.added, stage);
   return stage.finish();
 }
 
@@ -211,7 +218,7 @@ Stage
 meshStage(const ViewerRun& run)
 {
   StageBuilder stage("mesh", "Mesh", "The mesh as it was read.");
-  addMesh(run.input.mesh.cloud, run.input.mesh.polygons, {}, stage);
+  addMesh(run.input, run.input.mesh.polygons, {}, stage);
   return stage.finish();
 }
 

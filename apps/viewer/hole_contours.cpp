@@ -83,10 +83,10 @@ colorOf(const HoleEnd& end)
 /** \brief Draws edges of the mesh. */
 class ContourBuilder {
 public:
-  explicit ContourBuilder(const pcl::PolygonMesh& mesh)
+  ContourBuilder(const pcl::PolygonMesh& mesh, const pcl::GlobalShift& shift)
   : builder_("contours.vtk", "Holes after bridging")
   , numbers_(builder_.wholeField("hole"))
-  , positions_(readPositions(mesh.cloud))
+  , positions_(readPositions(mesh.cloud, shift))
   {}
 
   void
@@ -177,7 +177,7 @@ InspectionLayer
 showContours(const pcl::RepairReport& report, const pcl::PolygonMesh& mesh)
 {
   const std::vector<DirectedEdge> edges = edgesOf(report, mesh);
-  ContourBuilder contours(mesh);
+  ContourBuilder contours(mesh, pcl::GlobalShift(report.reading.global_shift));
   addClosed(report, edges, contours);
   addOpen(report, edges, contours);
   addLegend(report, contours.layer());

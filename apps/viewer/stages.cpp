@@ -95,7 +95,7 @@ bridgeStage(const ViewerRun& run, const Background& background)
       "The best lines become bridges. They join islands and divide large "
       "holes.");
   addBackground(background, stage);
-  stage.addLayer(Layer::LINES, showBridges(run.repair.bridges), THICK);
+  stage.addLayer(Layer::LINES, showBridges(run.repair.bridges, run.input.shift), THICK);
   stage.addLayer(Layer::POINTS, background.free_points, DOT);
   addThinBoundary(background, stage);
   if (run.repair.bridges.empty())
@@ -140,13 +140,13 @@ resultStage(const ViewerRun& run)
     const std::string meaning = origin == TriangleOrigin::INPUT
                                     ? "given triangles"
                                     : std::string("new: ") + describe(origin);
-    stage.addSurface(takeApart(run.result.cloud, triangles).faces,
+    stage.addSurface(takeApart(run.result.cloud, triangles, run.input.shift).faces,
                      origin == TriangleOrigin::INPUT ? OUTER_SIDE_PALE
                                                      : colorOf(origin),
                      meaning);
   }
   stage.addLegend(Layer::INNER_SIDE, INNER_SIDE_PALE, "inner side");
-  const MeshParts parts = takeApart(run.result);
+  const MeshParts parts = takeApart(run.result, run.input.shift);
   stage.addMarks(
       Layer::LINES, parts.boundaries, BOUNDARY_GREY, MEDIUM, "boundary edges");
   stage.addMarks(

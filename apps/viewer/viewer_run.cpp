@@ -26,6 +26,7 @@ readInput(const ViewerTask& task, ViewerRun& run)
     run.input.mesh.polygons.clear();
   // A file for meshes that has no polygons holds a cloud.
   run.from_cloud = run.input.mesh.polygons.empty();
+  noteShift(run.input);
   return run.from_cloud
              ? requireTrianglePoints(run.input.mesh.cloud, nameForPeople(task.input))
              : Status();

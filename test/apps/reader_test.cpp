@@ -111,7 +111,7 @@ TEST(PlyReader, TakesOnlyThePointsOfAMeshForACloud)
   EXPECT_TRUE(model.mesh.polygons.empty());
 }
 
-TEST(PlyReader, WarnsWhereSinglePrecisionLosesTheShape)
+TEST(PlyReader, ShiftsWhereSinglePrecisionWouldLoseTheShape)
 {
   std::string bytes = "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
                       "property double y\nproperty double z\nend_header\n";
@@ -121,8 +121,10 @@ TEST(PlyReader, WarnsWhereSinglePrecisionLosesTheShape)
     near += corner;
     bytes += "5994678" + std::string(corner);
   }
-  EXPECT_TRUE(cloudFrom("near.ply", near).warnings.empty());
-  EXPECT_EQ(1U, cloudFrom("far.ply", bytes).warnings.size());
+  EXPECT_TRUE(cloudFrom("near.ply", near).shift.isNone());
+  const app::Model far = cloudFrom("far.ply", bytes);
+  EXPECT_EQ(Eigen::Vector3d(59946780.0625, 0.0625, 0), far.shift.offset());
+  EXPECT_TRUE(far.warnings.empty());
 }
 
 TEST(PcdReader, KeepsOrganisedSizeViewpointAndPaddedFields)
@@ -145,7 +147,7 @@ TEST(PcdReader, KeepsOrganisedSizeViewpointAndPaddedFields)
       app::pointAt(model.mesh.cloud, 0) + time->offset, false);
   EXPECT_EQ(18446744073709551615U, exact);
   EXPECT_TRUE(model.viewpoint.known);
-  EXPECT_EQ(Eigen::Vector3f(1, 2, 3), model.viewpoint.position);
+  EXPECT_EQ(Eigen::Vector3d(1, 2, 3), model.viewpoint.position);
 }
 
 TEST(XyzReader, ReadsSpacesCommasAndComments)

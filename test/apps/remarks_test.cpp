@@ -116,7 +116,7 @@ TEST(Viewpoint, GoesFromPcdToPcdAndPly)
   for (const char* name : {"out.pcd", "out.ply"}) {
     const app::Model model = loadCloud(damagedCopy(folder, name));
     EXPECT_TRUE(model.viewpoint.known) << name;
-    EXPECT_EQ(Eigen::Vector3f(1, 2, -3), model.viewpoint.position) << name;
+    EXPECT_EQ(Eigen::Vector3d(1, 2, -3), model.viewpoint.position) << name;
     EXPECT_TRUE(model.viewpoint.orientation.isApprox(
         Eigen::Quaternionf(0.5F, 0.5F, -0.5F, 0.5F), 1e-6F))
         << name;
@@ -135,7 +135,7 @@ TEST(Viewpoint, InPlyIsReadAsPclWritesIt)
                                true);
   const app::Model model = loadCloud(folder.path("a.ply"));
   EXPECT_TRUE(model.viewpoint.known);
-  EXPECT_EQ(Eigen::Vector3f(1, 2, -3), model.viewpoint.position);
+  EXPECT_EQ(Eigen::Vector3d(1, 2, -3), model.viewpoint.position);
   EXPECT_TRUE(model.viewpoint.orientation.isApprox(orientation, 1e-6F));
 }
 
@@ -144,7 +144,7 @@ TEST(Viewpoint, DoesNotKeepPclFromReadingTheMeshBehindIt)
   const TemporaryFolder folder;
   const pcl::PolygonMesh mesh = colouredSphere();
   app::FileExtras extras;
-  extras.viewpoint.position = Eigen::Vector3f(1, 2, 3);
+  extras.viewpoint.position = Eigen::Vector3d(1, 2, 3);
   app::OutputFile file;
   app::Warnings warnings;
   const std::string path = folder.path("a.ply");
@@ -167,7 +167,7 @@ TEST(Viewpoint, BehindTheVerticesIsReadForACloudToo)
             "end_header\n1 2 3\n7 8 9\n");
   const app::Model model = loadCloud(folder.path("a.ply"));
   EXPECT_TRUE(model.viewpoint.known);
-  EXPECT_EQ(Eigen::Vector3f(7, 8, 9), model.viewpoint.position);
+  EXPECT_EQ(Eigen::Vector3d(7, 8, 9), model.viewpoint.position);
 }
 
 TEST(Title, OfVtkStays)

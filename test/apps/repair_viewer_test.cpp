@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: pcl_repair_viewer as a user runs it, without a screen.
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
 #include "model_samples.h"
 #include "pictures.h"
 #include "repair_fixture.h"
+#include "support/clouds.h"
 #include "support/repair_shapes.h"
 #include "viewer/stage_colors.h"
 
@@ -158,6 +161,22 @@ TEST_F(RenderRepairViewer, RefusesBadUsageWithOneLineAndNoFile)
   EXPECT_EQ(
       (std::vector<std::string>{"closed.ply", "cloud.pcd", "holed.ply", "line.xyz"}),
       folder_.names());
+}
+
+TEST_F(RenderRepairViewer, ShowsMapCoordinatesAsNearTheOrigin)
+{
+  const auto pictureAt = [&](const pcl::ccaa::Position& place) {
+    pcl::PolygonMesh mesh = loadMesh(path("holed.ply")).mesh;
+    const pcl::ccaa::PointView given = pcl::ccaa::positionView(mesh.cloud);
+    mesh.cloud = test::toDoubleCloud(
+        test::shifted(test::onGrid(pcl::ccaa::copyPositions(given).positions), place));
+    save(path("map.ply"), mesh);
+    EXPECT_EQ(0, this->view("map.ply", {"--screenshot", path("map.png")}).exit_code);
+    return readFile(path("map.png"));
+  };
+  const std::string near = pictureAt({0, 0, 0});
+  EXPECT_FALSE(near.empty());
+  EXPECT_TRUE(near == pictureAt(test::MAP_PLACE));
 }
 
 } // namespace
