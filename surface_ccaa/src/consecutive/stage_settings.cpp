@@ -52,5 +52,18 @@ LentSettings::lend(unsigned int threads, StageProgress& progress)
   settings_->setProgressCallback(progress.callback());
 }
 
+LentSides::~LentSides()
+{
+  if (settings_ != nullptr)
+    settings_->setSideHints(own_hints_);
+}
+
+void
+LentSides::lend(const SideHints& hints)
+{
+  own_hints_ = settings_->getSideHints();
+  settings_->setSideHints(hints);
+}
+
 } // namespace ccaa
 } // namespace pcl

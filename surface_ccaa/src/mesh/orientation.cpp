@@ -23,11 +23,16 @@ constexpr double CLEAR_SIGHT_MARGIN = 0.75;
  */
 constexpr double BULGE_MARGIN = 0.4;
 
+/** \brief Least mean cosine between a surface's normals and the ways to the origin when
+ * that is taken for a viewpoint. */
+constexpr double LEAST_MEAN_COSINE = 0.25;
+
 /** \brief Which components have to be turned, and why. */
 struct Decision {
   std::vector<unsigned char> turn;
   std::vector<OrientedComponent> components;
-  bool any_undecided = false;
+  bool any_undecided = false; /**< by what is asked before the shape, the guess aside */
+  int plane_axis = -1;        /**< that the dominant plane looks along; -1 if none */
 
   void
   settle(std::size_t component, OutwardRule rule, const Votes& votes)
@@ -57,22 +62,67 @@ startDecision(const Winding& winding)
   return decision;
 }
 
+/** \brief The first of the hints that is clear, or nothing. */
 void
-decideByEvidence(const std::vector<OutwardEvidence>& evidence, Decision& decision)
+decideByHints(std::size_t component, const OutwardEvidence& found, Decision& decision)
 {
+  for (std::size_t rule = 0; rule < found.given.size(); ++rule)
+    if (found.given[rule].margin() >= VOTE_MARGIN) {
+      decision.settle(component, static_cast<OutwardRule>(rule), found.given[rule]);
+      return;
+    }
+}
+
+/** \brief A plane that the origin sees edge-on has not been measured from there. */
+void
+dropVotesFromEdgeOn(std::vector<OutwardEvidence>& evidence)
+{
+  double shown = 0.0, area = 0.0;
+  for (const OutwardEvidence& found : evidence) {
+    shown += found.shown;
+    area += found.area;
+  }
+  if (shown < LEAST_MEAN_COSINE * area)
+    for (OutwardEvidence& found : evidence)
+      found.given[static_cast<std::size_t>(OutwardRule::ORIGIN)] = {};
+}
+
+void
+decideByEvidence(std::vector<OutwardEvidence> evidence, Decision& decision)
+{
+  dropVotesFromEdgeOn(evidence);
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const OrientedComponent& component = decision.components[i];
     if (component.rule == OutwardRule::ONE_SIDED)
       continue;
-    if (evidence[i].normals.margin() >= VOTE_MARGIN)
-      decision.settle(i, OutwardRule::NORMALS, evidence[i].normals);
-    else if (evidence[i].viewpoint.margin() >= VOTE_MARGIN)
-      decision.settle(i, OutwardRule::VIEWPOINT, evidence[i].viewpoint);
-    else if (component.closed && enclosesVolume(evidence[i]))
+    decideByHints(i, evidence[i], decision);
+    if (component.rule == OutwardRule::UNDECIDED && component.closed &&
+        enclosesVolume(evidence[i]))
       decision.settle(i, OutwardRule::VOLUME, evidence[i].volume);
-    else
+    if (component.rule == OutwardRule::UNDECIDED)
       decision.any_undecided = true;
   }
+}
+
+void
+decideByPlane(const WoundMesh& mesh, const LoopContext& context, Decision& decision)
+{
+  const std::vector<Votes> plane = collectPlane(mesh, context, decision.plane_axis);
+  for (std::size_t i = 0; i < plane.size(); ++i)
+    if (decision.components[i].rule == OutwardRule::UNDECIDED && plane[i].total > 0.0)
+      decision.settle(i, OutwardRule::PLANE, plane[i]);
+}
+
+/** \brief All that is asked before the shape. */
+void
+decideByWhatIsKnown(const WoundMesh& mesh,
+                    const OrientationHints& hints,
+                    const LoopContext& context,
+                    Decision& decision)
+{
+  decideByEvidence(collectEvidence(mesh, hints, context), decision);
+  if (decision.any_undecided && hints.guess_plane)
+    decideByPlane(mesh, context, decision);
 }
 
 void
@@ -152,8 +202,13 @@ makeReport(Decision& decision, std::size_t reversed)
   OrientationReport report;
   report.reversed = reversed;
   report.components = std::move(decision.components);
-  for (const OrientedComponent& component : report.components)
-    ++report.decided[static_cast<std::size_t>(component.rule)];
+  for (const OrientedComponent& component : report.components) {
+    const auto rule = static_cast<std::size_t>(component.rule);
+    ++report.decided[rule];
+    report.tally.triangles[rule] += component.triangles;
+  }
+  if (report.tally[OutwardRule::PLANE] > 0)
+    report.tally.guessed_axis = decision.plane_axis;
   return report;
 }
 
@@ -175,7 +230,7 @@ orientTriangles(Triangles& triangles,
   Decision decision = startDecision(winding);
   if (hints.stop_if_one_sided && hasOneSided(decision))
     return makeReport(decision, 0);
-  decideByEvidence(collectEvidence(mesh, hints, context), decision);
+  decideByWhatIsKnown(mesh, hints, context, decision);
   if (decision.any_undecided) {
     const std::vector<Votes> sight = collectFreeSight(mesh, context);
     decideBySight(sight, CLEAR_SIGHT_MARGIN, decision);
@@ -185,6 +240,51 @@ orientTriangles(Triangles& triangles,
   if (!control.report("outer side", 1.0))
     return cancelledReport();
   return makeReport(decision, apply(decision, winding, hints.threads, triangles));
+}
+
+std::vector<double>
+evidentSides(const Triangles& triangles,
+             const TriangleAdjacency& adjacency,
+             const PointView& positions,
+             const OrientationHints& hints,
+             RunControl& control)
+{
+  Winding winding;
+  if (!winding.find(triangles, adjacency, hints.threads, control))
+    return {};
+  Decision decision = startDecision(winding);
+  decideByWhatIsKnown({triangles, positions, winding},
+                      hints,
+                      {hints.threads, &control, "outer side"},
+                      decision);
+  std::vector<double> sides;
+  for (std::size_t i = 0; i < decision.components.size(); ++i) {
+    const double margin = decision.components[i].margin;
+    sides.push_back(decision.turn[i] != 0 ? -margin : margin);
+  }
+  return sides;
+}
+
+Eigen::Vector3d
+outwardAt(pcl::index_t vertex,
+          const PointView& positions,
+          const OrientationHints& hints)
+{
+  const auto isClear = [](const Eigen::Vector3d& direction) {
+    return direction.allFinite() && !direction.isZero(0.0);
+  };
+  const auto toward = [&](const Position& viewpoint) -> Eigen::Vector3d {
+    return viewpoint - positions[vertex];
+  };
+  if (hints.told_viewpoint)
+    return toward(*hints.told_viewpoint);
+  if (hints.up)
+    return *hints.up;
+  if (!hints.normals.empty() && isClear(hints.normals[vertex]))
+    return hints.normals[vertex];
+  if (!hints.viewpoints.empty() && isClear(toward(hints.viewpoints[vertex])))
+    return toward(hints.viewpoints[vertex]);
+  return hints.viewpoint ? toward(*hints.viewpoint) : Eigen::Vector3d::Zero();
 }
 
 } // namespace ccaa

@@ -5,6 +5,8 @@
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace pcl {
@@ -14,6 +16,13 @@ namespace {
 /** \brief A facet whose plane passes the centroid of its surface closer than this share
  * of the surface's size bulges neither way: what is left is rounding. */
 constexpr double FLATNESS = 1e-4;
+
+/** \brief Of a surface that follows a plane: least share of the greatest eigenvalue of
+ * its normal tensor; 1/3 for a sphere, 1 in the plane. */
+constexpr double LEAST_PLANE_SHARE = 0.75;
+
+/** \brief Least margin of the votes for one side of the plane; 0 for a closed body. */
+constexpr double LEAST_TERRAIN_MARGIN = 0.8;
 
 /** \brief A triangle as far as the rules need it. */
 struct Facet {
@@ -40,15 +49,6 @@ sumOfNormals(const PointView& normals, const Triangle& triangle)
       sum += normal / length;
   }
   return sum;
-}
-
-Position
-viewpointOf(const OrientationHints& hints, const Triangle& triangle)
-{
-  const PointView& each = hints.viewpoints;
-  if (each.empty())
-    return *hints.viewpoint;
-  return (each[triangle[0]] + each[triangle[1]] + each[triangle[2]]) / 3.0;
 }
 
 /** \brief Solid angle a small facet fills, positive when its front is seen. */
@@ -85,6 +85,77 @@ struct SurfaceMoment {
   }
 };
 
+/** \brief Sum of area-weighted n n^T over triangles: how their planes lie, whichever
+ * way they look. */
+struct NormalTensor {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+
+  void
+  add(const Eigen::Vector3d& area)
+  {
+    const double size = area.norm();
+    if (size > 0.0 && std::isfinite(size))
+      sum += area * area.transpose() / size;
+  }
+
+  void
+  add(const NormalTensor& other)
+  {
+    sum += other.sum;
+  }
+};
+
+/** \brief The votes of all hints that there are. */
+class GivenVotes {
+public:
+  explicit GivenVotes(const OrientationHints& hints)
+  : hints_(hints)
+  , has_viewpoint_(!hints.viewpoints.empty() || hints.viewpoint)
+  , is_origin_(hints.viewpoints.empty() && hints.viewpoint_is_origin)
+  {}
+
+  bool
+  any() const
+  {
+    return has_viewpoint_ || hints_.told_viewpoint || hints_.up ||
+           !hints_.normals.empty();
+  }
+
+  void
+  add(const Triangle& triangle, const Facet& facet, OutwardEvidence& sum) const
+  {
+    const auto votes = [&](OutwardRule rule) -> Votes& {
+      return sum.given[static_cast<std::size_t>(rule)];
+    };
+    if (hints_.told_viewpoint)
+      votes(OutwardRule::TOLD_VIEWPOINT).add(solidAngle(facet, *hints_.told_viewpoint));
+    if (hints_.up)
+      votes(OutwardRule::UP).add(facet.area.dot(*hints_.up));
+    if (!hints_.normals.empty())
+      votes(OutwardRule::NORMALS)
+          .add(facet.area.dot(sumOfNormals(hints_.normals, triangle)));
+    if (has_viewpoint_)
+      votes(is_origin_ ? OutwardRule::ORIGIN : OutwardRule::VIEWPOINT)
+          .add(solidAngle(facet, viewpointOf(triangle)));
+    if (is_origin_)
+      sum.shown += std::abs(facet.area.dot(facet.centroid.normalized()));
+  }
+
+private:
+  Position
+  viewpointOf(const Triangle& triangle) const
+  {
+    const PointView& each = hints_.viewpoints;
+    if (each.empty())
+      return *hints_.viewpoint;
+    return (each[triangle[0]] + each[triangle[1]] + each[triangle[2]]) / 3.0;
+  }
+
+  const OrientationHints& hints_;
+  bool has_viewpoint_;
+  bool is_origin_; /**< that viewpoint is the origin, taken for it */
+};
+
 } // namespace
 
 std::vector<OutwardEvidence>
@@ -92,31 +163,63 @@ collectEvidence(const WoundMesh& mesh,
                 const OrientationHints& hints,
                 const LoopContext& context)
 {
-  const bool has_normals = !hints.normals.empty();
-  const bool has_viewpoint = !hints.viewpoints.empty() || hints.viewpoint;
+  const GivenVotes given(hints);
   const auto& components = mesh.winding.components();
   ComponentFlags wanted;
   for (const WoundComponent& component : components)
-    wanted.push_back(!component.one_sided &&
-                     (component.closed || has_normals || has_viewpoint));
+    wanted.push_back(!component.one_sided && (component.closed || given.any()));
   const auto addTriangle = [&](std::size_t component,
                                std::size_t index,
                                OutwardEvidence& sum) {
-    const Triangle& triangle = mesh.triangles[index];
     const Facet facet = facetOf(mesh, index);
-    if (has_normals)
-      sum.normals.add(facet.area.dot(sumOfNormals(hints.normals, triangle)));
-    if (has_viewpoint)
-      sum.viewpoint.add(solidAngle(facet, viewpointOf(hints, triangle)));
+    sum.area += facet.area.norm();
+    given.add(mesh.triangles[index], facet, sum);
     if (!components[component].closed)
       return;
     const auto first = static_cast<std::size_t>(components[component].first_triangle);
     const Position origin = mesh.positions[mesh.triangles[first][0]];
     sum.volume.add(facet.area.dot(facet.centroid - origin));
-    sum.area += facet.area.norm();
   };
   return sumByComponent<OutwardEvidence>(
       mesh.winding, mesh.triangles.size(), wanted, context, addTriangle);
+}
+
+std::vector<Votes>
+collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
+{
+  const std::size_t count = mesh.triangles.size();
+  const ComponentFlags all(mesh.winding.components().size(), 1);
+  NormalTensor tensor;
+  for (const NormalTensor& part : sumByComponent<NormalTensor>(
+           mesh.winding,
+           count,
+           all,
+           context,
+           [&](std::size_t, std::size_t index, NormalTensor&sum) {
+             sum.add(facetOf(mesh, index).area);
+           }))
+    tensor.add(part);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor.sum);
+  axis = -1;
+  if (!(solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.sum.trace()) ||
+      !(tensor.sum.trace() > 0.0))
+    return std::vector<Votes>(all.size());
+  Eigen::Vector3d up = solver.eigenvectors().col(2);
+  up.cwiseAbs().maxCoeff(&axis);
+  if (up[axis] < 0.0)
+    up = -up;
+  std::vector<Votes> votes =
+      sumByComponent<Votes>(mesh.winding,
+                            count,
+                            all,
+                            context,
+                            [&](std::size_t, std::size_t index, Votes& sum) {
+                              sum.add(facetOf(mesh, index).area.dot(up));
+                            });
+  for (Votes& of_component : votes)
+    if (of_component.margin() < LEAST_TERRAIN_MARGIN)
+      of_component = {};
+  return votes;
 }
 
 std::vector<Votes>

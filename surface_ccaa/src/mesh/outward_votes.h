@@ -8,6 +8,7 @@
 #include "component_sums.h"
 #include "winding.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -47,18 +48,20 @@ struct Votes {
 
 /** \brief What hints and volume say about one component. */
 struct OutwardEvidence {
-  Votes normals;
-  Votes viewpoint;
+  /** \brief By OutwardRule, as far as the hints have them. */
+  std::array<Votes, static_cast<std::size_t>(OutwardRule::ORIGIN) + 1> given;
   Votes volume; /**< six times the tetrahedra from the first corner; closed ones only */
-  double area = 0.0; /**< twice the area; closed ones only */
+  double area = 0.0;  /**< twice the area */
+  double shown = 0.0; /**< twice the area that the origin sees, both sides counting */
 
   void
   add(const OutwardEvidence& other)
   {
-    normals.add(other.normals);
-    viewpoint.add(other.viewpoint);
+    for (std::size_t i = 0; i < given.size(); ++i)
+      given[i].add(other.given[i]);
     volume.add(other.volume);
     area += other.area;
+    shown += other.shown;
   }
 };
 
@@ -84,6 +87,13 @@ std::vector<OutwardEvidence>
 collectEvidence(const WoundMesh& mesh,
                 const OrientationHints& hints,
                 const LoopContext& context);
+
+/** \brief Votes for the upper side of the plane that most of the surface follows;
+ * without votes where there is no such plane or the component does not lie over it like
+ * a terrain.
+ * \param[out] axis that up is nearest to */
+std::vector<Votes>
+collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis);
 
 /** \brief Votes of the enclosing-sphere rule (thesis 4.48, first half): rays from the
  * centre in up to 24 576 directions, the triangle met last has free sight. Triangles

@@ -29,48 +29,36 @@ normalAt(pcl::index_t vertex,
   return sum.normalized();
 }
 
-/** Islands to reverse because most of their area contradicts the given normals. */
-std::vector<std::uint8_t>
-againstNormals(const Triangles& triangles,
-               const Islands& islands,
-               const PointView& points,
-               const PointView& normals)
-{
-  std::vector<double> agreement(islands.count, 0.0);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Position normal = areaNormal(cornersOf(triangles[t], points));
-    for (const pcl::index_t corner : triangles[t]) {
-      const double vote = normals[corner].dot(normal);
-      if (std::isfinite(vote))
-        agreement[islands[t]] += vote;
-    }
-  }
-  std::vector<std::uint8_t> reverse(islands.count);
-  for (std::size_t i = 0; i < islands.count; ++i)
-    reverse[i] = agreement[i] < 0.0;
-  return reverse;
-}
-
 /** Islands in groups; each knows whether it is turned against the head of its group. */
 class TurnedGroups {
 public:
-  explicit TurnedGroups(const std::vector<std::size_t>& sizes)
-  : sizes_(sizes), head_(sizes.size()), turned_(sizes.size(), 0), members_(sizes.size())
+  TurnedGroups(const std::vector<std::size_t>& sizes,
+               const std::vector<double>& evidence)
+  : sizes_(sizes)
+  , head_(sizes.size())
+  , turned_(sizes.size(), 0)
+  , is_evident_(sizes.size(), 0)
+  , members_(sizes.size())
   {
     std::iota(head_.begin(), head_.end(), std::size_t(0));
     for (std::size_t i = 0; i < sizes.size(); ++i)
       members_[i] = {i};
+    for (std::size_t i = 0; i < evidence.size(); ++i) {
+      turned_[i] = evidence[i] < 0.0;
+      is_evident_[i] = evidence[i] != 0.0;
+    }
   }
 
-  /** \brief Join the groups of two islands, the smaller one to the larger one. */
+  /** \brief Join the groups of two islands: the one without evidence to the one with
+   * it, else the smaller one to the larger one. Evidence is not outvoted. */
   void
   join(std::size_t one, std::size_t other, bool opposite)
   {
     std::size_t stays = head_[one], goes = head_[other];
-    if (stays == goes)
+    if (stays == goes || (is_evident_[stays] != 0 && is_evident_[goes] != 0))
       return;
     const bool turn = (turned_[one] != turned_[other]) != opposite;
-    if (std::make_pair(sizes_[stays], goes) < std::make_pair(sizes_[goes], stays))
+    if (isBefore(goes, stays))
       std::swap(stays, goes);
     for (const std::size_t island : members_[goes]) {
       head_[island] = stays;
@@ -87,9 +75,18 @@ public:
   }
 
 private:
+  /** Whether a head stays before another one. */
+  bool
+  isBefore(std::size_t head, std::size_t other) const
+  {
+    return std::make_tuple(is_evident_[head], sizes_[head], other) >
+           std::make_tuple(is_evident_[other], sizes_[other], head);
+  }
+
   const std::vector<std::size_t>& sizes_;
   std::vector<std::size_t> head_;
   std::vector<std::uint8_t> turned_;
+  std::vector<std::uint8_t> is_evident_; /**< of a head */
   std::vector<std::vector<std::size_t>> members_;
 };
 
@@ -123,7 +120,8 @@ votes(const Triangles& triangles,
 
 std::vector<std::uint8_t>
 againstNeighbors(const std::map<IslandPair, double>& sums,
-                 const std::vector<std::size_t>& sizes)
+                 const std::vector<std::size_t>& sizes,
+                 const std::vector<double>& evidence)
 {
   std::vector<std::pair<double, IslandPair>> pairs;
   for (const auto& [pair, sum] : sums)
@@ -132,7 +130,7 @@ againstNeighbors(const std::map<IslandPair, double>& sums,
     return std::make_tuple(-std::abs(a.first), a.second) <
            std::make_tuple(-std::abs(b.first), b.second);
   });
-  TurnedGroups groups(sizes);
+  TurnedGroups groups(sizes, evidence);
   for (const auto& [sum, pair] : pairs)
     groups.join(pair.first, pair.second, sum < 0.0);
   return groups.turned();
@@ -145,17 +143,14 @@ alignIslands(Triangles& triangles,
              const TriangleAdjacency& adjacency,
              const Islands& islands,
              const PointView& points,
-             const PointView& normals,
+             const std::vector<double>& evidence,
              const std::vector<IslandContact>& contacts)
 {
   std::vector<std::size_t> sizes(islands.count, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     ++sizes[islands[t]];
-  const std::vector<std::uint8_t> reverse =
-      normals.empty()
-          ? againstNeighbors(votes(triangles, adjacency, islands, points, contacts),
-                             sizes)
-          : againstNormals(triangles, islands, points, normals);
+  const std::vector<std::uint8_t> reverse = againstNeighbors(
+      votes(triangles, adjacency, islands, points, contacts), sizes, evidence);
   bool any = false;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (reverse[islands[t]] != 0) {

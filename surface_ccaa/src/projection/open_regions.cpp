@@ -102,6 +102,8 @@ regionOf(const OpenSurface& open,
     region.spacings.push_back(open.spacings[static_cast<std::size_t>(points[i])]);
     if (!open.normals.empty())
       region.normals.push_back(open.normals[static_cast<std::size_t>(points[i])]);
+    if (!open.outward.empty())
+      region.outward.push_back(open.outward[static_cast<std::size_t>(points[i])]);
     std::size_t place = i * k;
     for (unsigned int j = 0; j < open.neighbors.count(points[i]); ++j)
       if (const pcl::index_t near = numbers[open.neighbors.row(points[i])[j]];

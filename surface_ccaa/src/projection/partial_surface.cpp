@@ -7,14 +7,24 @@
 
 namespace pcl {
 namespace ccaa {
+namespace {
+
+Position
+finiteOrZero(const Position& direction)
+{
+  return direction.allFinite() ? direction : Position::Zero();
+}
+
+} // namespace
+
 PartialSurface::PartialSurface(const Triangles& given,
                                const TriangleAdjacency& adjacency,
                                const PointView& points,
-                               const PointView& normals)
+                               const OrientationHints& hints)
 : given_(given)
 , adjacency_(adjacency)
 , points_(points)
-, normals_(normals)
+, hints_(hints)
 , alive_given_(given.size(), 1)
 {}
 
@@ -88,9 +98,10 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
     surface.positions.push_back(points_[vertex]);
   for (const pcl::index_t vertex : open)
     surface.spacings.push_back(spacingAt(vertex));
-  for (std::size_t i = 0; i < open.size() && !normals_.empty(); ++i) {
-    const Position normal = normals_[open[i]];
-    surface.normals.push_back(normal.allFinite() ? normal : Position::Zero());
+  for (const pcl::index_t vertex : open) {
+    if (!hints_.normals.empty())
+      surface.normals.push_back(finiteOrZero(hints_.normals[vertex]));
+    surface.outward.push_back(outwardAt(vertex, points_, hints_));
   }
   return surface;
 }

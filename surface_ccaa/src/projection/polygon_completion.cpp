@@ -16,16 +16,6 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-PointView
-viewOf(const PointArray& array)
-{
-  if (array.size == 0)
-    return {};
-  return {array.xyz,
-          array.size,
-          {array.stride * sizeof(float), {0, sizeof(float), 2 * sizeof(float)}}};
-}
-
 std::vector<Eigen::Vector3f>
 gather(const PointArray& array, const std::vector<index_t>& indices)
 {
@@ -112,10 +102,13 @@ PolygonCompletion::run(CompletionReport& report)
   }
   coordinates_ = gather(input_.points, given_.point_of_vertex);
   const auto normals = gather(input_.normals, given_.point_of_vertex);
+  const auto viewpoints = gather(input_.viewpoints, given_.point_of_vertex);
   PartialMesh mesh;
   mesh.points = coordinates_;
   if (hasDirection(normals))
     mesh.normals = normals;
+  mesh.viewpoints = viewpoints;
+  mesh.sides = input_.sides;
   mesh.given = std::move(given_.triangles);
   CompletedMesh completed = completeSurface(
       std::move(mesh),

@@ -50,6 +50,10 @@ private:
   openVertices() const;
   bool
   searchNeighbors(std::vector<pcl::index_t>& open);
+  OrientationHints
+  hints() const;
+  void
+  dropUselessNormals();
   void
   align(const std::vector<pcl::index_t>& open);
   LastingRule
@@ -100,6 +104,8 @@ Completion::run()
   adjacency_.build(mesh_.given, mesh_.points.size(), context_.threads, &control_);
   if (control_.cancelled())
     return result;
+  if (mesh_.viewpoints.empty())
+    takeOrigin(mesh_.sides, mesh_.points);
   result.fault = findFault(adjacency_);
   if (result.fault != PartialMeshFault::NONE)
     return result;
@@ -120,8 +126,9 @@ Completion::run()
   report_.open_points = open.size();
   if (!searchNeighbors(open))
     return result;
+  dropUselessNormals();
   align(open);
-  PartialSurface surface(mesh_.given, adjacency_, mesh_.points, mesh_.normals);
+  PartialSurface surface(mesh_.given, adjacency_, mesh_.points, hints());
   for (const pcl::index_t t : doubts_.triangles)
     surface.remove(t);
   if (!grow(surface, open))
@@ -156,12 +163,43 @@ Completion::searchNeighbors(std::vector<pcl::index_t>& open)
          search_(open, parameters_.neighbors, table_) && !control_.cancelled();
 }
 
+/** All that is known about the outer side. */
+OrientationHints
+Completion::hints() const
+{
+  OrientationHints hints;
+  static_cast<SideHints&>(hints) = mesh_.sides;
+  hints.normals = mesh_.normals;
+  hints.viewpoints = mesh_.viewpoints;
+  hints.threads = context_.threads;
+  return hints;
+}
+
+/** Normals that are overruled, or that agree with each other on less than half of the
+ * given surface, would only keep triangles from growing. */
+void
+Completion::dropUselessNormals()
+{
+  if (mesh_.sides.told_viewpoint || mesh_.sides.up)
+    mesh_.normals = {};
+  if (mesh_.normals.empty() || mesh_.given.empty())
+    return;
+  OrientationHints alone;
+  alone.normals = mesh_.normals;
+  alone.threads = context_.threads;
+  const std::vector<double> sides =
+      evidentSides(mesh_.given, adjacency_, mesh_.points, alone, control_);
+  std::size_t clear = 0;
+  for (std::size_t t = 0; t < mesh_.given.size() && !sides.empty(); ++t)
+    clear += sides[islands_[t]] != 0.0 ? 1 : 0;
+  if (2 * clear < mesh_.given.size())
+    mesh_.normals = {};
+}
+
 /** Islands that are to be joined must agree before growth begins. */
 void
 Completion::align(const std::vector<pcl::index_t>& open)
 {
-  if (islands_.count < 2 && mesh_.normals.empty())
-    return;
   std::vector<IslandContact> contacts;
   const std::size_t k = parameters_.neighbors;
   for (std::size_t i = 0; i < open.size(); ++i)
@@ -171,8 +209,12 @@ Completion::align(const std::vector<pcl::index_t>& open)
           adjacency_.fan(contact.other) != Fan::NONE)
         contacts.push_back(contact);
     }
-  alignIslands(
-      mesh_.given, adjacency_, islands_, mesh_.points, mesh_.normals, contacts);
+  alignIslands(mesh_.given,
+               adjacency_,
+               islands_,
+               mesh_.points,
+               evidentSides(mesh_.given, adjacency_, mesh_.points, hints(), control_),
+               contacts);
 }
 
 /** The open surface without the points that are scattered in space. Those that happen
@@ -357,10 +399,8 @@ Completion::orient(Triangles& triangles)
 {
   for (const Fan fan : adjacency_.fans())
     report_.free_points += fan == Fan::NONE;
-  OrientationHints hints;
-  hints.normals = mesh_.normals;
-  hints.threads = context_.threads;
-  orientTriangles(triangles, adjacency_, mesh_.points, hints, control_);
+  report_.sides =
+      orientTriangles(triangles, adjacency_, mesh_.points, hints(), control_).tally;
 }
 
 } // namespace

@@ -318,15 +318,15 @@ SurfaceGrowth::plantSeed(pcl::index_t vertex)
   return true;
 }
 
-/** Wound as given normals say, if there are any. */
+/** Wound as is known, if anything is. */
 void
 SurfaceGrowth::addSeed(Triangle seed)
 {
-  if (!open_.normals.empty()) {
+  if (!open_.outward.empty()) {
     const Position normal = unitNormal(trial_.cornersOf(seed));
     double agreement = 0.0;
     for (const pcl::index_t corner : seed)
-      agreement += open_.normals[static_cast<std::size_t>(corner)].dot(normal);
+      agreement += open_.outward[static_cast<std::size_t>(corner)].dot(normal);
     if (agreement < 0.0)
       std::swap(seed[1], seed[2]);
   }

@@ -120,6 +120,8 @@ void
 FilterRun::orient()
 {
   if (settings_.consistent_orientation) {
+    if (views_.viewpoints.empty())
+      takeOrigin(settings_.sides, positions_);
     OrientationReport oriented = windOutward(true);
     while (oriented.oneSided() > 0 && cutTwistedRegions())
       oriented = windOutward(true); // until nothing is cut: filtering twice is once
@@ -127,6 +129,7 @@ FilterRun::orient()
       oriented = windOutward(false);
     report_.reversed_triangles = oriented.reversed;
     report_.one_sided_components = oriented.oneSided();
+    tally_ = oriented.tally;
   }
   adjacency_.clear();
   positions_ = {};
@@ -137,6 +140,7 @@ FilterRun::windOutward(bool only_if_two_sided)
 {
   const LoopContext context = stage("reading hints");
   OrientationHints hints;
+  static_cast<SideHints&>(hints) = settings_.sides;
   const auto normals = gather(views_.normals, point_of_vertex_, context);
   const auto viewpoints = gather(views_.viewpoints, point_of_vertex_, context);
   hints.normals = normals;

@@ -22,6 +22,7 @@ struct FilterSettings {
   std::size_t minimum_internal_points = 10;
   bool consistent_orientation = true;
   TwistLimits twist_limits;
+  SideHints sides;
   int threads = 1;
 };
 
@@ -66,6 +67,13 @@ public:
     return report_;
   }
 
+  /** \brief After DONE, with consistent orientation. */
+  const SideTally&
+  sideTally() const
+  {
+    return tally_;
+  }
+
 private:
   void
   buildAdjacency();
@@ -99,6 +107,7 @@ private:
   AliveFlags alive_;
   std::vector<Fan> fans_;
   UmbrellaReport report_;
+  SideTally tally_;
 };
 
 } // namespace ccaa

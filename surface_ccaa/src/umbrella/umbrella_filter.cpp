@@ -34,6 +34,7 @@ UmbrellaFilter::initCompute()
   run_.reset();
   roles_.clear();
   report_ = UmbrellaReport();
+  side_tally_ = {};
   if (!MeshProcessing::initCompute() || !checkInput())
     return false;
   try {
@@ -69,6 +70,7 @@ UmbrellaFilter::readInput()
   settings.minimum_internal_points = minimum_internal_points_;
   settings.consistent_orientation = consistent_orientation_;
   settings.twist_limits.largest_share = largest_twist_share_;
+  settings.sides = side_hints_;
   settings.threads = ccaa::resolveThreads(threads_);
   ccaa::FilterViews views;
   if (ccaa::pointCount(cloud) > 0)
@@ -113,6 +115,7 @@ UmbrellaFilter::filter(pcl::PolygonMesh& output)
     output.cloud = input_mesh_->cloud;
   roles_ = run_->pointRoles();
   report_ = run_->report();
+  side_tally_ = run_->sideTally();
   if (report_.invalid_polygons > 0)
     PCL_WARN("[pcl::%s::performProcessing] left out invalid polygons (%zu of %zu)\n",
              getClassName().c_str(),
@@ -138,6 +141,7 @@ UmbrellaFilter::clearResult(pcl::PolygonMesh& output)
   output.polygons.clear();
   roles_.clear();
   report_ = UmbrellaReport();
+  side_tally_ = {};
 }
 
 } // namespace pcl

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: from any polygon mesh to an incomplete model.
 #include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
@@ -10,6 +11,7 @@
 #include "point_fans.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -82,13 +84,67 @@ areAt(const Positions& places, const Positions& points)
   return found;
 }
 
+/** \brief A surface that a place sees edge-on all over was not measured from there. */
+bool
+isSeenEdgeOn(const IncompleteModel& model, const Position& place)
+{
+  constexpr double LEAST_MEAN_COSINE = 0.25;
+  double shown = 0.0, all = 0.0;
+  for (const Triangle& triangle : model.triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
+    const Eigen::Vector3d area = ccaa::areaNormal(corners);
+    shown += std::abs(area.dot((corners[0] - place).normalized()));
+    all += area.norm();
+  }
+  return !(shown >= LEAST_MEAN_COSINE * all);
+}
+
+/** \brief The viewpoint that is told, or, where vertices have none of their own, that
+ * of the whole or the origin. */
+void
+placeViewpoints(ccaa::SideHints sides, IncompleteModel& model)
+{
+  using ccaa::OutwardRule;
+  const auto place = [&](const Position& viewpoint, OutwardRule rule) {
+    model.viewpoints.assign(model.positions.size(), viewpoint);
+    model.viewpoints_by = rule;
+  };
+  if (sides.told_viewpoint)
+    place(*sides.told_viewpoint, OutwardRule::TOLD_VIEWPOINT);
+  if (!model.viewpoints.empty())
+    return;
+  ccaa::takeOrigin(sides, model.positions);
+  if (!sides.viewpoint)
+    return;
+  if (!sides.viewpoint_is_origin)
+    place(*sides.viewpoint, OutwardRule::VIEWPOINT);
+  else if (!isSeenEdgeOn(model, *sides.viewpoint))
+    place(*sides.viewpoint, OutwardRule::ORIGIN);
+}
+
+/** \brief What is told, in the frame that is shifted. Whoever writes map coordinates
+ * has not measured from their origin. */
+ccaa::SideHints
+relativeTo(const Eigen::Vector3d& shift, ccaa::SideHints sides)
+{
+  if (sides.told_viewpoint)
+    *sides.told_viewpoint -= shift;
+  if (sides.viewpoint)
+    *sides.viewpoint -= shift;
+  sides.try_origin = sides.try_origin && shift.isZero(0.0);
+  return sides;
+}
+
 /** \brief One run of readModel(). */
 class Reading {
 public:
-  Reading(const pcl::PolygonMesh& mesh, const ccaa::LoopContext& context)
+  Reading(const pcl::PolygonMesh& mesh,
+          const ccaa::SideHints& sides,
+          const ccaa::LoopContext& context)
   : mesh_(mesh)
   , shift_(GlobalShift::of(mesh.cloud).offset())
   , points_(ccaa::positionView(mesh.cloud).relativeTo(shift_))
+  , sides_(relativeTo(shift_, sides))
   , context_(context)
   {
     result_.report.global_shift = shift_;
@@ -186,6 +242,7 @@ private:
     model.given_normals = gather(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
     model.viewpoints = gather(ccaa::viewpointView(mesh_.cloud).relativeTo(shift_),
                               model.point_of_vertex);
+    placeViewpoints(sides_, model);
   }
 
   /** \brief Points of the mesh's cloud that carry no triangle. */
@@ -243,6 +300,7 @@ private:
   const pcl::PolygonMesh& mesh_;
   Eigen::Vector3d shift_;
   ccaa::PointView points_;
+  ccaa::SideHints sides_;
   const ccaa::LoopContext& context_;
   ccaa::PolygonTriangles input_;
   ccaa::TriangleAdjacency adjacency_; /**< of the input */
@@ -254,11 +312,12 @@ private:
 ReadModel
 readModel(const pcl::PolygonMesh::ConstPtr& mesh,
           const pcl::PCLPointCloud2* free_points,
-          const ccaa::LoopContext& context)
+          const ccaa::LoopContext& context,
+          const ccaa::SideHints& sides)
 {
   const std::string problem = problemOf(mesh, free_points);
   if (problem.empty())
-    return Reading(*mesh, context).run(free_points);
+    return Reading(*mesh, sides, context).run(free_points);
   ReadModel nothing;
   nothing.report.problem = problem;
   return nothing;

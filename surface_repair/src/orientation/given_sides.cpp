@@ -53,6 +53,12 @@ votesOfNormals(const IncompleteModel& model)
 }
 
 std::vector<SideVotes>
+votesOfUp(const IncompleteModel& model, const Direction& up)
+{
+  return votesAgainst(model, [&](const Triangle&) { return up; });
+}
+
+std::vector<SideVotes>
 votesOfViewpoints(const IncompleteModel& model)
 {
   if (model.viewpoints.empty())

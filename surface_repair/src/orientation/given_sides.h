@@ -18,6 +18,10 @@ namespace repair {
 std::vector<SideVotes>
 votesOfNormals(const IncompleteModel& model);
 
+/** \brief Votes of a direction in which the outer side looks, by the area across it. */
+std::vector<SideVotes>
+votesOfUp(const IncompleteModel& model, const Direction& up);
+
 /** \brief Votes of the sensor positions, by the area a triangle shows to the sensor of
  * its first corner. */
 std::vector<SideVotes>

@@ -57,6 +57,27 @@ decide(const std::vector<SideVotes>& votes,
   }
 }
 
+/** What the user tells, then what the cloud has. */
+void
+decideByWhatIsGiven(const IncompleteModel& model,
+                    const OrientationParameters& parameters,
+                    std::vector<IslandSide>& sides)
+{
+  using ccaa::OutwardRule;
+  const auto ask = [&](const std::vector<SideVotes>& votes, SideRule rule) {
+    decide(votes, rule, parameters.agreement, sides);
+  };
+  if (model.viewpoints_by == OutwardRule::TOLD_VIEWPOINT)
+    ask(votesOfViewpoints(model), SideRule::TOLD_VIEWPOINT);
+  if (parameters.sides.up)
+    ask(votesOfUp(model, *parameters.sides.up), SideRule::UP);
+  ask(votesOfNormals(model), SideRule::NORMALS);
+  if (model.viewpoints_by == OutwardRule::VIEWPOINT)
+    ask(votesOfViewpoints(model), SideRule::VIEWPOINT);
+  if (model.viewpoints_by == OutwardRule::ORIGIN)
+    ask(votesOfViewpoints(model), SideRule::ORIGIN);
+}
+
 /** Share of a surface's area up to which its openings leave no doubt about what is
  * inside. */
 constexpr double SMALL_OPENINGS = 0.1;
@@ -153,6 +174,12 @@ describe(SideRule rule)
     return "undecided";
   case SideRule::ONE_SIDED:
     return "one-sided";
+  case SideRule::TOLD_VIEWPOINT:
+    return "the viewpoint told";
+  case SideRule::UP:
+    return "the up direction told";
+  case SideRule::ORIGIN:
+    return "the origin taken as sensor position";
   }
   return "unknown";
 }
@@ -167,8 +194,7 @@ orientIslands(const IncompleteModel& model,
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (model.islands[i].one_sided)
       sides[i].rule = SideRule::ONE_SIDED;
-  decide(votesOfNormals(model), SideRule::NORMALS, parameters.agreement, sides);
-  decide(votesOfViewpoints(model), SideRule::VIEWPOINT, parameters.agreement, sides);
+  decideByWhatIsGiven(model, parameters, sides);
   decideByVolume(model, loops, sides);
   const bool any_open =
       std::any_of(sides.begin(), sides.end(), [](const IslandSide& s) {

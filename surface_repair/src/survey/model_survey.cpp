@@ -144,7 +144,7 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
   StageClock clock(survey);
   ccaa::LoopContext stage = context;
   stage.stage = "reading";
-  ReadModel read = readModel(mesh, free_points, stage);
+  ReadModel read = readModel(mesh, free_points, stage, parameters.orientation.sides);
   survey.model = std::move(read.model);
   survey.reading = std::move(read.report);
   clock.finish("reading");

@@ -148,12 +148,17 @@ bool
 align(Shape& shape, double reach, const Positions& normals = {})
 {
   const TriangleAdjacency adjacency = adjacencyOf(shape);
-  return alignIslands(shape.triangles,
-                      adjacency,
-                      labelIslands(adjacency),
-                      shape.vertices,
-                      normals.empty() ? PointView{} : PointView(normals),
-                      contactsWithin(shape, reach));
+  OrientationHints hints;
+  if (!normals.empty())
+    hints.normals = normals;
+  RunControl control;
+  return alignIslands(
+      shape.triangles,
+      adjacency,
+      labelIslands(adjacency),
+      shape.vertices,
+      evidentSides(shape.triangles, adjacency, shape.vertices, hints, control),
+      contactsWithin(shape, reach));
 }
 
 /** A sphere cut into pieces by gaps one triangle wide. */
@@ -232,6 +237,28 @@ TEST(AlignIslands, FollowsMostOfTheNormals)
   shape.triangles = withEverySecondPieceReversed(shape.triangles);
   align(shape, 0.3, normals);
   EXPECT_TRUE(sameTriangles(sphere.triangles, shape.triangles));
+}
+
+/** Two pieces of a plane side by side, the second one looking down and known to. */
+TEST(AlignIslands, TurnNoIslandAgainstEvidence)
+{
+  const Shape second = translated(grid(6, 6), {6.0, 0.0, 0.0});
+  Shape shape = joined(grid(6, 6), {second.vertices, reversed(second.triangles)});
+  const Triangles before = shape.triangles;
+  Positions normals(72, Position::UnitZ());
+  std::fill(normals.begin() + 36, normals.end(), Position(-Position::UnitZ()));
+  EXPECT_FALSE(align(shape, 1.5, normals));
+  EXPECT_EQ(shape.triangles, before);
+}
+
+TEST(AlignIslands, TurnOneWithoutEvidenceToOneWithIt)
+{
+  const Shape large = translated(grid(9, 9), {6.0, 0.0, 0.0});
+  Shape shape = joined(grid(6, 6), {large.vertices, reversed(large.triangles)});
+  Positions normals(shape.vertices.size(), Position::Zero());
+  std::fill(normals.begin(), normals.begin() + 36, Position::UnitZ());
+  EXPECT_TRUE(align(shape, 1.5, normals));
+  EXPECT_TRUE(sameTriangles(joined(grid(6, 6), large).triangles, shape.triangles));
 }
 
 Triangles

@@ -9,6 +9,7 @@
 #include <pcl/surface_ccaa/consecutive/point_stages.h>
 #include <pcl/surface_ccaa/mesh_completion.h>
 #include <pcl/surface_ccaa/run_settings.h>
+#include <pcl/surface_ccaa/side_settings.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -38,6 +39,11 @@ namespace pcl {
  * - Threads and progress callback of this class go to every part that is a
  *   ccaa::RunSettings, for the time of the run. The stage is told as "start: edges",
  * the fraction is that of the whole chain.
+ * - What is known about the outer side goes to every part that is a
+ *   ccaa::SideSettings: what is told to this class, normals and viewpoints of the
+ *   points, sensor_origin_ of the cloud, else the origin where the cloud lies before
+ * it. Where nothing tells and the cloud is a terrain, up is guessed from its plane.
+ *   getSideTally() says what it was.
  * - A search method, if one is set, goes to start and base algorithms; else each keeps
  *   its own.
  * - Start algorithms that are no ccaa::RunSettings get no indices, because not all of
@@ -66,7 +72,8 @@ namespace pcl {
  */
 template <typename PointT>
 class ConsecutiveReconstruction : public ccaa::CheckedConstruction<PointT>,
-                                  public ccaa::RunSettings {
+                                  public ccaa::RunSettings,
+                                  public ccaa::SideSettings {
 public:
   using Ptr = shared_ptr<ConsecutiveReconstruction<PointT>>;
   using ConstPtr = shared_ptr<const ConsecutiveReconstruction<PointT>>;

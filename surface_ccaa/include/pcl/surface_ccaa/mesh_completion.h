@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/run_settings.h>
+#include <pcl/surface_ccaa/side_settings.h>
 #include <pcl/PolygonMesh.h>
 
 #include <vector>
@@ -27,6 +28,8 @@ namespace pcl {
  *   reconstruction from the cloud alone: algorithm A of thesis 3.1.
  * - A partial mesh that does not belong to the cloud (corner out of range, edge with
  *   three triangles, point with two fans): PCL_ERROR and no polygons.
+ * - An algorithm that winds triangles goes by what it is told (ccaa::SideSettings), by
+ *   normals and by sensor positions, and does not turn what they say.
  * - As everywhere in this library: non-finite points get no triangle, threads change
  *   nothing but the time, cancelling leaves no polygons.
  *
@@ -37,10 +40,13 @@ namespace pcl {
  */
 template <typename PointT>
 class MeshCompletion : public ccaa::CheckedConstruction<PointT>,
-                       public ccaa::RunSettings {
+                       public ccaa::RunSettings,
+                       public ccaa::SideSettings {
 public:
   using Ptr = shared_ptr<MeshCompletion<PointT>>;
   using ConstPtr = shared_ptr<const MeshCompletion<PointT>>;
+
+  MeshCompletion() { side_hints_.try_origin = true; }
 
   /** \brief The triangles to keep; null (the default) for none. The mesh is not copied:
    * it must not change during a run. */

@@ -24,10 +24,11 @@ namespace pcl {
  * doc/concepts/projection_completion.md.
  *
  * A gap without samples that is wide against their spacing stays open: a real hole or
- * the border of the object. Points scattered in space stay free points. Outward normals
- * are used when the point type has them, but not needed. Triangles speak of cloud
- * indices; non-finite points and repeated places get none. The result is the same for
- * any number of threads; growth itself runs on one.
+ * the border of the object. Points scattered in space stay free points. Outward
+ * normals, sensor positions (vp_x, ... or sensor_origin_) and what is told (see
+ * ccaa::SideSettings) are used, but not needed: islands are not turned against them.
+ * Triangles speak of cloud indices; non-finite points and repeated places get none. The
+ * result is the same for any number of threads; growth itself runs on one.
  *
  * Cost: 0.5 us a given point, 15 us an open one. Errors (PCL_ERROR, no triangles): a
  * parameter out of range, an index outside the cloud, fewer than three usable points, a
@@ -47,6 +48,8 @@ public:
   using MeshCompletion<PointT>::input_;
   using MeshCompletion<PointT>::partial_mesh_;
   using MeshCompletion<PointT>::progress_;
+  using MeshCompletion<PointT>::side_hints_;
+  using MeshCompletion<PointT>::side_tally_;
   using MeshCompletion<PointT>::threads_;
   using MeshCompletion<PointT>::tree_;
 
@@ -158,9 +161,6 @@ protected:
 private:
   std::string
   faultOfInput() const;
-
-  ccaa::PointArray
-  normalArray() const;
 
   bool
   searchTree(const Indices& points,

@@ -5,6 +5,7 @@
 #include <pcl/surface/processing.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/run_settings.h>
+#include <pcl/surface_ccaa/side_settings.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +59,8 @@ struct UmbrellaReport {
  * ccaa::mendEdges()). Then table T3.4-1 is applied until nothing changes, and regions
  * that are too small to be trusted go altogether (C3.4-3). What is left is wound
  * consistently, outward where that can be told (see ccaa::orientTriangles(), which
- * uses normals and sensor positions if the cloud has them).
+ * uses normals and sensor positions if the cloud has them, and before these what the
+ * user tells: see ccaa::SideSettings).
  *
  * The result does not depend on the number of threads, nor on the order of points or
  * polygons (for ties see ccaa::survivingChain()).
@@ -73,7 +75,9 @@ struct UmbrellaReport {
  * output. One object serves one thread at a time; const getters may be called from
  * several.
  */
-class UmbrellaFilter : public MeshProcessing, public ccaa::RunSettings {
+class UmbrellaFilter : public MeshProcessing,
+                       public ccaa::RunSettings,
+                       public ccaa::SideSettings {
 public:
   using Ptr = shared_ptr<UmbrellaFilter>;
   using ConstPtr = shared_ptr<const UmbrellaFilter>;

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace pcl {
@@ -107,6 +108,45 @@ public:
   getParameters() const
   {
     return parameters_;
+  }
+
+  /** \brief Where the sensor of all points stood, units of the cloud: goes before
+   * normals and sensor positions of the cloud. Default: none. */
+  void
+  setViewpoint(const std::optional<Eigen::Vector3d>& position)
+  {
+    parameters_.survey.orientation.sides.told_viewpoint = position;
+  }
+  const std::optional<Eigen::Vector3d>&
+  getViewpoint() const
+  {
+    return parameters_.survey.orientation.sides.told_viewpoint;
+  }
+
+  /** \brief Where the outer side looks, as that of a terrain does to the sky; of any
+   * length. Asked after a viewpoint. Default: none. */
+  void
+  setUp(const std::optional<Eigen::Vector3d>& direction)
+  {
+    parameters_.survey.orientation.sides.up = direction;
+  }
+  const std::optional<Eigen::Vector3d>&
+  getUp() const
+  {
+    return parameters_.survey.orientation.sides.up;
+  }
+
+  /** \brief Whether the origin counts as the sensor's place where nothing says where it
+   * stood and the mesh lies before it (see ccaa::liesBeforeOrigin()). Default false. */
+  void
+  setOriginAsViewpoint(bool allowed)
+  {
+    parameters_.survey.orientation.sides.try_origin = allowed;
+  }
+  bool
+  getOriginAsViewpoint() const
+  {
+    return parameters_.survey.orientation.sides.try_origin;
   }
 
   /** \brief Light (M1): distances as they are; full (M2): free points shorten ways

@@ -89,6 +89,7 @@ struct ChainRun {
   double total_weight = 1;
   std::size_t point_count = 0; /**< of the cloud */
   ChainPoints points;
+  SideHints sides;   /**< what is known about the outer side, for all parts */
   ChainMesh current; /**< after the last stage that was kept */
 };
 

@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/run_control.h>
 #include <pcl/surface_ccaa/run_settings.h>
+#include <pcl/surface_ccaa/side_settings.h>
 
 #include <string>
 #include <utility>
@@ -68,6 +69,37 @@ private:
   RunSettings* settings_;
   unsigned int own_threads_ = 0;
   ProgressCallback own_progress_;
+};
+
+/** \brief Gives a part what the chain knows about the outer side, if it is a
+ * SideSettings, and its own hints back at the end. */
+class LentSides {
+public:
+  template <typename Part>
+  LentSides(Part* part, const SideHints& hints)
+  : settings_(dynamic_cast<SideSettings*>(part))
+  {
+    if (settings_ != nullptr)
+      lend(hints);
+  }
+  ~LentSides();
+  LentSides(const LentSides&) = delete;
+  LentSides&
+  operator=(const LentSides&) = delete;
+
+  /** \brief What told the outer side in the part's run; null where it does not say. */
+  const SideTally*
+  tally() const
+  {
+    return settings_ == nullptr ? nullptr : &settings_->getSideTally();
+  }
+
+private:
+  void
+  lend(const SideHints& hints);
+
+  SideSettings* settings_;
+  SideHints own_hints_;
 };
 
 /** \brief Calls a function at the end of its life, also when an exception ends it. */

@@ -10,6 +10,7 @@
 #include <pcl/surface_ccaa/impl/projection_completion.hpp>
 #include <pcl/surface_ccaa/search/block_search.h>
 #include <pcl/surface_ccaa/search/cloud_points.h>
+#include <pcl/surface_ccaa/search/cloud_sides.h>
 #include <pcl/conversions.h>
 
 #include <algorithm>
@@ -23,6 +24,8 @@ template <typename PointT>
 ConsecutiveReconstruction<PointT>::ConsecutiveReconstruction()
 : filter_(std::make_shared<UmbrellaFilter>())
 {
+  side_hints_.try_origin = true;
+  side_hints_.guess_plane = true; // the start algorithm winds in any way
   const auto start = std::make_shared<GreedyStart<PointT>>();
   start->setSearchMethod(std::make_shared<search::BlockSearch<PointT>>());
   starts_.push_back(start);
@@ -56,6 +59,7 @@ ConsecutiveReconstruction<PointT>::clearResult(pcl::PolygonMesh& output)
   labels_.clear();
   normals_.reset();
   report_ = {};
+  side_tally_ = {};
 }
 
 /** No exception leaves a run: neither our own lack of memory nor what a part throws. */
@@ -168,6 +172,11 @@ ConsecutiveReconstruction<PointT>::selectPoints(ccaa::ChainRun& run)
   }
   run.points =
       ccaa::selectUsablePoints(ccaa::pointArrayOf(*input_), indices_, run.loop());
+  run.sides = ccaa::sidesOf(*input_, side_hints_);
+  if (ccaa::viewpointArrayOf(*input_).size == 0)
+    ccaa::takeOrigin(
+        run.sides, ccaa::viewOf(ccaa::pointArrayOf(*input_)), run.points.usable.get());
+  run.sides.try_origin = false; // the parts look at fewer points
   report_.points = indices_->size();
   report_.skipped_points = run.points.skipped;
   if (run.points.usable->size() >= 3)

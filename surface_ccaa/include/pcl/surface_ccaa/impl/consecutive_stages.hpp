@@ -72,6 +72,7 @@ ConsecutiveReconstruction<PointT>::construct(std::size_t number,
   const ccaa::StageClock clock;
   Algorithm& algorithm = *starts_[number];
   const ccaa::LentSettings lent(&algorithm, threads_, progress);
+  const ccaa::LentSides sides(&algorithm, run.sides);
   auto* const completion = dynamic_cast<MeshCompletion<PointT>*>(&algorithm);
   if (completion != nullptr) {
     const auto partial_mesh = number == 0 ? nullptr : run.current.mesh;
@@ -111,6 +112,7 @@ ConsecutiveReconstruction<PointT>::filterTriangles(ccaa::ChainMesh& given,
   const std::size_t given_count = given.labels.size();
   const ccaa::StageClock clock;
   const ccaa::LentSettings lent(filter_.get(), threads_, progress);
+  const ccaa::LentSides sides(filter_.get(), run.sides);
   const bool is_sound = ccaa::applyFilter(given, filter_.get(), run, left);
   if (!is_sound)
     PCL_ERROR("[pcl::%s::performReconstruction] the filter returned what it was not "
@@ -121,6 +123,8 @@ ConsecutiveReconstruction<PointT>::filterTriangles(ccaa::ChainMesh& given,
   ChainStageReport& stage = report_.stages.back();
   stage.filter_seconds = clock.seconds();
   report_.filter_seconds += stage.filter_seconds;
+  if (sides.tally() != nullptr)
+    side_tally_ = *sides.tally();
   return is_sound && progress.report(1);
 }
 
@@ -167,8 +171,10 @@ ConsecutiveReconstruction<PointT>::runBase(const PolygonMeshConstPtr& partial_me
     return false;
   const ccaa::StageClock clock;
   const ccaa::LentSettings lent(base_.get(), threads_, progress);
+  const ccaa::LentSides sides(base_.get(), run.sides);
   if (!completeFrom(partial_mesh, *base_, run, polygons))
     return false;
+  side_tally_ = *sides.tally();
   report_.base_seconds = clock.seconds();
   return progress.report(1);
 }

@@ -10,6 +10,7 @@
 #include <pcl/surface_ccaa/projection_completion.h>
 #include <pcl/surface_ccaa/search/block_search.h>
 #include <pcl/surface_ccaa/search/cloud_points.h>
+#include <pcl/surface_ccaa/search/cloud_sides.h>
 
 #include <memory>
 #include <utility>
@@ -37,7 +38,9 @@ ProjectionCompletion<PointT>::performReconstruction(
     ccaa::RunControl control(progress_);
     ccaa::CompletionInput input;
     input.points = ccaa::pointArrayOf(*input_);
-    input.normals = normalArray();
+    input.normals = ccaa::normalArrayOf(*input_);
+    input.viewpoints = ccaa::viewpointArrayOf(*input_);
+    input.sides = ccaa::sidesOf(*input_, side_hints_);
     input.selection = indices_.get();
     input.given = partial_mesh_ ? &partial_mesh_->polygons : nullptr;
     if (tree_ && !std::dynamic_pointer_cast<search::BlockSearch<PointT>>(tree_))
@@ -53,6 +56,7 @@ ProjectionCompletion<PointT>::performReconstruction(
               output.error.c_str());
   polygons = std::move(output.polygons);
   kept_ = std::move(output.kept);
+  side_tally_ = report_.sides;
 }
 
 template <typename PointT>
@@ -71,18 +75,6 @@ ProjectionCompletion<PointT>::faultOfInput() const
     if (points != 0 && points != input_->size())
       return "the partial mesh has " + std::to_string(points) + " points, the cloud " +
              std::to_string(input_->size());
-  }
-  return {};
-}
-
-template <typename PointT>
-ccaa::PointArray
-ProjectionCompletion<PointT>::normalArray() const
-{
-  if constexpr (traits::has_normal<PointT>::value) {
-    if (!input_->empty())
-      return {
-          &input_->front().normal_x, sizeof(PointT) / sizeof(float), input_->size()};
   }
   return {};
 }

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: settings and report of the base algorithm.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/side_hints.h>
+
 #include <cstddef>
 
 namespace pcl {
@@ -36,6 +38,7 @@ struct CompletionReport {
   std::size_t new_triangles = 0;
   std::size_t open_points = 0; /**< boundary points and free points before */
   std::size_t free_points = 0; /**< points without a triangle after */
+  SideTally sides;             /**< what told the outer side of the result */
   double seconds = 0;
   bool cancelled = false;
 };

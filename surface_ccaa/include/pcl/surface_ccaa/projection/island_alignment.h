@@ -19,17 +19,20 @@ struct IslandContact {
 
 /** \brief Reverse islands so that neighbors agree on their outer side.
  *
- * With normals every island is wound as most of its triangles say. Without, each pair
- * of islands asks its contacts: two boundary points that lie in each other's tangent
- * planes should have like normals; sheets that face each other, as of a thin plate, do
- * not lie in each other's planes and have no say. The clearest pairs decide first,
- * around the largest island of each group.
+ * An island about which there is evidence is wound by it and never turned for the sake
+ * of a neighbor: two of them that do not fit each other stay as they are, and no
+ * surface can join them. About the others each pair of islands asks its contacts: two
+ * boundary points that lie in each other's tangent planes should have like normals;
+ * sheets that face each other, as of a thin plate, do not lie in each other's planes
+ * and have no say. The clearest pairs decide first, around an island with evidence, or
+ * else the largest one of each group.
  *
  * \param[in,out] triangles consistently wound within each island
  * \param[in] adjacency of these
  * \param[in] islands of these
  * \param[in] points of the vertices
- * \param[in] normals outward, or empty
+ * \param[in] evidence one for each island as evidentSides() has it: below 0 to turn
+ * it, 0 where there is none; or empty
  * \param[in] contacts in a fixed order
  * \return whether any island was reversed */
 bool
@@ -37,7 +40,7 @@ alignIslands(Triangles& triangles,
              const TriangleAdjacency& adjacency,
              const Islands& islands,
              const PointView& points,
-             const PointView& normals,
+             const std::vector<double>& evidence,
              const std::vector<IslandContact>& contacts);
 
 } // namespace ccaa

@@ -31,6 +31,8 @@ struct OpenSurface {
    * ascending. */
   std::vector<index_t> removed;
   Positions normals; /**< outward, of the open points, zero where unknown; or empty */
+  Positions outward; /**< where the surface looks at the open points, by normals or by
+                          whatever else is known; zero where unknown; or empty */
 };
 
 /** \brief Numbers of the vertices of an open surface: the open ones, then the other

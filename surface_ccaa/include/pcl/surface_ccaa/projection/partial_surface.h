@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: given and new triangles while a surface is completed.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/orientation.h>
 #include <pcl/surface_ccaa/mesh/point_chains.h>
 #include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
@@ -22,11 +23,11 @@ public:
   /** \brief All must outlive the object; the given triangles may be re-wound meanwhile.
    * \param[in] adjacency of the given triangles
    * \param[in] points of the vertices
-   * \param[in] normals outward, one per vertex, or empty */
+   * \param[in] hints normals and sensor positions, one per vertex, or empty */
   PartialSurface(const Triangles& given,
                  const TriangleAdjacency& adjacency,
                  const PointView& points,
-                 const PointView& normals);
+                 const OrientationHints& hints);
 
   std::size_t
   vertexCount() const
@@ -113,7 +114,8 @@ private:
 
   const Triangles& given_;
   const TriangleAdjacency& adjacency_;
-  PointView points_, normals_;
+  PointView points_;
+  OrientationHints hints_;
   AliveFlags alive_given_, alive_added_;
   Triangles added_;
   std::vector<pcl::index_t> first_added_; /**< of a vertex: its latest new corner */

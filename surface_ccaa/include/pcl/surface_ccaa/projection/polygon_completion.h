@@ -3,6 +3,7 @@
 // algorithm.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/side_hints.h>
 #include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/run_control.h>
 #include <pcl/surface_ccaa/search/curve_order.h>
@@ -25,7 +26,9 @@ using PointSearch = std::function<bool(
 /** \brief What a completion is made from. All must outlive the call. */
 struct CompletionInput {
   PointArray points;
-  PointArray normals; /**< same size, or empty; outward, of any length, may be NaN */
+  PointArray normals;    /**< same size, or empty; outward, of any length, may be NaN */
+  PointArray viewpoints; /**< same size, or empty: sensor positions */
+  SideHints sides;       /**< what is told for the whole cloud */
   const Indices* selection = nullptr;                /**< points that may be used */
   const std::vector<pcl::Vertices>* given = nullptr; /**< polygons, or null */
   PointSearch search; /**< empty: search::PointBlocks, the fastest */

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/point_view.h>
+#include <pcl/surface_ccaa/mesh/side_hints.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/projection/partial_mesh_check.h>
@@ -24,9 +25,11 @@ using NeighborSearch = std::function<bool(
 
 /** \brief A cloud with a partial mesh. */
 struct PartialMesh {
-  PointView points;  /**< of all vertices that may be used: finite, one per place */
-  PointView normals; /**< outward, one per vertex, or empty */
-  Triangles given;   /**< three different vertices each */
+  PointView points;     /**< of all vertices that may be used: finite, one per place */
+  PointView normals;    /**< outward, one per vertex, or empty */
+  PointView viewpoints; /**< sensor positions, one per vertex, or empty */
+  SideHints sides;      /**< what is told for the whole */
+  Triangles given;      /**< three different vertices each */
 };
 
 /** \brief A completed mesh. */
@@ -42,7 +45,9 @@ struct CompletedMesh {
  * With an empty mesh it is a reconstruction by itself, the algorithm A of thesis 3.1.
  * The result is manifold: every edge has at most two triangles, every vertex one fan,
  * and neighbors are wound alike; outward where that can be told (orientTriangles()).
- * New triangles cross neither each other nor the given ones.
+ * New triangles cross neither each other nor the given ones. Islands about whose sides
+ * normals, viewpoints or what is told are clear are never turned against that, and not
+ * joined where it contradicts itself (see alignIslands()).
  *
  * The result is the same for any number of threads; the growth itself is serial. Cost:
  * about 0.5 us per vertex of the given mesh, 15 us per open point; 100 bytes per

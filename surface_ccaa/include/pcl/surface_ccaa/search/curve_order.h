@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: points in the order of a space-filling curve.
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/types.h>
 
 #include <cstddef>
@@ -26,6 +27,17 @@ struct PointArray {
     return xyz + static_cast<std::size_t>(point_index) * stride;
   }
 };
+
+/** \brief The same as the rooms that know of no clouds see it. */
+inline PointView
+viewOf(const PointArray& array)
+{
+  if (array.size == 0)
+    return {};
+  return {array.xyz,
+          array.size,
+          {array.stride * sizeof(float), {0, sizeof(float), 2 * sizeof(float)}}};
+}
 
 /** \brief Indices of the finite points, ordered along a Hilbert curve.
  *

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/islands.h>
+#include <pcl/surface_ccaa/mesh/side_hints.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/memory.h>
@@ -65,6 +66,8 @@ struct IncompleteModel {
                                                       of the separate cloud */
   Positions given_normals; /**< of the vertices, as the cloud has them; else empty */
   Positions viewpoints;    /**< sensor positions of the vertices; else empty */
+  /** \brief Who tells the viewpoints: TOLD_VIEWPOINT, VIEWPOINT or ORIGIN. */
+  ccaa::OutwardRule viewpoints_by = ccaa::OutwardRule::VIEWPOINT;
 };
 
 } // namespace repair

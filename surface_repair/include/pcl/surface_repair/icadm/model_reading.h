@@ -45,12 +45,15 @@ struct ReadModel {
  * goes through UmbrellaFilter first, without its rule on small regions. A cloud far
  * from the origin is read less its GlobalShift, which the report tells; so are free
  * points and sensor positions. \param[in] free_points a separate cloud of free points,
- * or null \return with report.problem set when the cloud is unreadable, there is no
- * triangle, or the run was cancelled */
+ * or null \param[in] sides what is told about the outer side, in the frame of the
+ * cloud: where the viewpoints of the vertices come from, if not from the cloud
+ * \return with report.problem set when the cloud is unreadable, there is no triangle,
+ * or the run was cancelled */
 ReadModel
 readModel(const pcl::PolygonMesh::ConstPtr& mesh,
           const pcl::PCLPointCloud2* free_points,
-          const ccaa::LoopContext& context);
+          const ccaa::LoopContext& context,
+          const ccaa::SideHints& sides = {});
 
 } // namespace repair
 } // namespace pcl

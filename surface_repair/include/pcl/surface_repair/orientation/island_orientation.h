@@ -4,6 +4,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/orientation.h>
 #include <pcl/surface_repair/field/indicator_field.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
 
@@ -16,14 +17,17 @@ namespace repair {
 
 /** \brief What told the outer side of an island. */
 enum class SideRule : std::uint8_t {
-  NORMALS,    /**< the given normals, where they agree with each other */
-  VIEWPOINT,  /**< the sensor positions, which see outer sides only */
-  VOLUME,     /**< the only island, closed but for small openings: its volume is
-                 positive */
-  FREE_SIGHT, /**< the way to the enclosing sphere is free (4.48) */
-  FIELD,      /**< the field integral with islands that are decided (E4.48-1) */
-  UNDECIDED,  /**< none of these: the winding stays as it was */
-  ONE_SIDED   /**< there are no two sides */
+  NORMALS,        /**< the given normals, where they agree with each other */
+  VIEWPOINT,      /**< the sensor positions, which see outer sides only */
+  VOLUME,         /**< the only island, closed but for small openings: its volume is
+                     positive */
+  FREE_SIGHT,     /**< the way to the enclosing sphere is free (4.48) */
+  FIELD,          /**< the field integral with islands that are decided (E4.48-1) */
+  UNDECIDED,      /**< none of these: the winding stays as it was */
+  ONE_SIDED,      /**< there are no two sides */
+  TOLD_VIEWPOINT, /**< the viewpoint that the user tells, before all others */
+  UP,             /**< the direction that the user tells, after that */
+  ORIGIN          /**< as VIEWPOINT, the origin being taken for the sensor's place */
 };
 
 const char*
@@ -38,9 +42,12 @@ struct IslandSide {
 
 /** \brief When a rule decides about the side of an island. */
 struct OrientationParameters {
+  /** \brief What is told about the outer side; goes before the other rules. */
+  ccaa::SideHints sides;
   /** \brief Balance of the votes, 0 to 1, from which given normals or sensor positions
-   * agree with each other. Default 0.5: three of four. */
-  double agreement = 0.5;
+   * agree with each other: then no other rule is asked. Default 0.2, 60 to 40, as in
+   * ccaa::orientTriangles(). */
+  double agreement = ccaa::VOTE_MARGIN;
   /** \brief Balance from which free sight makes a standard island. Default 0.3. */
   double clear_sight = 0.3;
   /** \brief Share of the ways of the better side that must be free for that, 0 to 1:

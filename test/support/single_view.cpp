@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: seeded scenes of several objects as one sensor sees them.
+#include "single_view.h"
+
+#include <Eigen/Geometry>
+
+#include "random_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace test {
+namespace {
+
+constexpr double NO_HIT = std::numeric_limits<double>::infinity();
+
+struct Ball {
+  Position center;
+  double radius;
+};
+
+/** Distance along a unit direction. */
+double
+hit(const Ball& ball, const Position& from, const Position& direction)
+{
+  const Position way = ball.center - from;
+  const double along = way.dot(direction);
+  const double apart = way.squaredNorm() - along * along;
+  return apart < ball.radius * ball.radius
+             ? along - std::sqrt(ball.radius * ball.radius - apart)
+             : NO_HIT;
+}
+
+double
+hit(const Eigen::AlignedBox3d& box, const Position& from, const Position& direction)
+{
+  double enter = 0.0, leave = NO_HIT;
+  for (int axis = 0; axis < 3; ++axis) {
+    double in = (box.min()[axis] - from[axis]) / direction[axis];
+    double out = (box.max()[axis] - from[axis]) / direction[axis];
+    if (in > out)
+      std::swap(in, out);
+    enter = std::max(enter, in);
+    leave = std::min(leave, out);
+  }
+  return enter < leave ? enter : NO_HIT;
+}
+
+/** The floor is a piece of 4 by 4 around the origin. */
+double
+floorHeight(double x, double y)
+{
+  return 0.12 * std::sin(2.1 * x) * std::cos(1.7 * y);
+}
+
+double
+hitFloor(const Position& from, const Position& direction)
+{
+  double distance = -from.z() / direction.z();
+  for (int round = 0; round < 30; ++round) {
+    const Position at = from + distance * direction;
+    distance += (floorHeight(at.x(), at.y()) - at.z()) / direction.z();
+  }
+  const Position at = from + distance * direction;
+  return at.head<2>().cwiseAbs().maxCoeff() < 2.0 ? distance : NO_HIT;
+}
+
+/** The scene, standing upright. */
+struct Scene {
+  std::vector<Ball> balls;
+  std::vector<Eigen::AlignedBox3d> boxes;
+
+  explicit Scene(RandomSource& random)
+  {
+    for (int i = 0; i < 4; ++i) {
+      const double radius = random.uniform(0.25, 0.45);
+      const Position center(random.uniform(-1.6, 1.6),
+                            random.uniform(-1.6, 1.6),
+                            random.uniform(0.6, 1.6));
+      balls.push_back({center, radius});
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Position low(random.uniform(-1.8, 1.0),
+                         random.uniform(-1.8, 1.0),
+                         random.uniform(0.2, 0.6));
+      const Position size(
+          random.uniform(0.3, 0.9), random.uniform(0.3, 0.9), random.uniform(0.3, 0.9));
+      boxes.emplace_back(low, low + size);
+    }
+  }
+
+  double
+  nearest(const Position& from, const Position& direction) const
+  {
+    double distance = hitFloor(from, direction);
+    for (const Ball& ball : balls)
+      distance = std::min(distance, hit(ball, from, direction));
+    for (const Eigen::AlignedBox3d& box : boxes)
+      distance = std::min(distance, hit(box, from, direction));
+    return distance;
+  }
+};
+
+} // namespace
+
+SingleView
+singleView(std::uint64_t seed, std::size_t rays)
+{
+  RandomSource random(seed);
+  const Scene scene(random);
+  SingleView view;
+  view.sensor = Position(
+      random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5), random.uniform(4.5, 7.0));
+  const auto looking =
+      Eigen::Quaterniond::FromTwoVectors(Position::UnitZ(), -view.sensor);
+  const double step = 0.9 / static_cast<double>(rays);
+  const double noise = 0.1 * step * view.sensor.norm();
+  for (std::size_t row = 0; row < rays; ++row)
+    for (std::size_t column = 0; column < rays; ++column) {
+      const Position direction =
+          (looking * Position(static_cast<double>(column) * step - 0.45,
+                              static_cast<double>(row) * step - 0.45,
+                              1.0))
+              .normalized();
+      const double distance = scene.nearest(view.sensor, direction);
+      if (distance < NO_HIT)
+        view.points.push_back(view.sensor + distance * direction +
+                              noise * Position(random.uniform(-1.0, 1.0),
+                                               random.uniform(-1.0, 1.0),
+                                               random.uniform(-1.0, 1.0)));
+    }
+  const Position axis(
+      random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(0.1, 1.0));
+  const Eigen::AngleAxisd turn(random.uniform(0.0, 3.0), axis.normalized());
+  const Position shift(3.0, -2.0, 1.0);
+  for (Position& point : view.points)
+    point = turn * point + shift;
+  view.sensor = turn * view.sensor + shift;
+  return view;
+}
+
+SingleView
+inSensorFrame(SingleView view)
+{
+  for (Position& point : view.points)
+    point -= view.sensor;
+  view.sensor.setZero();
+  return view;
+}
+
+double
+facingShare(const std::vector<pcl::Vertices>& triangles,
+            const Positions& points,
+            const Position& place)
+{
+  std::size_t facing = 0;
+  for (const pcl::Vertices& triangle : triangles) {
+    const auto corner = [&](std::size_t k) -> const Position& {
+      return points[static_cast<std::size_t>(triangle.vertices[k])];
+    };
+    const Position normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    const Position center = (corner(0) + corner(1) + corner(2)) / 3.0;
+    facing += normal.dot(place - center) > 0.0 ? 1 : 0;
+  }
+  return triangles.empty()
+             ? 0.0
+             : static_cast<double>(facing) / static_cast<double>(triangles.size());
+}
+
+} // namespace test
+} // namespace ccaa
+} // namespace pcl
