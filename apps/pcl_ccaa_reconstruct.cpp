@@ -87,7 +87,7 @@ describe(const app::ReconstructSettings& settings,
          const app::ReconstructResult& result)
 {
   nlohmann::json report =
-      settings.dry_run ? app::describeInput(result.model)
+      settings.dry_run ? app::describeInput(settings, result.model)
                        : app::describeRun(settings, result, result.model.warnings);
   const double seconds = settings.dry_run ? 0.0 : double{report["total_seconds"]};
   app::addRunFacts({"pcl_ccaa_reconstruct",

@@ -32,7 +32,7 @@ makeCommandLine()
        "Reads\n" +
            std::string(app::cloud_endings) +
            ".\n'-' reads standard input and writes the PNG to standard output.",
-       "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --up 0,1,0\n"
+       "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --view-up 0,1,0\n"
        "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"
        "  pcl_render_mesh repaired.ply patches.png --new-since scan.ply\n"});
   command_line.addPositional("MESH_OR_CLOUD");

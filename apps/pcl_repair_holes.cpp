@@ -6,7 +6,6 @@
 #include "common/batch.h"
 #include "common/bridge_layer.h"
 #include "common/cli.h"
-#include "common/cloud_normals.h"
 #include "common/dry_run.h"
 #include "common/hole_report.h"
 #include "common/inspection_files.h"
@@ -19,6 +18,7 @@
 #include "common/repair_report.h"
 #include "common/repair_run.h"
 #include "common/report.h"
+#include "common/side_options.h"
 #include "common/verdict.h"
 #include "render/display.h"
 #include "render/inspection_pictures.h"
@@ -104,16 +104,18 @@ freePoints(const app::RepairSettings& settings, const Result& result)
 app::Status
 survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
 {
-  pcl::PolygonMesh mesh = result.model.mesh;
-  appendViewpoint(result.model.viewpoint, mesh.cloud);
+  pcl::repair::SurveyParameters parameters = settings.method.survey;
+  pcl::ccaa::SideHints& sides = parameters.orientation.sides;
+  sides = app::sidesOf(sides, result.model.viewpoint);
   pcl::ccaa::RunControl control(bar.callback());
   pcl::ccaa::LoopContext context;
   context.threads = pcl::ccaa::resolveThreads(settings.threads);
   context.control = &control;
-  result.survey = surveyModel(pcl::make_shared<const pcl::PolygonMesh>(std::move(mesh)),
-                              freePoints(settings, result),
-                              settings.method.survey,
-                              context);
+  result.survey =
+      surveyModel(pcl::make_shared<const pcl::PolygonMesh>(result.model.mesh),
+                  freePoints(settings, result),
+                  parameters,
+                  context);
   const std::string& problem = result.survey.reading.problem;
   if (!problem.empty())
     return app::Status::error(app::nameForPeople(settings.input) + ": " + problem);

@@ -46,14 +46,14 @@ repair_pictures() {
   cp "build/demo/$name/lines.png" "$images/repair_${name}_bridges.png"
 }
 data=${PSR_SHARED_DATA:-../shared/data}
-repair_pictures bunny "$data/bunny/bun_zipper.ply" "--view 0,-1,0.3 --up 0,0,1" 640x500 860x500
-repair_pictures scan "$data/range_maps/lato180.ply" "--view 0,0,1 --up 0,1,0" 600x640 860x640
+repair_pictures bunny "$data/bunny/bun_zipper.ply" "--view 0,-1,0.3 --view-up 0,0,1" 640x500 860x500
+repair_pictures scan "$data/range_maps/lato180.ply" "--view 0,0,1 --view-up 0,1,0" 600x640 860x640
 
 # What free points and k_i (figure F4.8-5) do to a large hole.
 head=$data/igea/igea.ply
 if [[ -f $head ]]; then
   hole=(--sphere 0.5,0.62,0.95,0.13)
-  view=(--view 0.3,0.1,1 --up 0,1,0)
+  view=(--view 0.3,0.1,1 --view-up 0,1,0)
   "$bin/pcl_damage_cloud" "$head" build/demo/head_hole.ply "${hole[@]}" --quiet
   "$bin/pcl_damage_cloud" "$head" build/demo/head_points.ply "${hole[@]}" --keep 0.01 --seed 3 --quiet
   "$bin/pcl_repair_holes" build/demo/head_hole.ply build/demo/head_without.ply --quiet

@@ -50,7 +50,7 @@ tutorial_1() {
   size=340x310 picture 1_filter filter.ply
   picture 1_mesh scan.ply --color-by role --point-size 4
   picture 1_colours scan.ply --color-by rgb
-  local below=(--view 0.2,-1,0.3 --up 0,0,1)
+  local below=(--view 0.2,-1,0.3 --view-up 0,0,1)
   size=560x340 picture 1_below bunny.ply "${below[@]}"
   size=560x340 picture 1_closed whole.ply "${below[@]}" --new-since bunny.ply
 }
@@ -68,7 +68,7 @@ tutorial_2() {
   pcl_repair_holes "$toy" toy.ply --quiet || (($? == 2))
   other_meshes "$toy" filtered.ply
   pcl_repair_holes filtered.ply filtered_toy.ply --quiet || (($? == 2))
-  view=(--view=-1,0,0.3 --up 0,1,0 --focus=40,10,-655 --zoom 2.2)
+  view=(--view=-1,0,0.3 --view-up 0,1,0 --focus=40,10,-655 --zoom 2.2)
   picture 2_scan_before "$toy" "${view[@]}"
   picture 2_scan_after toy.ply "${view[@]}" --new-since "$toy"
   picture 2_scan_filtered filtered_toy.ply "${view[@]}" --new-since filtered.ply
@@ -127,7 +127,7 @@ strip() {
 tutorial_6() {
   run_commands 6_tuning
   local spacing size=460x300
-  local above=(--view 0,0,1) aside=(--view 0.2,-1,0.2 --up 0,0,1)
+  local above=(--view 0,0,1) aside=(--view 0.2,-1,0.2 --view-up 0,0,1)
   lines 6_default disc.ply "${above[@]}"
   strip room disc.ply --room "1.2 5" "${above[@]}"
   strip chi disc.ply --falloff-exponent "1 6" "${above[@]}"

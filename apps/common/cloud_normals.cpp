@@ -85,19 +85,4 @@ appendViewpoint(const Viewpoint& viewpoint, pcl::PCLPointCloud2& cloud, bool as_
       VIEWPOINT_FIELDS, [&](std::size_t) { return viewpoint.position.data(); }, cloud);
 }
 
-void
-removeViewpoint(pcl::PCLPointCloud2& cloud)
-{
-  const std::size_t points = pointCount(cloud);
-  const std::size_t triple_bytes = 3 * scalarSize(cloud.fields.back().datatype);
-  const std::size_t step = cloud.point_step - triple_bytes;
-  std::vector<std::uint8_t> data(points * step);
-  for (std::size_t i = 0; i < points; ++i)
-    std::memcpy(data.data() + i * step, pointAt(cloud, i), step);
-  cloud.data = std::move(data);
-  cloud.fields.resize(cloud.fields.size() - VIEWPOINT_FIELDS.size());
-  cloud.point_step = static_cast<pcl::uindex_t>(step);
-  cloud.row_step = cloud.point_step * cloud.width;
-}
-
 } // namespace app

@@ -31,8 +31,4 @@ appendViewpoint(const Viewpoint& viewpoint,
 bool
 needsDouble(const Viewpoint& viewpoint);
 
-/** \brief Take away what appendViewpoint() appended last. */
-void
-removeViewpoint(pcl::PCLPointCloud2& cloud);
-
 } // namespace app

@@ -30,6 +30,10 @@ colorOfRule(SideRule rule)
   case SideRule::NORMALS:
     return {150, 200, 235};
   case SideRule::VIEWPOINT:
+  case SideRule::TOLD_VIEWPOINT:
+  case SideRule::ORIGIN:
+  case SideRule::UP:
+  case SideRule::PLANE:
     return {165, 215, 165};
   case SideRule::VOLUME:
   case SideRule::FREE_SIGHT:

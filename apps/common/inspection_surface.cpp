@@ -110,8 +110,11 @@ showIslands(const ModelSurvey& survey)
   addIslandLegend(survey, builder);
   return builder.finish(
       "normal: external; island: as in the report; rule: 0 given normals, 1 viewpoint, "
-      "2 volume, 3 free sight, 4 field, 5 undecided, 6 one-sided; flipped: 1 when the "
-      "island was turned round");
+      "2 volume, 3 free sight, 4 field, 5 undecided, 6 one-sided, 7 viewpoint told, 8 "
+      "up "
+      "told, 9 up guessed, 10 origin as viewpoint; flipped: 1 when the island was "
+      "turned "
+      "round");
 }
 
 InspectionLayer

@@ -2,6 +2,9 @@
 // Part of PclSurfaceRepair: several views of one object as one cloud.
 #include "merge.h"
 
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/mesh/side_hints.h>
+
 #include "cloud_normals.h"
 #include "point_columns.h"
 #include "point_table.h"
@@ -86,7 +89,8 @@ standTogether(const std::vector<NamedModel>& parts)
   const Viewpoint& first = parts.front().model.viewpoint;
   return std::all_of(parts.begin(), parts.end(), [&](const NamedModel& part) {
     const Viewpoint& other = part.model.viewpoint;
-    return other.known == first.known && other.position == first.position;
+    return other.known == first.known && other.may_be_origin == first.may_be_origin &&
+           other.position == first.position;
   });
 }
 
@@ -98,10 +102,15 @@ shareViewpoints(std::vector<NamedModel>& parts, Model& whole)
     whole.viewpoint = parts.front().model.viewpoint;
     return;
   }
-  const bool all_known = std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+  for (NamedModel& part : parts)
+    if (part.model.viewpoint.may_be_origin)
+      part.model.viewpoint.known =
+          pcl::ccaa::liesBeforeOrigin(pcl::ccaa::positionView(part.model.mesh.cloud));
+  const auto is_known = [](const NamedModel& part) {
     return part.model.viewpoint.known;
-  });
-  if (!all_known)
+  };
+  const bool all_known = std::all_of(parts.begin(), parts.end(), is_known);
+  if (!all_known && std::any_of(parts.begin(), parts.end(), is_known))
     whole.warnings.push_back("the sensor's place is not told by all clouds; none is "
                              "used");
   const bool as_double =

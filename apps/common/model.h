@@ -18,6 +18,9 @@ namespace app {
 /** \brief Where the sensor stood, if the file says so. */
 struct Viewpoint {
   bool known = false;
+  bool may_be_origin = false; /**< the file says the origin, which it also does when it
+                                   knows no better */
+  bool is_origin = false;     /**< that was believed */
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); /**< in the frame of the cloud */
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
 
@@ -25,7 +28,7 @@ struct Viewpoint {
   bool
   isTold() const
   {
-    return !position.isZero(0) ||
+    return is_origin || !position.isZero(0) ||
            !orientation.coeffs().isApprox(Eigen::Quaternionf::Identity().coeffs(), 0);
   }
 };

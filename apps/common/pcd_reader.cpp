@@ -238,7 +238,8 @@ setViewpoint(const std::vector<double>& numbers, Viewpoint& viewpoint)
   viewpoint.position = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
   viewpoint.orientation =
       Eigen::Quaterniond(numbers[3], numbers[4], numbers[5], numbers[6]).cast<float>();
-  viewpoint.known = viewpoint.position.allFinite() && !viewpoint.position.isZero(0);
+  viewpoint.may_be_origin = viewpoint.position.isZero(0);
+  viewpoint.known = viewpoint.position.allFinite() && !viewpoint.may_be_origin;
 }
 
 } // namespace

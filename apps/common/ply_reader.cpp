@@ -303,8 +303,9 @@ private:
       viewpoint.orientation =
           Eigen::Quaternionf(axes.cast<float>().eval()).normalized();
     // PCL writes the origin when it knows no better.
+    viewpoint.may_be_origin = has_place && viewpoint.position.isZero(0);
     viewpoint.known =
-        has_place && viewpoint.position.allFinite() && !viewpoint.position.isZero(0);
+        has_place && viewpoint.position.allFinite() && !viewpoint.may_be_origin;
   }
 
   static bool

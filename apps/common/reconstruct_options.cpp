@@ -7,6 +7,7 @@
 
 #include "file_names.h"
 #include "model_io.h"
+#include "side_options.h"
 
 #include <cmath>
 
@@ -194,6 +195,7 @@ makeReconstructCommandLine()
   CommandLine line(usage());
   addFileNames(line, "INPUT_CLOUD", "OUTPUT_MESH");
   addOutputs(line.addOptions());
+  addSideOptions(line);
   addFormatOption(line, "ply, vtk, obj, off or stl");
   addSettings(line.addMethodOptions());
   return line;
@@ -216,6 +218,8 @@ takeReconstructSettings(const Arguments& arguments, ReconstructSettings& setting
   Status status = takeFiles(arguments, settings);
   if (status.ok())
     status = checkChoices(settings);
+  if (status.ok())
+    status = takeSides(arguments, settings.sides);
   if (status.ok())
     status = takeCount(arguments, "threads", 0, 1024, settings.threads);
   if (status.ok())

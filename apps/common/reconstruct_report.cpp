@@ -2,12 +2,12 @@
 // Part of PclSurfaceRepair: what pcl_ccaa_reconstruct tells about a run.
 #include "reconstruct_report.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/threads.h>
 
 #include "hole_report.h"
 #include "point_columns.h"
 #include "remarks.h"
+#include "side_options.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -106,15 +106,16 @@ extentOf(const Model& model)
   return extent;
 }
 
-/** What tells the outer side, as runReconstruction() chooses it. */
-std::string
-outerSideBy(const Model& model)
+/** Triangles by what told their outer side; nothing where none are wound alike. */
+json
+describeSides(const ReconstructResult& result)
 {
-  if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
-    return "normals";
-  if (!pcl::ccaa::viewpointView(model.mesh.cloud).empty())
-    return "viewpoints of points";
-  return model.viewpoint.known ? "the viewpoint" : "the shape";
+  json sides = json::object();
+  for (std::size_t i = 0; i < pcl::ccaa::OUTWARD_RULES; ++i)
+    if (result.sides.triangles[i] > 0)
+      sides[describe(static_cast<pcl::ccaa::OutwardRule>(i))] =
+          result.sides.triangles[i];
+  return sides;
 }
 
 } // namespace
@@ -137,6 +138,8 @@ describeRun(const ReconstructSettings& settings,
       {"free_points", result.chain.free_points},
       {"triangles", result.model.mesh.polygons.size()},
       {"boundary_loops", nullptr},
+      {"outer_side", describeSides(result)},
+      {"outer_side_by", describe(result.sides)},
       {"c_B", result.chain.startCost()},
       {"c_F", nullptr},
       {"base_seconds", nullptr},
@@ -159,7 +162,7 @@ describeRun(const ReconstructSettings& settings,
 }
 
 json
-describeInput(const Model& model)
+describeInput(const ReconstructSettings& settings, const Model& model)
 {
   const pcl::PCLPointCloud2& cloud = model.mesh.cloud;
   const auto [finite, box] = extentOf(model);
@@ -175,7 +178,7 @@ describeInput(const Model& model)
           {"width", cloud.width},
           {"height", cloud.height},
           {"extent", {sizes.x(), sizes.y(), sizes.z()}},
-          {"outer_side_by", outerSideBy(model)},
+          {"outer_side_by", outerSideBy(settings.sides, model)},
           {"warnings", model.warnings}};
 }
 
@@ -193,7 +196,7 @@ summarizeInput(const ReconstructSettings& settings, const Model& model)
           : (isStandardStream(settings.input) ? "standard input" : settings.input);
   return name + ": " + plural(pointCount(cloud), "point") + ", " +
          std::to_string(extentOf(model).first) + " of them finite; fields" + fields +
-         "; outer side by " + outerSideBy(model) +
+         "; outer side by " + outerSideBy(settings.sides, model) +
          (units.empty() ? "" : "; units " + units);
 }
 
@@ -211,6 +214,8 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
     line += ", " + std::to_string(result.repair->new_triangles) + " of them by repair";
   if (result.boundary_loops)
     line += ", " + plural(*result.boundary_loops, "boundary loop");
+  if (const std::string sides = describe(result.sides); !sides.empty())
+    line += "; outer side by " + sides;
   std::snprintf(text,
                 sizeof(text),
                 "; k %.4f, internal %.4f; %.3f s, us/point: %.2f (",

@@ -15,7 +15,7 @@ describeRun(const ReconstructSettings& settings,
 
 /** \brief What was read, and what a run would go by. */
 nlohmann::json
-describeInput(const Model& model);
+describeInput(const ReconstructSettings& settings, const Model& model);
 
 /** \brief The same in one line. */
 std::string

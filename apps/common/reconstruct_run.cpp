@@ -11,6 +11,7 @@
 #include "point_columns.h"
 #include "repair_details.h"
 #include "repair_run.h"
+#include "side_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +39,7 @@ setHints(const Model& model, pcl::PointCloud<pcl::PointWithViewpoint>& cloud)
 {
   const auto sensors = pcl::ccaa::viewpointView(model.mesh.cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d sensor =
-        sensors.empty() ? model.viewpoint.position : sensors[i];
-    const Eigen::Vector3f at = (sensor - model.shift.offset()).cast<float>();
+    const Eigen::Vector3f at = (sensors[i] - model.shift.offset()).cast<float>();
     cloud[i].vp_x = at.x();
     cloud[i].vp_y = at.y();
     cloud[i].vp_z = at.z();
@@ -114,6 +113,11 @@ reconstruct(const ReconstructSettings& settings,
   chain.setFilter(settings.hasFilter() ? filter : nullptr);
   if (settings.until != "base")
     chain.setBaseAlgorithm(nullptr);
+  pcl::ccaa::SideHints hints =
+      relativeTo(result.model.shift.offset(),
+                 sidesOf(settings.sides, result.model.viewpoint));
+  hints.guess_plane = true;
+  chain.setSideHints(hints);
   chain.setComputeNormals(settings.normals);
   chain.setNumberOfThreads(settings.threads);
   chain.setProgressCallback(bar.callback());
@@ -126,6 +130,19 @@ reconstruct(const ReconstructSettings& settings,
   result.chain = chain.getReport();
   result.labels = chain.getTriangleLabels();
   result.normals = chain.getNormals();
+  result.sides = chain.getSideTally();
+}
+
+/** What the chain has guessed, the repair goes by. */
+pcl::ccaa::SideHints
+sidesForRepair(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  pcl::ccaa::SideHints sides = settings.sides;
+  if (result.sides.guessed_axis < 0)
+    return sides;
+  sides.up = Eigen::Vector3d::Unit(result.sides.guessed_axis);
+  sides.up_is_guessed = true;
+  return sides;
 }
 
 } // namespace
@@ -138,13 +155,14 @@ runReconstruction(const ReconstructSettings& settings,
   const Model& model = result.model;
   if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
     reconstruct<pcl::PointNormal>(settings, bar, result);
-  else if (model.viewpoint.known || !pcl::ccaa::viewpointView(model.mesh.cloud).empty())
+  else if (!pcl::ccaa::viewpointView(model.mesh.cloud).empty())
     reconstruct<pcl::PointWithViewpoint>(settings, bar, result);
   else
     reconstruct<pcl::PointXYZ>(settings, bar, result);
   if (!result.chain.cancelled && result.chain.points == 0)
     return Status::error("the reconstruction failed, perhaps for lack of memory");
   result.stages = stageTimes(settings, result);
+  noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
   if (settings.hasFilter())
     result.boundary_loops =
         countBoundaryLoops(model.mesh.polygons,
@@ -162,6 +180,7 @@ repairResult(const ReconstructSettings& settings,
     return {};
   RepairTask task;
   task.threads = settings.threads;
+  task.method.survey.orientation.sides = sidesForRepair(settings, result);
   pcl::RepairReport report;
   const Status status =
       repairMesh(task, result.model.viewpoint, bar, result.model.mesh, report);

@@ -45,6 +45,7 @@ struct ReconstructSettings {
   bool measure_speedup = false;
   bool repair = false; // what the base stage left open
   bool quiet = false;
+  pcl::ccaa::SideHints sides; // what the user tells about the outer side
 
   /** \brief The input or inputs, as messages have them. */
   std::string
@@ -75,6 +76,7 @@ struct ReconstructResult {
   pcl::ccaa::GreedyReport start;
   pcl::UmbrellaReport filter; // of the last stage that is there
   pcl::ConsecutiveReport chain;
+  pcl::ccaa::SideTally sides; // what told the outer side
   std::optional<pcl::SpeedupReport> speedup;
   std::optional<std::size_t> boundary_loops; // none known of raw triangles
   std::optional<pcl::RepairReport> repair;   // what became of the holes

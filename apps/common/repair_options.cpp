@@ -4,6 +4,7 @@
 
 #include "file_names.h"
 #include "model_io.h"
+#include "side_options.h"
 
 #include <limits>
 
@@ -339,6 +340,7 @@ addRepairOptions(CommandLine& command_line)
 void
 addMethodOptions(CommandLine& command_line)
 {
+  addSideOptions(command_line);
   addClosingOptions(command_line.addOptions());
   addDarningOptions(command_line.addMethodOptions());
   addSurveyOptions(command_line.addMethodOptions());
@@ -347,7 +349,9 @@ addMethodOptions(CommandLine& command_line)
 Status
 takeMethod(const Arguments& arguments, RepairParameters& method)
 {
-  const Status status = takeSurveyParameters(arguments, method.survey);
+  Status status = takeSides(arguments, method.survey.orientation.sides);
+  if (status.ok())
+    status = takeSurveyParameters(arguments, method.survey);
   return status.ok() ? takeClosingParameters(arguments, method) : status;
 }
 

@@ -4,7 +4,7 @@
 
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
-#include "cloud_normals.h"
+#include "side_options.h"
 
 #include <utility>
 
@@ -18,10 +18,12 @@ repairMesh(const RepairTask& task,
            pcl::RepairReport& report)
 {
   const auto input = pcl::make_shared<pcl::PolygonMesh>(std::move(mesh));
-  const bool with_viewpoint = appendViewpoint(viewpoint, input->cloud);
   pcl::ForceLineHoleRepair repair;
   repair.setInputMesh(input);
-  repair.setParameters(task.method);
+  pcl::repair::RepairParameters method = task.method;
+  pcl::ccaa::SideHints& sides = method.survey.orientation.sides;
+  sides = sidesOf(sides, viewpoint);
+  repair.setParameters(method);
   repair.setNumberOfThreads(task.threads);
   repair.setProgressCallback(bar.callback());
   if (task.free_points != nullptr)
@@ -32,8 +34,6 @@ repairMesh(const RepairTask& task,
     return Status::error(report.reading.problem);
   if (!report.cancelled && mesh.polygons.empty())
     return Status::error("the repair failed, perhaps for lack of memory");
-  if (with_viewpoint)
-    removeViewpoint(mesh.cloud);
   return {};
 }
 

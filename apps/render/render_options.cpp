@@ -2,42 +2,13 @@
 // Part of PclSurfaceRepair: the options of pcl_render_mesh.
 #include "render/render_options.h"
 
+#include "common/number_list.h"
+
 #include <array>
-#include <charconv>
 #include <string>
 
 namespace app {
 namespace {
-
-/** \brief Read exactly \a values.size() numbers divided by \a separator. */
-template <typename Number, std::size_t count>
-bool
-parseList(const std::string& text, char separator, std::array<Number, count>& values)
-{
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0 && (at == end || *at++ != separator))
-      return false;
-    const auto [next, error] = std::from_chars(at, end, values[i]);
-    if (error != std::errc())
-      return false;
-    at = next;
-  }
-  return at == end;
-}
-
-Status
-parsePlace(const std::string& option, const std::string& text, Eigen::Vector3d& place)
-{
-  std::array<double, 3> values{};
-  if (!parseList(text, ',', values))
-    return Status::error("--" + option + " takes X,Y,Z, not '" + text + "'");
-  place = Eigen::Vector3d(values[0], values[1], values[2]);
-  if (!place.allFinite())
-    return Status::error("--" + option + " must be finite, not '" + text + "'");
-  return {};
-}
 
 Status
 parseColoring(const std::string& text, Coloring& coloring)
@@ -67,7 +38,7 @@ addRenderOptions(CommandLine& command_line)
   add("view",
       value<std::string>()->default_value("0,0,1"),
       "X,Y,Z: direction from the object to the camera");
-  add("up",
+  add("view-up",
       value<std::string>()->default_value("0,1,0"),
       "X,Y,Z: direction that points up in the picture");
   add("focus", value<std::string>(), "X,Y,Z: place in the centre of the picture");
@@ -125,7 +96,7 @@ addViewOptions(CommandLine& command_line, const char* default_size)
       "X,Y,Z: direction from the model to the camera; without it chosen to show most "
       "of "
       "the boundary");
-  add("up",
+  add("view-up",
       value<std::string>(),
       "X,Y,Z: direction that points up in the pictures; without it y or z");
 }
@@ -135,7 +106,7 @@ readView(const Arguments& arguments, InspectionView& view)
 {
   Status status = readSize(arguments, view.width, view.height);
   for (const auto& [option, direction] :
-       {std::pair{"view", &view.view}, std::pair{"up", &view.up}})
+       {std::pair{"view", &view.view}, std::pair{"view-up", &view.up}})
     if (status.ok() && arguments.count(option) > 0)
       status =
           readDirection(arguments, option, direction->emplace(Eigen::Vector3d::Zero()));
@@ -151,7 +122,7 @@ readRenderSettings(const Arguments& arguments, RenderSettings& settings)
   if (status.ok())
     status = readDirection(arguments, "view", settings.view);
   if (status.ok())
-    status = readDirection(arguments, "up", settings.up);
+    status = readDirection(arguments, "view-up", settings.up);
   if (status.ok())
     status = parseColoring(takeText(arguments, "color-by"), settings.coloring);
   if (status.ok())

@@ -22,8 +22,8 @@ readRenderSettings(const Arguments& arguments, RenderSettings& settings);
 Status
 readSize(const Arguments& arguments, int& width, int& height);
 
-/** \brief Add --size, --view and --up of pictures whose view is chosen unless it is
- * given. */
+/** \brief Add --size, --view and --view-up of pictures whose view is chosen unless it
+ * is given. */
 void
 addViewOptions(CommandLine& command_line, const char* default_size);
 

@@ -4,12 +4,12 @@
 
 #include <pcl/surface_ccaa/threads.h>
 
-#include "common/cloud_normals.h"
 #include "common/interrupt.h"
 #include "common/model_io.h"
 #include "common/position_check.h"
 #include "common/reconstruct_run.h"
 #include "common/repair_run.h"
+#include "common/side_options.h"
 
 #include <utility>
 
@@ -40,6 +40,7 @@ chainSettings(const ViewerTask& task, const char* until)
   ReconstructSettings settings;
   settings.until = until;
   settings.threads = task.threads;
+  settings.sides = task.method.survey.orientation.sides;
   settings.neighbors = greedy.neighbors;
   settings.minimum_angle = degrees(greedy.minimum_angle);
   settings.certified_minimum_angle = degrees(greedy.certified_minimum_angle);
@@ -96,12 +97,14 @@ survey(const ViewerTask& task,
        ViewerRun& run)
 {
   const auto mesh = pcl::make_shared<pcl::PolygonMesh>(run.result);
-  appendViewpoint(run.input.viewpoint, mesh->cloud);
+  pcl::repair::SurveyParameters parameters = task.method.survey;
+  pcl::ccaa::SideHints& sides = parameters.orientation.sides;
+  sides = sidesOf(sides, run.input.viewpoint);
   pcl::ccaa::RunControl control(bar.callback());
   pcl::ccaa::LoopContext context;
   context.threads = pcl::ccaa::resolveThreads(task.threads);
   context.control = &control;
-  run.survey = surveyModel(mesh, free_points, task.method.survey, context);
+  run.survey = surveyModel(mesh, free_points, parameters, context);
   run.problem = run.survey.reading.problem;
 }
 

@@ -130,7 +130,7 @@ TEST_F(RenderMesh, RefusesBadUsageWithOneLineAndNoFile)
       {input, path("no/such/folder.png")},
       {input, output, "--size", "0x7"},
       {input, output, "--view", "0,0,0"},
-      {input, output, "--up", "1,2"},
+      {input, output, "--view-up", "1,2"},
       {input, output, "--color-by", "mood"},
       {input, output, "--color-by", "rgb"},
       {input, output, "--new-since", path("missing.ply")},

@@ -219,7 +219,7 @@ TEST_F(RepairApp, RefusesBadUsageWithOneLineAndNoFile)
                                                          {"--labels"},
                                                          {"--size", "0x5"},
                                                          {"--view", "0,0,0"},
-                                                         {"--up", "1,2"},
+                                                         {"--view-up", "1,2"},
                                                          {"repaired.ply", "third.ply"},
                                                          {"--free-points", "none.pcd"}};
   for (const auto& options : refused) {

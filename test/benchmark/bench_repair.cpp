@@ -8,6 +8,7 @@
 #include "repair_cases_table.h"
 #include "repair_error_table.h"
 #include "repair_time_table.h"
+#include "sides_table.h"
 
 #include <algorithm>
 #include <array>
@@ -32,23 +33,26 @@ constexpr const char* HELP =
     "  curved  fairing alone, then one hole of 600 edges, beside CGAL's filling\n"
     "  growth  time against the length of all boundaries\n"
     "  large   ten holes in 5 million triangles beside reading the adjacency\n"
+    "  sides   scenes from one side: what of them faces the sensor\n"
     "  fuzz    random damage to random shapes: whether anything goes wrong\n"
     "\n"
-    "  --seeds N    seeds of cases, places of curved (default 5), seeds of fuzz "
+    "  --seeds N    seeds of cases and sides, places of curved (default 5), seeds of "
+    "fuzz "
     "(1000)\n"
     "  --repeats N  runs of which the median time counts (default 3)\n"
     "\n"
     "Real models are looked for in the folder named by PSR_SHARED_DATA.\n";
 
-const std::array<std::string, 9> PARTS = {"junctions",
-                                          "cases",
-                                          "thesis",
-                                          "bunny",
-                                          "sphere",
-                                          "curved",
-                                          "growth",
-                                          "large",
-                                          "fuzz"};
+const std::array<std::string, 10> PARTS = {"junctions",
+                                           "cases",
+                                           "thesis",
+                                           "bunny",
+                                           "sphere",
+                                           "curved",
+                                           "growth",
+                                           "large",
+                                           "sides",
+                                           "fuzz"};
 
 struct Settings {
   std::vector<std::string> parts;
@@ -102,6 +106,8 @@ run(const std::string& part, const Settings& settings)
     bench::printRepairGrowth(std::cout, settings.repeats);
   else if (part == "large")
     bench::printLargeRepair(std::cout, settings.repeats);
+  else if (part == "sides")
+    bench::printSides(std::cout, settings.seeds == 0 ? 5 : settings.seeds);
   else
     bench::printRepairFuzz(std::cout, settings.seeds == 0 ? 1000 : settings.seeds);
 }

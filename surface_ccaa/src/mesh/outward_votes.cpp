@@ -19,7 +19,11 @@ constexpr double FLATNESS = 1e-4;
 
 /** \brief Of a surface that follows a plane: least share of the greatest eigenvalue of
  * its normal tensor; 1/3 for a sphere, 1 in the plane. */
-constexpr double LEAST_PLANE_SHARE = 0.75;
+constexpr double LEAST_PLANE_SHARE = 0.6;
+
+/** \brief Cosine of 10 degrees: in the frame of a survey the ground lies across an
+ * axis, in that of a sensor only by chance. */
+constexpr double LEAST_AXIS_COSINE = 0.984807753012208;
 
 /** \brief Least margin of the votes for one side of the plane; 0 for a closed body. */
 constexpr double LEAST_TERRAIN_MARGIN = 0.8;
@@ -200,12 +204,13 @@ collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
            }))
     tensor.add(part);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor.sum);
-  axis = -1;
-  if (!(solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.sum.trace()) ||
-      !(tensor.sum.trace() > 0.0))
-    return std::vector<Votes>(all.size());
   Eigen::Vector3d up = solver.eigenvectors().col(2);
-  up.cwiseAbs().maxCoeff(&axis);
+  const double along = up.cwiseAbs().maxCoeff(&axis);
+  const bool is_plane =
+      tensor.sum.trace() > 0.0 && along >= LEAST_AXIS_COSINE &&
+      solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.sum.trace();
+  if (!is_plane)
+    return std::vector<Votes>(all.size());
   if (up[axis] < 0.0)
     up = -up;
   std::vector<Votes> votes =

@@ -89,9 +89,9 @@ collectEvidence(const WoundMesh& mesh,
                 const LoopContext& context);
 
 /** \brief Votes for the upper side of the plane that most of the surface follows;
- * without votes where there is no such plane or the component does not lie over it like
- * a terrain.
- * \param[out] axis that up is nearest to */
+ * without votes where there is no such plane, it does not lie across an axis, or the
+ * component does not lie over it like a terrain.
+ * \param[out] axis that up is nearest to, of no use without votes */
 std::vector<Votes>
 collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis);
 

@@ -168,6 +168,17 @@ liesBeforeOrigin(const PointView& points, const Indices* chosen)
   return !seen.empty() && hiddenShare(seen) <= LARGEST_HIDDEN_SHARE;
 }
 
+SideHints
+relativeTo(const Position& offset, SideHints hints)
+{
+  if (hints.told_viewpoint)
+    *hints.told_viewpoint -= offset;
+  if (hints.viewpoint)
+    *hints.viewpoint -= offset;
+  hints.try_origin = hints.try_origin && offset.isZero(0.0);
+  return hints;
+}
+
 void
 takeOrigin(SideHints& hints, const PointView& points, const Indices* chosen)
 {

@@ -16,9 +16,8 @@ namespace {
 
 /** What is looked at, less the global shift. */
 ccaa::FilterViews
-nearOrigin(const pcl::PCLPointCloud2& cloud)
+nearOrigin(const pcl::PCLPointCloud2& cloud, const Eigen::Vector3d& offset)
 {
-  const Eigen::Vector3d offset = GlobalShift::of(cloud).offset();
   return {ccaa::positionView(cloud).relativeTo(offset),
           ccaa::normalView(cloud),
           ccaa::viewpointView(cloud).relativeTo(offset)};
@@ -73,8 +72,11 @@ UmbrellaFilter::readInput()
   settings.sides = side_hints_;
   settings.threads = ccaa::resolveThreads(threads_);
   ccaa::FilterViews views;
-  if (ccaa::pointCount(cloud) > 0)
-    views = nearOrigin(cloud);
+  if (ccaa::pointCount(cloud) > 0) {
+    const Eigen::Vector3d offset = GlobalShift::of(cloud).offset();
+    views = nearOrigin(cloud, offset);
+    settings.sides = ccaa::relativeTo(offset, side_hints_);
+  }
   run_ = std::make_shared<ccaa::FilterRun>(views, settings, progress_);
   run_->read(input_mesh_->polygons);
 }

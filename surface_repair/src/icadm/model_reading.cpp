@@ -122,19 +122,6 @@ placeViewpoints(ccaa::SideHints sides, IncompleteModel& model)
     place(*sides.viewpoint, OutwardRule::ORIGIN);
 }
 
-/** \brief What is told, in the frame that is shifted. Whoever writes map coordinates
- * has not measured from their origin. */
-ccaa::SideHints
-relativeTo(const Eigen::Vector3d& shift, ccaa::SideHints sides)
-{
-  if (sides.told_viewpoint)
-    *sides.told_viewpoint -= shift;
-  if (sides.viewpoint)
-    *sides.viewpoint -= shift;
-  sides.try_origin = sides.try_origin && shift.isZero(0.0);
-  return sides;
-}
-
 /** \brief One run of readModel(). */
 class Reading {
 public:
@@ -144,7 +131,7 @@ public:
   : mesh_(mesh)
   , shift_(GlobalShift::of(mesh.cloud).offset())
   , points_(ccaa::positionView(mesh.cloud).relativeTo(shift_))
-  , sides_(relativeTo(shift_, sides))
+  , sides_(ccaa::relativeTo(shift_, sides))
   , context_(context)
   {
     result_.report.global_shift = shift_;

@@ -69,13 +69,16 @@ decideByWhatIsGiven(const IncompleteModel& model,
   };
   if (model.viewpoints_by == OutwardRule::TOLD_VIEWPOINT)
     ask(votesOfViewpoints(model), SideRule::TOLD_VIEWPOINT);
-  if (parameters.sides.up)
-    ask(votesOfUp(model, *parameters.sides.up), SideRule::UP);
+  const auto& up = parameters.sides.up;
+  if (up && !parameters.sides.up_is_guessed)
+    ask(votesOfUp(model, *up), SideRule::UP);
   ask(votesOfNormals(model), SideRule::NORMALS);
   if (model.viewpoints_by == OutwardRule::VIEWPOINT)
     ask(votesOfViewpoints(model), SideRule::VIEWPOINT);
   if (model.viewpoints_by == OutwardRule::ORIGIN)
     ask(votesOfViewpoints(model), SideRule::ORIGIN);
+  if (up && parameters.sides.up_is_guessed)
+    ask(votesOfUp(model, *up), SideRule::PLANE);
 }
 
 /** Share of a surface's area up to which its openings leave no doubt about what is
@@ -180,6 +183,8 @@ describe(SideRule rule)
     return "the up direction told";
   case SideRule::ORIGIN:
     return "the origin taken as sensor position";
+  case SideRule::PLANE:
+    return "guessed: up from the dominant plane";
   }
   return "unknown";
 }

@@ -66,14 +66,15 @@ struct OrientationReport {
  * it is outside of, half of which it cannot have seen; the origin votes only where the
  * surface is not seen edge-on all over (mean cosine of 0.25 or more). Volume knows
  * nothing of other components: nested shells are each wound outward. Where it is
- * allowed to guess and most of the surface follows one plane, an open component that
- * lies over that plane like a terrain looks along its normal, turned to the axis
- * nearest to it, positive. For the rest the rule of thesis 4.48 (first half) is asked
- * for many directions at once: the triangle that a half-line from the centre of the
- * mesh meets last has free sight to the enclosing sphere, so the side away from the
- * centre is its outer side. Where that is not clear, or there is no free sight at all,
- * an open component that bulges clearly is wound so that it bulges outward (not in the
- * thesis, whose answer, the force field, needs oriented neighbours first).
+ * allowed to guess and most of the surface follows one plane across an axis (within 10
+ * degrees), an open component that lies over that plane like a terrain looks along its
+ * normal, turned to the axis nearest to it, positive. For the rest the rule of
+ * thesis 4.48 (first half) is asked for many directions at once: the triangle that a
+ * half-line from the centre of the mesh meets last has free sight to the enclosing
+ * sphere, so the side away from the centre is its outer side. Where that is not clear,
+ * or there is no free sight at all, an open component that bulges clearly is wound so
+ * that it bulges outward (not in the thesis, whose answer, the force field, needs
+ * oriented neighbours first).
  *
  * One-sided components (Moebius bands) are reported and left alone. A triangle is
  * reversed by exchanging its second and third corner.

@@ -41,6 +41,8 @@ struct SideHints {
   std::optional<Position> told_viewpoint; /**< goes before all that the cloud has */
   std::optional<Position> up; /**< direction of any length, to which the outer side of a
                                    terrain looks; goes before what the cloud has */
+  bool up_is_guessed =
+      false; /**< by an earlier stage: asked after what the cloud has */
   std::optional<Position>
       viewpoint; /**< of the cloud; asked after its normals, and only where its points
                       have no sensor positions of their own */
@@ -77,6 +79,12 @@ describe(const SideTally& tally);
  * \param[in] chosen indices of points, or null for all */
 bool
 liesBeforeOrigin(const PointView& points, const Indices* chosen = nullptr);
+
+/** \brief The hints in a frame with its origin at the offset: for what is worked on less
+ * a global shift. Nobody has measured from the origin of map coordinates, so it is not
+ * taken for a viewpoint there. */
+SideHints
+relativeTo(const Position& offset, SideHints hints);
 
 /** \brief Take the origin for the viewpoint where that is allowed, nothing else is told
  * and the points lie before it. */

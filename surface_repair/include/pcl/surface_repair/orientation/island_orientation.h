@@ -27,6 +27,7 @@ enum class SideRule : std::uint8_t {
   ONE_SIDED,      /**< there are no two sides */
   TOLD_VIEWPOINT, /**< the viewpoint that the user tells, before all others */
   UP,             /**< the direction that the user tells, after that */
+  PLANE,          /**< a guess of the reconstruction: up from the dominant plane */
   ORIGIN          /**< as VIEWPOINT, the origin being taken for the sensor's place */
 };
 
