@@ -10,12 +10,15 @@
 #include "input_clouds.h"
 #include "support/single_view.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <iomanip>
+#include <map>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -29,6 +32,7 @@ using pcl::ccaa::test::SingleView;
 struct Scene {
   const char* file;
   Position sensor;
+  double cell = 0.0; /**< in radians: of each such cell the nearest point; 0: all */
 };
 
 std::vector<Scene>
@@ -39,9 +43,9 @@ realScenes()
   return {{"rs1_scene/rs1_normals.ply", origin},
           {"range_maps/lato000.ply", origin},
           {"range_maps/lato180.ply", origin},
-          {"rgbd_room/fragment_002.ply", origin},
+          {"rgbd_room/fragment_002.ply", origin, 0.006},
           {"pcl_scenes/milk.ply", origin},
-          {"pcl_scenes/table_scene_lms400.ply", origin},
+          {"pcl_scenes/table_scene_lms400.ply", origin, 0.008},
           {"bunny_scans/bun000.ply", scanner},
           {"bunny_scans/bun045.ply", scanner},
           {"bunny_scans/bun090.ply", scanner},
@@ -57,6 +61,26 @@ cloudOf(const SingleView& view)
                         static_cast<float>(point.y()),
                         static_cast<float>(point.z()));
   return cloud;
+}
+
+/** A cloud fused from many frames, or noisier than its spacing, as one view from the
+ * origin: the nearest point of each cell. */
+Cloud::Ptr
+nearestOfCells(const Cloud& cloud, double cell)
+{
+  std::map<std::pair<long, long>, pcl::PointXYZ> nearest;
+  for (const pcl::PointXYZ& point : cloud) {
+    const float depth = std::abs(point.z);
+    const auto place = std::make_pair(std::lround(double(point.x / depth) / cell),
+                                      std::lround(double(point.y / depth) / cell));
+    const auto found = nearest.emplace(place, point).first;
+    if (point.getVector3fMap().norm() < found->second.getVector3fMap().norm())
+      found->second = point;
+  }
+  const auto view = std::make_shared<Cloud>();
+  for (const auto& [place, point] : nearest)
+    view->push_back(point);
+  return view;
 }
 
 /** Triangles and the share that faces the sensor, in percent. */
@@ -114,8 +138,11 @@ printSides(std::ostream& out, std::uint64_t seeds)
   const std::string data = folder != nullptr ? folder : PSR_SHARED_DATA_DIR;
   for (const Scene& scene : realScenes())
     try {
-      printScene(
-          shortName(scene.file), makeCloud(data + "/" + scene.file), scene.sensor, out);
+      const Cloud::Ptr cloud = makeCloud(data + "/" + scene.file);
+      printScene(shortName(scene.file),
+                 scene.cell > 0.0 ? nearestOfCells(*cloud, scene.cell) : cloud,
+                 scene.sensor,
+                 out);
     }
     catch (const std::runtime_error& problem) {
       out << problem.what() << "\n";

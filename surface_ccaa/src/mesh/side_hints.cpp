@@ -19,8 +19,8 @@ namespace {
 constexpr double COS_HALF_VIEW = 0.7071067811865476; // 45 degrees
 constexpr double LEAST_DISTANCE = 0.05;              // in diagonals of the cloud
 constexpr double LARGEST_DISTANCE = 30.0;
-constexpr double LARGEST_HIDDEN_SHARE = 0.2;
-constexpr double POINTS_PER_CELL = 8.0;
+constexpr double LARGEST_HIDDEN_SHARE = 0.25;
+constexpr double POINTS_PER_CELL = 4.0;
 /** A point is hidden by one that is nearer by this share of the cloud's depth. */
 constexpr double HIDING_DEPTH = 0.1;
 
@@ -78,14 +78,14 @@ hiddenShare(const Positions& seen)
   const Position size = box.sizes();
   const double cells = static_cast<double>(seen.size()) / POINTS_PER_CELL;
   const double step = std::sqrt(std::max(size.x() * size.y(), 1e-300) / cells);
-  const auto columns =
-      static_cast<std::size_t>(std::clamp(size.x() / step, 0.0, cells)) + 1;
-  const auto rows =
-      static_cast<std::size_t>(std::clamp(size.y() / step, 0.0, cells)) + 1;
+  const auto cellAlong = [&](double length) {
+    return static_cast<std::size_t>(std::clamp(length / step, 0.0, cells));
+  };
+  const std::size_t columns = cellAlong(size.x()) + 1;
+  const std::size_t rows = cellAlong(size.y()) + 1;
   const auto cellOf = [&](const Position& at) {
-    const Position from = (at - box.min()) / step;
-    return std::min(static_cast<std::size_t>(from.y()), rows - 1) * columns +
-           std::min(static_cast<std::size_t>(from.x()), columns - 1);
+    return std::min(cellAlong(at.y() - box.min().y()), rows - 1) * columns +
+           std::min(cellAlong(at.x() - box.min().x()), columns - 1);
   };
   std::vector<double> nearest(columns * rows, std::numeric_limits<double>::infinity());
   for (const Position& at : seen)

@@ -65,14 +65,14 @@ decideByWhatIsGiven(const IncompleteModel& model,
 {
   using ccaa::OutwardRule;
   const auto ask = [&](const std::vector<SideVotes>& votes, SideRule rule) {
-    decide(votes, rule, parameters.agreement, sides);
+    decide(votes, rule, ccaa::VOTE_MARGIN, sides);
   };
   if (model.viewpoints_by == OutwardRule::TOLD_VIEWPOINT)
     ask(votesOfViewpoints(model), SideRule::TOLD_VIEWPOINT);
   const auto& up = parameters.sides.up;
   if (up && !parameters.sides.up_is_guessed)
     ask(votesOfUp(model, *up), SideRule::UP);
-  ask(votesOfNormals(model), SideRule::NORMALS);
+  decide(votesOfNormals(model), SideRule::NORMALS, parameters.agreement, sides);
   if (model.viewpoints_by == OutwardRule::VIEWPOINT)
     ask(votesOfViewpoints(model), SideRule::VIEWPOINT);
   if (model.viewpoints_by == OutwardRule::ORIGIN)

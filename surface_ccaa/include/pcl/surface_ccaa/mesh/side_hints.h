@@ -73,7 +73,7 @@ describe(const SideTally& tally);
 
 /** \brief Whether a cloud lies before the origin as before a sensor: within 45 degrees
  * of the mean direction, no nearer than 0.05 and no farther than 30 of its diagonals,
- * and at most a fifth of its points hidden behind others. Closed bodies and what lies
+ * and at most a quarter of its points hidden behind others. Closed bodies and what lies
  * around the origin are not. Points that are not finite do not count. Cost: linear,
  * about 50 ns a point.
  * \param[in] chosen indices of points, or null for all */

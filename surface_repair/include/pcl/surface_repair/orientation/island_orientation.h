@@ -45,10 +45,10 @@ struct IslandSide {
 struct OrientationParameters {
   /** \brief What is told about the outer side; goes before the other rules. */
   ccaa::SideHints sides;
-  /** \brief Balance of the votes, 0 to 1, from which given normals or sensor positions
-   * agree with each other: then no other rule is asked. Default 0.2, 60 to 40, as in
-   * ccaa::orientTriangles(). */
-  double agreement = ccaa::VOTE_MARGIN;
+  /** \brief Balance of the votes, 0 to 1, from which given normals agree with each
+   * other. Default 0.5: three of four. Viewpoints and up are clear from
+   * ccaa::VOTE_MARGIN on. */
+  double agreement = 0.5;
   /** \brief Balance from which free sight makes a standard island. Default 0.3. */
   double clear_sight = 0.3;
   /** \brief Share of the ways of the better side that must be free for that, 0 to 1:
