@@ -69,10 +69,9 @@ planRepair(const ModelSurvey& survey)
   }
   for (const pcl::repair::IslandSide& side : survey.sides)
     plan.turned_islands += side.flipped ? 1 : 0;
-  const auto& filter = survey.reading.filter;
-  if (survey.reading.filtered)
-    plan.removed_triangles = filter.duplicate_triangles + filter.overfull_triangles +
-                             filter.umbrella_triangles + filter.twist_triangles;
+  plan.removed_triangles =
+      survey.reading.repeated_triangles + survey.reading.twist_triangles;
+  plan.cut_edges = survey.reading.overfull_edges;
   return plan;
 }
 
@@ -89,7 +88,8 @@ describePlan(const RepairSettings& settings,
                     {"island_rims", plan.rims},
                     {"undecided_loops", plan.undecided},
                     {"turned_islands", plan.turned_islands},
-                    {"removed_triangles", plan.removed_triangles}};
+                    {"removed_triangles", plan.removed_triangles},
+                    {"cut_edges", plan.cut_edges}};
   nlohmann::json from_data = nlohmann::json::object();
   if (field.near == 0 && survey.spacing > 0)
     from_data["near"] = survey.spacing;
@@ -112,6 +112,7 @@ summarizePlan(const RepairPlan& plan)
   tell(plan.rims, "island rim", " to join");
   tell(plan.turned_islands, "island", " to turn round");
   tell(plan.removed_triangles, "triangle", " to take out");
+  tell(plan.cut_edges, "edge", " of three or more triangles to cut");
   tell(plan.undecided, "undecided boundary loop", "");
   return text;
 }

@@ -18,12 +18,14 @@ struct RepairPlan {
   std::size_t rims = 0;           /**< loops that others face: islands to be joined */
   std::size_t undecided = 0;      /**< loops that may stay open */
   std::size_t turned_islands = 0; /**< inside out */
-  std::size_t removed_triangles = 0; /**< of a mesh that is no correct surface */
+  std::size_t removed_triangles = 0; /**< repeated and twisted ones */
+  std::size_t cut_edges = 0;         /**< of three triangles and more */
 
   bool
   isEmpty() const
   {
-    return holes + rims + undecided + turned_islands + removed_triangles == 0;
+    return holes + rims + undecided + turned_islands + removed_triangles + cut_edges ==
+           0;
   }
 };
 

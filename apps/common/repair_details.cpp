@@ -38,20 +38,15 @@ describePosition(const Eigen::Vector3d& position)
 json
 describeReading(const ReadingReport& reading)
 {
-  json description = {{"input_polygons", reading.input_polygons},
-                      {"invalid_polygons", reading.invalid_polygons},
-                      {"non_finite_points", reading.non_finite_points},
-                      {"points_on_vertices", reading.points_on_vertices},
-                      {"separated_fans", reading.separated_fans},
-                      {"reversed_triangles", reading.reversed_triangles},
-                      {"filtered", reading.filtered}};
-  if (reading.filtered)
-    description["removed_triangles"] = {
-        {"duplicate", reading.filter.duplicate_triangles},
-        {"overfull", reading.filter.overfull_triangles},
-        {"umbrella", reading.filter.umbrella_triangles},
-        {"twist", reading.filter.twist_triangles}};
-  return description;
+  return {{"input_polygons", reading.input_polygons},
+          {"invalid_polygons", reading.invalid_polygons},
+          {"non_finite_points", reading.non_finite_points},
+          {"points_on_vertices", reading.points_on_vertices},
+          {"repeated_triangles", reading.repeated_triangles},
+          {"overfull_edges", reading.overfull_edges},
+          {"separated_fans", reading.separated_fans},
+          {"twist_triangles", reading.twist_triangles},
+          {"reversed_triangles", reading.reversed_triangles}};
 }
 
 json

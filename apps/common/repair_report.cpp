@@ -197,15 +197,12 @@ tellReading(const ReadingReport& reading)
     if (count > 0)
       text += (text.empty() ? "" : ", ") + plural(count, word) + " " + what;
   };
-  const auto& filter = reading.filter;
   tell(reading.invalid_polygons, "invalid polygon", "left out");
   tell(reading.non_finite_points, "point", "left out: not finite");
-  tell(reading.separated_fans, "point", "given to fans that touch in one");
-  if (reading.filtered)
-    tell(filter.duplicate_triangles + filter.overfull_triangles +
-             filter.umbrella_triangles + filter.twist_triangles,
-         "triangle",
-         "taken out by the umbrella filter");
+  tell(reading.repeated_triangles, "repeated triangle", "left out");
+  tell(reading.overfull_edges, "edge", "of three or more triangles cut");
+  tell(reading.separated_fans, "point", "given to fans and sheets that touch");
+  tell(reading.twist_triangles, "twisted triangle", "left out");
   tell(reading.reversed_triangles, "triangle", "wound the other way");
   return text.empty() ? "" : "  on reading: " + text + "\n";
 }

@@ -18,8 +18,8 @@ repairUsage()
 force lines and closes the holes, smoothly and in the density of what is
 around. All points and triangles of the mesh are kept, with all fields. Points
 without a triangle are free points, samples of the missing regions. With
---inspect it shows what is missing. Any mesh will do: faults are taken out on
-reading.
+--inspect it shows what is missing. Any mesh will do: it is cut where more than
+two triangles meet in an edge.
 
 INPUT_MESH   )" +
       std::string(mesh_endings) + "\nOUTPUT_MESH  " + mesh_output_endings +

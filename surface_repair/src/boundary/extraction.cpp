@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: walking the boundaries of a model (D4.1-2).
 #include <pcl/surface_repair/boundary/extraction.h>
 
+#include "seams.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +35,7 @@ using Steps = std::vector<Step>;
 /** \brief Walks from boundary edge to boundary edge. */
 class BoundaryWalk {
 public:
-  explicit BoundaryWalk(const IncompleteModel& model) : model_(model)
+  explicit BoundaryWalk(const IncompleteModel& model) : model_(model), seams_(model)
   {
     ends_.assign(model.positions.size(), {NO_EDGE, NO_EDGE});
     for (std::size_t t = 0; t < model.triangles.size(); ++t)
@@ -56,7 +58,8 @@ public:
     for (const HalfEdge edge : edges_)
       if (!seen_[edge])
         for (Steps& part : parted(walk(edge)))
-          walks.push_back(std::move(part));
+          if (!runsAlongSeams(part))
+            walks.push_back(std::move(part));
     std::sort(walks.begin(), walks.end()); // by their first, the lowest, edges
     BoundaryLoops loops;
     for (const Steps& steps : walks)
@@ -107,22 +110,31 @@ private:
     return steps;
   }
 
-  pcl::index_t
-  pointOf(const Step& step) const
-  {
-    return model_.point_of_vertex[static_cast<std::size_t>(step.vertex)];
-  }
-
-  /** \brief What a walk may pass only once: a point, or a vertex that has none. */
+  /** \brief What a walk may pass only once: a point, or a vertex that has none or lies
+   * at a seam, across which no walk goes. */
   std::int64_t
   placeOf(const Step& step) const
   {
-    const auto vertex = static_cast<std::size_t>(step.vertex);
-    const pcl::index_t point = vertex < model_.point_of_vertex.size()
-                                   ? model_.point_of_vertex[vertex]
-                                   : pcl::UNAVAILABLE;
-    return point != pcl::UNAVAILABLE ? std::int64_t{point}
-                                     : -2 - std::int64_t{step.vertex};
+    const pcl::index_t point = Seams::pointOf(model_, step.vertex);
+    return point != pcl::UNAVAILABLE && !seams_.containPoint(point)
+               ? std::int64_t{point}
+               : -2 - std::int64_t{step.vertex};
+  }
+
+  /** \brief Nothing is missing beyond such a walk: all of it lies on other triangles,
+   * but for the free edges of single ones that were cut off. */
+  bool
+  runsAlongSeams(const Steps& steps) const
+  {
+    std::size_t seams = 0;
+    for (const Step& step : steps) {
+      const pcl::index_t from = Seams::pointOf(model_, start(step.edge));
+      const pcl::index_t to = Seams::pointOf(model_, stop(step.edge));
+      if (!seams_.containPoint(from) || !seams_.containPoint(to))
+        return false;
+      seams += seams_.containEdge(from, to) ? 1 : 0;
+    }
+    return 2 * seams > steps.size();
   }
 
   /** Takes a walk apart where it comes to a point again: it has gone around one gap
@@ -166,6 +178,7 @@ private:
   }
 
   const IncompleteModel& model_;
+  Seams seams_;
   std::vector<HalfEdge> edges_; /**< ascending */
   std::vector<std::array<HalfEdge, 2>> ends_;
   std::vector<bool> seen_;

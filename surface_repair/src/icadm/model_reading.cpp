@@ -7,8 +7,7 @@
 #include <pcl/surface_repair/icadm/model_assembly.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
 
-#include "filtered_reading.h"
-#include "point_fans.h"
+#include "manifold_reading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +42,6 @@ problemOf(const pcl::PolygonMesh::ConstPtr& mesh,
   if (free_problem != ccaa::CloudProblem::NONE)
     return std::string("free points: ") + ccaa::describe(free_problem);
   return {};
-}
-
-Positions
-gather(const ccaa::PointView& view, const std::vector<pcl::index_t>& point_of_vertex)
-{
-  Positions gathered;
-  if (view.empty())
-    return gathered;
-  gathered.reserve(point_of_vertex.size());
-  for (const pcl::index_t point_index : point_of_vertex)
-    gathered.push_back(view[point_index]);
-  return gathered;
 }
 
 bool
@@ -180,41 +167,9 @@ private:
                      input_.point_of_vertex.size(),
                      context_.threads,
                      context_.control);
-    if (context_.cancelled() || splitFans(adjacency_))
-      return;
-    FilteredTriangles filtered = filterTriangles(input_, mesh_.cloud, context_);
-    result_.report.filtered = true;
-    result_.report.filter = filtered.report;
-    result_.report.reversed_triangles = filtered.reversed_triangles;
-    input_ = std::move(filtered.mesh);
-    adjacency_.build(input_.triangles, input_.point_of_vertex.size(), context_.threads);
-    if (input_.triangles.empty())
-      result_.report.problem = "the umbrella filter left no triangle";
-  }
-
-  /** \brief Give each fan of a point a vertex of its own. \return false where that is
-   * not all that the mesh lacks */
-  bool
-  splitFans(ccaa::TriangleAdjacency& adjacency)
-  {
-    if (!adjacency.overfullEdges().empty() ||
-        !isConsistentlyWound(input_.triangles, adjacency))
-      return false;
-    if (isManifold(adjacency))
-      return true;
-    PointFans split = separateFans(input_.triangles, adjacency);
-    adjacency.build(split.triangles,
-                    input_.point_of_vertex.size() + split.vertices.size(),
-                    context_.threads,
-                    context_.control);
-    if (context_.cancelled() || !isManifold(adjacency))
-      return false;
-    input_.triangles = std::move(split.triangles);
-    for (const pcl::index_t vertex : split.vertices)
-      input_.point_of_vertex.push_back(
-          input_.point_of_vertex[static_cast<std::size_t>(vertex)]);
-    result_.report.separated_fans = split.vertices.size();
-    return true;
+    if (!context_.cancelled())
+      repair::bringToManifold(
+          input_, adjacency_, mesh_.cloud, context_, result_.report);
   }
 
   void
@@ -222,13 +177,14 @@ private:
   {
     IncompleteModel& model = result_.model;
     model = assembleModel(std::move(input_.triangles),
-                          gather(points_, input_.point_of_vertex),
+                          entriesOf(points_, input_.point_of_vertex),
                           std::move(adjacency_),
                           context_);
     model.point_of_vertex = std::move(input_.point_of_vertex);
-    model.given_normals = gather(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
-    model.viewpoints = gather(ccaa::viewpointView(mesh_.cloud).relativeTo(shift_),
-                              model.point_of_vertex);
+    model.given_normals =
+        entriesOf(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
+    model.viewpoints = entriesOf(ccaa::viewpointView(mesh_.cloud).relativeTo(shift_),
+                                 model.point_of_vertex);
     placeViewpoints(sides_, model);
   }
 

@@ -6,10 +6,20 @@
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace repair {
+
+/** \brief A triangle and a corner of it (0 to 2): the edge from there to the next one.
+ */
+using TriangleEdge = std::pair<pcl::index_t, int>;
+
+/** \brief Edges over which a triangle has another neighbour than the adjacency says;
+ * TriangleAdjacency::NONE: it has none. In ascending order. */
+using ChangedEdges = std::map<TriangleEdge, pcl::index_t>;
 
 /** \brief Triangles of which no two fans share a vertex. */
 struct PointFans {
@@ -19,10 +29,13 @@ struct PointFans {
 };
 
 /** \brief Give each fan at a vertex but the first, the one with the lowest triangle, a
- * vertex of its own. The mesh must have no overfull edges. */
+ * vertex of its own.
+ * \param[in] changed where the fans end or go on in another way than the adjacency
+ * says; overfull edges that are not in it end them */
 PointFans
 separateFans(const ccaa::Triangles& triangles,
-             const ccaa::TriangleAdjacency& adjacency);
+             const ccaa::TriangleAdjacency& adjacency,
+             const ChangedEdges& changed = {});
 
 } // namespace repair
 } // namespace pcl

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of taking apart fans that touch in one point.
 
-#include <pcl/surface_repair/icadm/model_reading.h>
-
 #include <gtest/gtest.h>
 
 #include "../surface_repair/src/icadm/point_fans.h"
-#include "support/mesh_asserts.h"
-#include "support/shapes.h"
+#include "read_shapes.h"
 
 #include <algorithm>
 
@@ -16,6 +13,8 @@ namespace repair {
 namespace {
 
 using namespace ccaa::test;
+using test::pointTriangles;
+using test::read;
 
 PointFans
 separated(const Shape& shape)
@@ -138,30 +137,15 @@ TEST(PointFans, IslandsStayTheSame)
               countComponents(separated(shape).triangles));
 }
 
-ReadModel
-read(const Shape& shape)
-{
-  return readModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
-                   nullptr,
-                   ccaa::LoopContext());
-}
-
 TEST(ReadingOfTouchingFans, TakesEveryTriangleAsItIs)
 {
-  for (const Shape& shape : touchingShapes()) {
-    const IncompleteModel model = read(shape).model;
-    Triangles triangles = model.triangles;
-    for (Triangle& triangle : triangles)
-      for (pcl::index_t& corner : triangle)
-        corner = model.point_of_vertex[static_cast<std::size_t>(corner)];
-    EXPECT_EQ(shape.triangles, triangles);
-  }
+  for (const Shape& shape : touchingShapes())
+    EXPECT_EQ(shape.triangles, pointTriangles(read(shape).model));
 }
 
-TEST(ReadingOfTouchingFans, NeedsNoFilterAndCountsThem)
+TEST(ReadingOfTouchingFans, CountsThem)
 {
   const ReadModel found = read(trianglesAtAPoint(4));
-  EXPECT_FALSE(found.report.filtered);
   EXPECT_EQ(3U, found.report.separated_fans);
 }
 
@@ -183,24 +167,6 @@ TEST(ReadingOfTouchingFans, PutsTheirVerticesAfterAllOthers)
   const IncompleteModel model = read(trianglesAtAPoint(4)).model;
   for (std::size_t v = model.positions.size() - 3; v < model.positions.size(); ++v)
     EXPECT_EQ(0, model.point_of_vertex[v]);
-}
-
-TEST(ReadingOfTouchingFans, LeavesEdgesOfThreeTrianglesToTheFilter)
-{
-  const ReadModel found =
-      read(joined(bowTie(), translated(threeOnEdge(), {5.0, 0.0, 0.0})));
-  EXPECT_TRUE(found.report.filtered);
-  EXPECT_EQ(0U, found.report.separated_fans);
-  EXPECT_TRUE(isIcadm(found.model.triangles, found.model.positions.size()));
-}
-
-TEST(ReadingOfTouchingFans, LeavesMixedWindingsToTheFilter)
-{
-  Shape shape = joined(bowTie(), translated(icosphere(2), {5.0, 0.0, 0.0}));
-  shape.triangles = randomlyReversed(shape.triangles, 2);
-  const ReadModel found = read(shape);
-  EXPECT_TRUE(found.report.filtered);
-  EXPECT_TRUE(isIcadm(found.model.triangles, found.model.positions.size()));
 }
 
 } // namespace

@@ -61,7 +61,7 @@ struct BoundaryReport {
  * means. Where nothing is clear, as at the mouths of a tube, the answer is UNDECIDED.
  *
  * Any mesh may come in. One that is manifold and consistently wound is taken as it is;
- * another one goes through UmbrellaFilter first, and getReport().reading says what that
+ * another one is cut where it is none, and getReport().reading says what that
  * has cost. The mesh itself is never changed. The result is the same for any number of
  * threads.
  *

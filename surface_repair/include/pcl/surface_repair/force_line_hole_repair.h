@@ -44,7 +44,7 @@ struct RepairedModel;
  * are appended, their fields (colour, intensity, normals, ...) mixed from those of the
  * boundary near them. Points without a triangle are free points: samples of the missing
  * surface that draw it to themselves; where there are enough of them they become its
- * vertices. A mesh that is no manifold goes through UmbrellaFilter first; what that
+ * vertices. A mesh that is no manifold is cut where it is none; what that
  * costs is in the report.
  *
  * A cloud in map coordinates, with x, y and z as doubles (FLOAT64), is worked on near

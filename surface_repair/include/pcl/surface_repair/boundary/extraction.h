@@ -20,7 +20,9 @@ namespace repair {
  * Where fans touch in a point, a loop goes on with the fan on the other side of the
  * gap: two holes that meet in a point are two loops. There an edge ends in a vertex of
  * its triangle that is another one than the next edge begins in, though the point is
- * the same; pinchedVertices() lists them. One-sided islands have no positive direction:
+ * the same; pinchedVertices() lists them. Where sheets were cut apart or touch along an
+ * edge (a seam) no loop goes across, and a loop of seams alone is none: nothing is
+ * missing there. One-sided islands have no positive direction:
  * their loops are walked as they come. Cost: linear, one look at each triangle. */
 BoundaryLoops
 extractBoundaries(const IncompleteModel& model);

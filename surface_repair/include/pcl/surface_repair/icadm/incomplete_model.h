@@ -8,6 +8,7 @@
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/memory.h>
+#include <pcl/pcl_base.h>
 #include <pcl/PolygonMesh.h>
 #include <pcl/types.h>
 

@@ -5,7 +5,6 @@
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/run_settings.h>
-#include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
 #include <pcl/PCLPointCloud2.h>
 
@@ -20,11 +19,13 @@ namespace repair {
 /** \brief What reading found, and what had to change before it was an ICADM. */
 struct ReadingReport {
   std::size_t input_polygons = 0;
-  std::size_t invalid_polygons = 0; /**< index out of range, repeated or not finite */
+  std::size_t invalid_polygons = 0;   /**< index out of range, repeated or not finite */
+  std::size_t repeated_triangles = 0; /**< left out: there already, either way round */
+  std::size_t overfull_edges = 0; /**< of three triangles and more, where the mesh was
+                                       cut into sheets */
   std::size_t separated_fans = 0; /**< that got a vertex of their own: fans of one point
                                        beside its first one */
-  bool filtered = false; /**< it was no ICADM: UmbrellaFilter brought it there */
-  UmbrellaReport filter; /**< only if filtered */
+  std::size_t twist_triangles = 0; /**< left out: they made islands one-sided */
   std::size_t reversed_triangles = 0;
   std::size_t non_finite_points = 0;
   std::size_t points_on_vertices = 0; /**< that are no free points for that reason */
@@ -40,13 +41,16 @@ struct ReadModel {
 };
 
 /** \brief Read a mesh. Manifold, consistently wound input is taken as it is, triangle
- * for triangle. Where fans touch in a point only (bow-ties), each gets a vertex of its
- * own, so that no triangle is lost. Anything else (three on an edge, mixed winding)
- * goes through UmbrellaFilter first, without its rule on small regions. A cloud far
- * from the origin is read less its GlobalShift, which the report tells; so are free
- * points and sensor positions. \param[in] free_points a separate cloud of free points,
- * or null \param[in] sides what is told about the outer side, in the frame of the
- * cloud: where the viewpoints of the vertices come from, if not from the cloud
+ * for triangle. Anything else is cut where it is no manifold, and only there: of the
+ * triangles on an edge of three and more those that go on best in each other are pairs,
+ * and each such sheet, like each of several fans that touch in a point (bow-ties), gets
+ * vertices of its own. All triangles stay but those that are there twice and the few
+ * bent ones that turn an island over; within an island they are wound alike. A cloud
+ * far from the origin is read less its GlobalShift, which the report tells; so are free
+ * points and sensor positions.
+ * \param[in] free_points a separate cloud of free points, or null
+ * \param[in] sides what is told about the outer side, in the frame of the cloud: where
+ * the viewpoints of the vertices come from, if not from the cloud
  * \return with report.problem set when the cloud is unreadable, there is no triangle,
  * or the run was cancelled */
 ReadModel
