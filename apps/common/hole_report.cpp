@@ -8,6 +8,7 @@
 #include "point_columns.h"
 #include "position_check.h"
 #include "repair_details.h"
+#include "topology_report.h"
 #include "wording.h"
 #include <nlohmann/json.hpp>
 
@@ -111,12 +112,16 @@ describeHoles(const RepairReport& report)
 }
 
 json
-describeCounts(const pcl::repair::IcmCounts& counts, pcl::repair::IcmClass icm_class)
+describeState(const pcl::repair::IcmCounts& counts,
+              pcl::repair::IcmClass icm_class,
+              const pcl::ccaa::SurfaceTopology& topology)
 {
-  return {{"class", nameOf(icm_class)},
-          {"islands", counts.islands},
-          {"simple_holes", counts.simple_holes},
-          {"complex_holes", counts.complex_holes}};
+  json state = {{"class", nameOf(icm_class)},
+                {"islands", counts.islands},
+                {"simple_holes", counts.simple_holes},
+                {"complex_holes", counts.complex_holes}};
+  state.update(describeTopology(topology));
+  return state;
 }
 
 json
@@ -156,23 +161,25 @@ placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
 json
 describeRepair(const RepairReport& report)
 {
-  return {{"complete", report.complete()},
-          {"shortfalls", report.shortfalls},
-          {"before", describeCounts(report.counts_before, report.class_before)},
-          {"after", describeCounts(report.counts_after, report.class_after)},
-          {"reading", describeReading(report.reading)},
-          {"islands", describeIslands(report)},
-          {"loops", describeLoops(report)},
-          {"junctions", describeJunctions(report)},
-          {"bridges", describeBridges(report)},
-          {"holes", describeHoles(report)},
-          {"triangles", describeTriangles(report)},
-          {"new_vertices", report.new_vertices},
-          {"free_points", report.free_points},
-          {"steps",
-           describeStages(report.seconds,
-                          std::max<std::size_t>(report.input_triangles, 1))},
-          {"seconds", totalSeconds(report.seconds)}};
+  return {
+      {"complete", report.complete()},
+      {"shortfalls", report.shortfalls},
+      {"before",
+       describeState(report.counts_before, report.class_before, report.before)},
+      {"after", describeState(report.counts_after, report.class_after, report.after)},
+      {"reading", describeReading(report.reading)},
+      {"islands", describeIslands(report)},
+      {"loops", describeLoops(report)},
+      {"junctions", describeJunctions(report)},
+      {"bridges", describeBridges(report)},
+      {"holes", describeHoles(report)},
+      {"triangles", describeTriangles(report)},
+      {"new_vertices", report.new_vertices},
+      {"free_points", report.free_points},
+      {"steps",
+       describeStages(report.seconds,
+                      std::max<std::size_t>(report.input_triangles, 1))},
+      {"seconds", totalSeconds(report.seconds)}};
 }
 
 std::string
@@ -202,7 +209,8 @@ summarizeRepair(const RepairReport& report)
   char seconds[64];
   std::snprintf(seconds, sizeof(seconds), "; %.3f s", totalSeconds(report.seconds));
   return text + ", " + std::to_string(report.input_triangles) + " + " +
-         plural(report.new_triangles, "triangle") + seconds;
+         plural(report.new_triangles, "triangle") + ", " +
+         summarizeTopology(report.after) + seconds;
 }
 
 std::string

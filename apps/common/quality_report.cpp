@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the facts about a mesh as a table and as JSON.
 #include "quality_report.h"
 
+#include "topology_report.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -99,7 +100,8 @@ addTopology(std::ostringstream& text, const MeshFacts& facts)
   addRow(text, "non-manifold points", toText(facts.non_manifold_vertices));
   addRow(text, "winding", tellWinding(facts));
   addRow(text, "Euler characteristic", toText(facts.euler_characteristic));
-  addRow(text, "genus", facts.genus ? toText(*facts.genus) : "- (not closed)");
+  addRow(text, "watertight", facts.isWatertight() ? "yes" : "no");
+  addRow(text, "genus", facts.genus ? toText(*facts.genus) : "- (not manifold)");
 }
 
 void
@@ -163,6 +165,7 @@ describeFacts(const MeshFacts& facts)
           {"consistently_wound", isConsistent(facts)},
           {"orientable", facts.orientable},
           {"closed", facts.isClosedManifold()},
+          {"watertight", facts.isWatertight()},
           {"euler_characteristic", facts.euler_characteristic},
           {"genus", orNull(facts.genus)},
           {"area", facts.area},
@@ -192,7 +195,9 @@ summarizeFacts(const MeshFacts& facts)
     text += ", not wound alike";
   if (facts.self_intersections.value_or(0) > 0)
     tell(*facts.self_intersections, "self-intersection");
-  return text;
+  return text + ", " +
+         summarizeTopology(
+             facts.isWatertight(), facts.genus, facts.euler_characteristic);
 }
 
 std::string

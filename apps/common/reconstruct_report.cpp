@@ -7,7 +7,9 @@
 #include "hole_report.h"
 #include "point_columns.h"
 #include "remarks.h"
+#include "repair_details.h"
 #include "side_options.h"
+#include "topology_report.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -83,8 +85,8 @@ describeLaterStages(const ReconstructSettings& settings,
     report["base_seconds"] = chain.base_seconds;
     report["base_seconds_per_open_point"] = chain.baseCost();
   }
-  if (result.boundary_loops)
-    report["boundary_loops"] = *result.boundary_loops;
+  if (result.topology)
+    report.update(describeTopology(*result.topology));
   if (result.repair)
     report["repair"] = describeRepair(*result.repair);
   if (result.speedup)
@@ -137,9 +139,13 @@ describeRun(const ReconstructSettings& settings,
       {"internal_share", nullptr},
       {"free_points", result.chain.free_points},
       {"triangles", result.model.mesh.polygons.size()},
+      {"pieces", nullptr},
       {"boundary_loops", nullptr},
       {"outer_side", describeSides(result)},
       {"outer_side_by", describe(result.sides)},
+      {"euler_characteristic", nullptr},
+      {"genus", nullptr},
+      {"watertight", nullptr},
       {"c_B", result.chain.startCost()},
       {"c_F", nullptr},
       {"base_seconds", nullptr},
@@ -212,8 +218,9 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
                      plural(result.model.mesh.polygons.size(), "triangle");
   if (result.repair)
     line += ", " + std::to_string(result.repair->new_triangles) + " of them by repair";
-  if (result.boundary_loops)
-    line += ", " + plural(*result.boundary_loops, "boundary loop");
+  if (result.topology)
+    line += ", " + plural(result.topology->boundary_loops, "boundary loop") + ", " +
+            summarizeTopology(*result.topology);
   if (const std::string sides = describe(result.sides); !sides.empty())
     line += "; outer side by " + sides;
   std::snprintf(text,

@@ -6,12 +6,12 @@
 #include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 
-#include "boundary_loops.h"
 #include "cloud_normals.h"
 #include "point_columns.h"
 #include "repair_details.h"
 #include "repair_run.h"
 #include "side_options.h"
+#include "topology_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,10 +164,9 @@ runReconstruction(const ReconstructSettings& settings,
   result.stages = stageTimes(settings, result);
   noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
   if (settings.hasFilter())
-    result.boundary_loops =
-        countBoundaryLoops(model.mesh.polygons,
-                           pointCount(model.mesh.cloud),
-                           pcl::ccaa::resolveThreads(settings.threads));
+    result.topology = topologyOf(model.mesh.polygons,
+                                 pointCount(model.mesh.cloud),
+                                 pcl::ccaa::resolveThreads(settings.threads));
   return {};
 }
 
@@ -189,10 +188,7 @@ repairResult(const ReconstructSettings& settings,
   result.labels.resize(report.input_triangles, REPAIR_LABEL);
   result.labels.resize(report.origins.size(), REPAIR_LABEL);
   result.stages.emplace_back("repair", totalSeconds(report.seconds));
-  result.boundary_loops =
-      countBoundaryLoops(result.model.mesh.polygons,
-                         pointCount(result.model.mesh.cloud),
-                         pcl::ccaa::resolveThreads(settings.threads));
+  result.topology = report.after;
   result.repair = std::move(report);
   return status;
 }

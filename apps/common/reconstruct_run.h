@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/consecutive/consecutive_report.h>
 #include <pcl/surface_ccaa/greedy/greedy_parameters.h>
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/surface_repair/repair_report.h>
 #include <pcl/point_cloud.h>
@@ -78,10 +79,10 @@ struct ReconstructResult {
   pcl::ConsecutiveReport chain;
   pcl::ccaa::SideTally sides; // what told the outer side
   std::optional<pcl::SpeedupReport> speedup;
-  std::optional<std::size_t> boundary_loops; // none known of raw triangles
-  std::optional<pcl::RepairReport> repair;   // what became of the holes
-  std::vector<std::uint8_t> labels;          // of the polygons: their stage
-  pcl::PointCloud<pcl::Normal>::Ptr normals; // null unless asked for
+  std::optional<pcl::ccaa::SurfaceTopology> topology; // none known of raw triangles
+  std::optional<pcl::RepairReport> repair;            // what became of the holes
+  std::vector<std::uint8_t> labels;                   // of the polygons: their stage
+  pcl::PointCloud<pcl::Normal>::Ptr normals;          // null unless asked for
 };
 
 /** \brief Mesh the cloud of \a result; its fields stay byte for byte. Fails when the

@@ -41,6 +41,7 @@ TEST_F(QualityApp, ReportsAClosedSphere)
   EXPECT_EQ(0, facts.at("boundary_loops").size());
   EXPECT_EQ(2, facts.at("euler_characteristic"));
   EXPECT_EQ(0, facts.at("genus"));
+  EXPECT_EQ(true, facts.at("watertight"));
   EXPECT_EQ(0, facts.at("self_intersections"));
   EXPECT_TRUE(facts.at("consistently_wound"));
   EXPECT_GT(facts.at("volume"), 0.0);
@@ -53,7 +54,8 @@ TEST_F(QualityApp, ReportsLoopsOfATubeWithTheirLengths)
   ASSERT_EQ(2U, loops.size());
   EXPECT_EQ(60, loops[0].at("edges"));
   EXPECT_NEAR(2 * M_PI, loops[0].at("length"), 0.01);
-  EXPECT_TRUE(facts.at("genus").is_null());
+  EXPECT_EQ(0, facts.at("genus"));
+  EXPECT_EQ(false, facts.at("watertight"));
 }
 
 TEST_F(QualityApp, ReportsWhatIsBroken)
@@ -78,6 +80,8 @@ TEST_F(QualityApp, PrintsATableForPeople)
   EXPECT_EQ(0, result.exit_code);
   EXPECT_NE(std::string::npos,
             result.output.find("mesh.off.ply: closed manifold, 320"));
+  EXPECT_NE(std::string::npos,
+            result.output.find("watertight: yes, genus 0, Euler characteristic 2"));
   for (const char* word : {"points", "boundary loops", "genus", "smallest angle"})
     EXPECT_NE(std::string::npos, result.output.find(word)) << word;
 }

@@ -171,7 +171,12 @@ TEST_F(ReconstructApp, StopsAfterTheStart)
       "--until", "start", "--report", folder_.path("report.json")};
   ASSERT_TRUE(hasMeshed(reconstruct("in.ply", "out.ply", options)));
   EXPECT_EQ(3U, report().at("stages").size());
-  for (const char* later : {"internal_share", "c_F", "base_seconds", "boundary_loops"})
+  for (const char* later : {"internal_share",
+                            "c_F",
+                            "base_seconds",
+                            "boundary_loops",
+                            "genus",
+                            "watertight"})
     EXPECT_TRUE(report().at(later).is_null()) << later;
 }
 

@@ -83,6 +83,9 @@ TEST_F(RepairOutput, ReportsEverythingThatWasDone)
             triangles.at("fan").get<int>() + triangles.at("minimum_weight").get<int>() +
                 triangles.at("completion").get<int>());
   EXPECT_EQ("automatic", json.at("parameters").at("darning"));
+  EXPECT_EQ(false, json.at("before").at("watertight"));
+  EXPECT_EQ(json.at("before").at("islands"), json.at("before").at("pieces"));
+  EXPECT_EQ(json.at("after").at("islands"), json.at("after").at("pieces"));
   EXPECT_GE(json.at("steps").size(), 3U);
 }
 
@@ -300,6 +303,8 @@ TEST_F(ReconstructAndRepair, MakesAClosedSurfaceOfACloud)
   EXPECT_EQ(2, found.characteristic);
   EXPECT_EQ(true, report().at("repair").at("complete"));
   EXPECT_EQ(0, report().at("boundary_loops"));
+  EXPECT_EQ(0, report().at("genus"));
+  EXPECT_EQ(true, report().at("watertight"));
   EXPECT_GT(report().at("repair").at("triangles").at("new"), 100);
 }
 

@@ -204,9 +204,12 @@ measureTopology(const Triangles& valid_triangles,
   facts.euler_characteristic = static_cast<long>(facts.used_vertices) -
                                static_cast<long>(facts.edges) +
                                static_cast<long>(valid_triangles.size());
-  if (facts.isClosedManifold() && facts.orientable)
+  if (facts.triangles > 0 && facts.non_manifold_edges == 0 &&
+      facts.non_manifold_vertices == 0 && facts.orientable)
     facts.genus =
-        (2 * static_cast<long>(facts.components) - facts.euler_characteristic) / 2;
+        static_cast<long>(facts.components) -
+        (facts.euler_characteristic + static_cast<long>(facts.boundary_loops.size())) /
+            2;
 }
 
 } // namespace ccaa

@@ -107,8 +107,6 @@ copiesOfPoints(const RepairedModel& repaired)
 {
   const std::vector<pcl::index_t>& point_of = repaired.model.point_of_vertex;
   std::vector<bool> is_copy(point_of.size(), false);
-  if (repaired.separated_fans == 0)
-    return is_copy;
   std::vector<bool> is_taken;
   for (std::size_t v = 0; v < point_of.size(); ++v) {
     if (point_of[v] == pcl::UNAVAILABLE)
@@ -131,9 +129,7 @@ addedVertices(const RepairedModel& repaired)
   AddedVertices added;
   const IncompleteModel& model = repaired.model;
   const std::vector<bool> is_copy = copiesOfPoints(repaired);
-  const std::size_t first = repaired.input_vertices -
-                            std::min(repaired.input_vertices, repaired.separated_fans);
-  for (std::size_t v = first; v < model.positions.size(); ++v) {
+  for (std::size_t v = 0; v < model.positions.size(); ++v) {
     const pcl::index_t point = model.point_of_vertex[v];
     if (!is_copy[v] && point != pcl::UNAVAILABLE)
       continue; // a point of the input

@@ -9,6 +9,7 @@
 
 #include "darning_choice.h"
 #include "hole_list.h"
+#include "last_check.h"
 #include "repair_log.h"
 
 #include <algorithm>
@@ -340,7 +341,6 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
     return {};
   float_positions_ = hasFloatPositions(mesh->cloud);
   result_.input_vertices = survey_.model.positions.size();
-  result_.separated_fans = survey_.reading.separated_fans;
   result_.input_triangles = survey_.model.triangles.size();
   log_.noteInput();
   bool finished = false;
@@ -361,8 +361,15 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
     finish();
   else
     reportLeftOpen();
-  report_.new_triangles = survey_.model.triangles.size() - result_.input_triangles;
   result_.model = std::move(survey_.model);
+  const auto closed = Clock::now();
+  if (!proveManifold(context_, result_, report_)) {
+    if (!context_.cancelled())
+      report_.reading.problem = "the result would be no manifold, by a fault of ours";
+    return {};
+  }
+  log_.countSeconds("last check", closed);
+  report_.new_triangles = result_.model.triangles.size() - result_.input_triangles;
   return std::move(result_);
 }
 

@@ -19,12 +19,10 @@ namespace repair {
 struct RepairedModel {
   /** \brief The input's vertices and triangles first, wound as they should be, then the
    * new ones. A new vertex that is a free point of the mesh has its point; other new
-   * ones have none (UNAVAILABLE). */
+   * ones have none (UNAVAILABLE). Vertices with a point that a lower one has are
+   * further fans of it. */
   IncompleteModel model;
   std::size_t input_vertices = 0;
-  std::size_t separated_fans = 0; /**< at most so many of these, the last ones, and new
-                                       ones have a point that another vertex has: they
-                                       are further fans of it */
   std::size_t input_triangles = 0;
 };
 

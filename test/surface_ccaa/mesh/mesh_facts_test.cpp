@@ -43,12 +43,13 @@ TEST(MeshFacts, CountsPointsByTheirRole)
   EXPECT_EQ(facts.free_vertices, 1u);
 }
 
-TEST(MeshFacts, GenusOfClosedShapes)
+TEST(MeshFacts, GenusCountsHandlesAndNoOpenings)
 {
   EXPECT_EQ(measure(icosphere(2)).genus, 0);
   EXPECT_EQ(measure(torus(12, 8)).genus, 1);
   EXPECT_EQ(measure(joined(torus(12, 8), icosphere(1, 9.0))).genus, 1);
-  EXPECT_FALSE(measure(cylinder(8, 3)).genus.has_value());
+  EXPECT_EQ(measure(cylinder(8, 3)).genus, 0);
+  EXPECT_EQ(measure(joined(torus(12, 8), grid(4, 4))).genus, 1);
   EXPECT_FALSE(measure(moebiusBand(8)).genus.has_value());
 }
 

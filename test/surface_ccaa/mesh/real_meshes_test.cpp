@@ -31,16 +31,16 @@ struct RealMesh {
 };
 
 const RealMesh REAL_MESHES[] = {
-    {"bunny/bun_zipper.ply", {80, 42, 40, 39, 22}, 5, 1113, 0, 0, {}},
+    {"bunny/bun_zipper.ply", {80, 42, 40, 39, 22}, 5, 1113, 0, 0, 0},
     {"bunny/bun_zipper_res2.ply", {38, 26, 26, 22, 11}, 5, 25, 150, 97, {}},
     {"rocker_arm/rockerArm.ply", {}, 0, 0, 0, 0, 1},
     {"cad_daratech/daratech.ply", {}, 0, 0, 0, 0, 7},
     {"fandisk/fandisk_large.ply", {}, 0, 0, 0, 0, 0},
-    {"holes/elephant-with-holes.ply", {78, 41, 38, 35, 35, 32}, 106, 0, 0, 0, {}},
-    {"holes/holes.ply", {136, 36, 32, 28, 28, 28}, 7, 0, 0, 0, {}},
+    {"holes/elephant-with-holes.ply", {78, 41, 38, 35, 35, 32}, 106, 0, 0, 0, 3},
+    {"holes/holes.ply", {136, 36, 32, 28, 28, 28}, 7, 0, 0, 0, 0},
     {"holes/building_patch.ply", {432, 13, 7, 5, 5, 3}, 14, 0, 0, 7, {}},
     {"holes/StanfordBunny_pymeshfix.ply", {90, 59, 58, 55, 26, 1}, 70, 0, 132, 5, {}},
-    {"bust/Laurana50k.ply", {293, 3, 3, 3}, 4, 2735, 0, 0, {}},
+    {"bust/Laurana50k.ply", {293, 3, 3, 3}, 4, 2735, 0, 0, 0},
 };
 
 class RealMeshes : public ::testing::TestWithParam<RealMesh> {};

@@ -101,7 +101,6 @@ TEST(AddedVertices, AnotherFanOfAPointIsACopyOfIt)
 {
   RepairedModel repaired = sheetWith({2.2, 2.1, 0.1});
   repaired.model.point_of_vertex[35] = 5;
-  repaired.separated_fans = 1;
   const AddedVertices added = addedVertices(repaired);
   ASSERT_EQ((std::vector<std::size_t>{35, 36}), added.numbers);
   EXPECT_EQ(repaired.model.positions[35], added.vertices[0].position);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/surface_repair/boundary/classification.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
@@ -128,6 +129,8 @@ struct RepairReport {
   repair::IcmCounts counts_after;
   repair::IcmClass class_before = repair::IcmClass::ICM1;
   repair::IcmClass class_after = repair::IcmClass::ICM1;
+  ccaa::SurfaceTopology before; /**< of the input as read */
+  ccaa::SurfaceTopology after;  /**< of the output, which was proved a manifold */
   std::size_t input_triangles = 0;
   std::size_t new_triangles = 0;
   std::size_t new_vertices = 0;

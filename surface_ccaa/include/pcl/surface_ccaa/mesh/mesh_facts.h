@@ -46,7 +46,8 @@ struct MeshFacts {
   std::size_t misoriented_edges = 0; /**< both of two triangles run the same way */
   bool orientable = true;            /**< some winding has no misoriented edge */
   long euler_characteristic = 0;     /**< used vertices - edges + triangles */
-  std::optional<long> genus; /**< sum over components; of closed orientable manifolds */
+  std::optional<long> genus; /**< of orientable manifolds, all components together, each
+                                  boundary loop closed by a disc */
 
   double area = 0.0;            /**< in squared units of the cloud */
   std::optional<double> volume; /**< when closed and consistently wound; > 0: outward */
@@ -71,6 +72,14 @@ struct MeshFacts {
   {
     return triangles > 0 && boundary_edges == 0 && non_manifold_edges == 0 &&
            non_manifold_vertices == 0;
+  }
+
+  /** \brief It encloses a volume: closed, and no neighbours wound against each other.
+   */
+  bool
+  isWatertight() const
+  {
+    return isClosedManifold() && misoriented_edges == 0;
   }
 };
 
