@@ -15,6 +15,7 @@
 #include <pcl/surface_ccaa/projection/spacing.h>
 #include <pcl/surface_ccaa/projection/surface_completion.h>
 #include <pcl/surface_ccaa/projection/surface_growth.h>
+#include <pcl/surface_ccaa/projection/tunnels.h>
 
 #include <utility>
 
@@ -28,13 +29,16 @@ constexpr std::size_t SMALL_GAP = 100;
 /** One run, step by step. */
 class Completion {
 public:
+  /** \param[in] more_doubts given triangles that are to go beside doubtful ones */
   Completion(PartialMesh& mesh,
+             const std::vector<pcl::index_t>& more_doubts,
              const NeighborSearch& search,
              const CompletionParameters& parameters,
              int threads,
              RunControl& control,
              CompletionReport& report)
   : mesh_(mesh)
+  , more_doubts_(more_doubts)
   , search_(search)
   , parameters_(parameters)
   , context_{threads, &control, "partial mesh"}
@@ -85,6 +89,7 @@ private:
   orient(Triangles& triangles);
 
   PartialMesh& mesh_;
+  const std::vector<pcl::index_t>& more_doubts_;
   const NeighborSearch& search_;
   const CompletionParameters& parameters_;
   LoopContext context_;
@@ -122,6 +127,9 @@ Completion::run()
     doubts_.triangles.clear();
   doubts_.triangles.insert(
       doubts_.triangles.end(), disagreeing.begin(), disagreeing.end());
+  doubts_.triangles.insert(
+      doubts_.triangles.end(), more_doubts_.begin(), more_doubts_.end());
+  sortUnique(doubts_.triangles);
   std::vector<pcl::index_t> open = openVertices();
   report_.open_points = open.size();
   if (!searchNeighbors(open))
@@ -413,8 +421,14 @@ completeSurface(PartialMesh mesh,
                 RunControl& control,
                 CompletionReport& report)
 {
-  CompletedMesh result =
-      Completion(mesh, search, parameters, threads, control, report).run();
+  const auto complete = [&](const std::vector<pcl::index_t>& more_doubts,
+                            CompletionReport& counts) {
+    return Completion(mesh, more_doubts, search, parameters, threads, control, counts)
+        .run();
+  };
+  CompletedMesh result = complete({}, report);
+  if (!parameters.keep_given && result.fault == PartialMeshFault::NONE)
+    openTunnels(mesh, complete, {threads, &control, "partial mesh"}, result, report);
   report.cancelled = control.cancelled();
   if (report.cancelled)
     return {};
