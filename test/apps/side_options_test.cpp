@@ -57,7 +57,8 @@ protected:
 TEST_F(Sides, AViewpointOfThePcdLastsToTheEnd)
 {
   const test::SingleView view = test::singleView(1, RAYS);
-  EXPECT_EQ("sensor position", reconstruct(write("a.pcd", view.points, view.sensor)));
+  const std::string told = reconstruct(write("a.pcd", view.points, view.sensor));
+  EXPECT_EQ(0U, told.find("sensor position")) << told;
   EXPECT_GE(facingShareOf("out.ply", view.sensor), LEAST_SHARE);
 }
 
