@@ -113,9 +113,8 @@ reconstruct(const ReconstructSettings& settings,
   chain.setFilter(settings.hasFilter() ? filter : nullptr);
   if (settings.until != "base")
     chain.setBaseAlgorithm(nullptr);
-  pcl::ccaa::SideHints hints =
-      relativeTo(result.model.shift.offset(),
-                 sidesOf(settings.sides, result.model.viewpoint));
+  pcl::ccaa::SideHints hints = relativeTo(
+      result.model.shift.offset(), sidesOf(settings.sides, result.model.viewpoint));
   hints.guess_plane = true;
   chain.setSideHints(hints);
   chain.setComputeNormals(settings.normals);

@@ -25,7 +25,7 @@ protected:
         const Eigen::Vector3d& place)
   {
     app::FileExtras extras;
-    extras.viewpoint.position = place.cast<float>();
+    extras.viewpoint.position = place;
     app::OutputFile file;
     EXPECT_TRUE(file.open(folder_.path(name)).ok());
     app::writeCloud(folder_.path(name), test::toRawCloud(points), extras, file);
@@ -76,7 +76,7 @@ TEST_F(Sides, AViewpointOnTheCommandLineIsFollowedAndHandedOn)
   EXPECT_EQ("the viewpoint told", reconstruct(input, {"--viewpoint", place}));
   EXPECT_GE(facingShareOf("out.ply", view.sensor), LEAST_SHARE);
   const app::Model model = loadMesh(folder_.path("out.ply"));
-  EXPECT_TRUE(model.viewpoint.position.isApprox(view.sensor.cast<float>()));
+  EXPECT_TRUE(model.viewpoint.position.isApprox(view.sensor, 1e-6));
 }
 
 TEST_F(Sides, AViewpointOfZeroIsTheOriginOfTheSensorsFrameAndIsHandedOn)

@@ -80,9 +80,9 @@ describe(const SideTally& tally);
 bool
 liesBeforeOrigin(const PointView& points, const Indices* chosen = nullptr);
 
-/** \brief The hints in a frame with its origin at the offset: for what is worked on less
- * a global shift. Nobody has measured from the origin of map coordinates, so it is not
- * taken for a viewpoint there. */
+/** \brief The hints in a frame with its origin at the offset: for what is worked on
+ * less a global shift. Nobody has measured from the origin of map coordinates, so it is
+ * not taken for a viewpoint there. */
 SideHints
 relativeTo(const Position& offset, SideHints hints);
 
