@@ -130,6 +130,11 @@ ForceLineHoleRepair::checkParameters() const
       {"falloff exponent (chi)", field.falloff_exponent > 0.0},
       {"near radius (L_1)", field.near >= 0.0},
       {"far radius (L_2)", field.far >= 0.0},
+      {"greatest bridge", parameters_.survey.greatest_bridge.value >= 0.0},
+      {"least area of islands",
+       parameters_.survey.dropped.area >= 0.0 &&
+           parameters_.survey.dropped.share_of_all_area >= 0.0},
+      {"greatest hole length", parameters_.darning.greatest_length.value >= 0.0},
       {"room", field.room > 1.0},
       {"free point near radius (R_1)", field.free_point_near >= 0.0},
       {"free point far radius (R_2)", field.free_point_far >= 0.0},

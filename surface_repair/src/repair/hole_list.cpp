@@ -6,11 +6,12 @@
 #include <pcl/surface_repair/boundary/extraction.h>
 
 #include "../boundary/loop_evidence.h"
+#include "loop_reasons.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -70,20 +71,23 @@ verticesOf(const ModelSurvey& survey)
   return vertices;
 }
 
+std::size_t
+islandAt(const ModelSurvey& survey, const BoundaryPoint& end)
+{
+  return survey.loops[survey.joined.loops[end.curve]].island;
+}
+
 /** The islands that bridges join. */
 Groups
 joinedIslands(const ModelSurvey& survey)
 {
   const SurveyedBridges& joined = survey.joined;
-  const auto island = [&](const BoundaryPoint& end) {
-    return survey.loops[joined.loops[end.curve]].island;
-  };
   Groups groups(survey.model.islands.size());
   for (const HoleContour& contour : joined.holes.contours)
     for (const ContourStep& step : contour.steps)
       if (step.bridge != NONE)
-        groups.join(island(joined.bridges[step.bridge].begin),
-                    island(joined.bridges[step.bridge].end));
+        groups.join(islandAt(survey, joined.bridges[step.bridge].begin),
+                    islandAt(survey, joined.bridges[step.bridge].end));
   return groups;
 }
 
@@ -100,44 +104,6 @@ joinedAreas(const ModelSurvey& survey, Groups& groups)
   return areas;
 }
 
-/** Why a rim was joined to none: what its junctions say, if they agree. */
-OpenReason
-reasonForRim(const ModelSurvey& survey, std::size_t loop)
-{
-  std::optional<OpenReason> reason;
-  for (const Junction& junction : survey.joined.junctions)
-    for (const std::size_t curve : junction.curves) {
-      if (survey.joined.loops[curve] != loop)
-        continue;
-      if (junction.verdict == JunctionVerdict::DIFFERENT_OBJECTS)
-        reason = OpenReason::DIFFERENT_OBJECTS;
-      else if (junction.verdict != JunctionVerdict::SEEN_EMPTY)
-        return OpenReason::NOT_JOINED;
-      else if (!reason)
-        reason = OpenReason::SEEN_EMPTY;
-    }
-  return reason.value_or(OpenReason::NOT_JOINED);
-}
-
-OpenReason
-reasonForLoop(const ModelSurvey& survey, std::size_t loop)
-{
-  if (survey.model.islands[survey.loops[loop].island].one_sided)
-    return OpenReason::ONE_SIDED;
-  switch (survey.classes[loop].boundary_class) {
-  case BoundaryClass::HOLE:
-    return OpenReason::NONE;
-  case BoundaryClass::ISLAND_RIM:
-    return reasonForRim(survey, loop);
-  case BoundaryClass::OUTER_BORDER:
-    return OpenReason::OUTER_BORDER;
-  case BoundaryClass::UNDECIDED:
-    break;
-  }
-  return survey.classes[loop].evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH
-                                                     : OpenReason::UNDECIDED;
-}
-
 /** D4.1-1 and what goes with it, for a contour. */
 OpenReason
 reasonForContour(const HolePolygon& polygon, double area)
@@ -149,13 +115,18 @@ reasonForContour(const HolePolygon& polygon, double area)
 class Listing {
 public:
   Listing(const ModelSurvey& survey, const DarningParameters& parameters)
-  : survey_(survey), parameters_(parameters)
+  : survey_(survey)
+  , parameters_(parameters)
+  , longest_(parameters.greatest_length.limits()
+                 ? parameters.greatest_length.length(diagonalOf(survey.model))
+                 : std::numeric_limits<double>::infinity())
   {}
 
   HoleList
   run()
   {
     addContours();
+    countIslands();
     addLoops();
     weld();
     joinRegions();
@@ -166,7 +137,11 @@ private:
   void
   addContours();
   void
+  countIslands();
+  void
   addLoops();
+  bool
+  isWanted(const HoleContour& contour) const;
   void
   add(OpenHole hole);
   void
@@ -176,6 +151,7 @@ private:
 
   const ModelSurvey& survey_;
   const DarningParameters& parameters_;
+  double longest_;              /**< that is to be closed */
   std::vector<bool> is_listed_; /**< of a loop: it is part of a contour */
   HoleList list_;
 };
@@ -183,10 +159,26 @@ private:
 void
 Listing::add(OpenHole hole)
 {
-  if (hole.open == OpenReason::NONE && parameters_.greatest_hole > 0 &&
-      hole.polygon.size() > parameters_.greatest_hole)
+  const bool has_too_many =
+      parameters_.greatest_hole > 0 && hole.polygon.size() > parameters_.greatest_hole;
+  if (hole.open == OpenReason::NONE &&
+      (has_too_many || lengthOf(hole.polygon.curve) > longest_))
     hole.open = OpenReason::TOO_LARGE;
   list_.holes.push_back(std::move(hole));
+}
+
+/** Whether the user wants a contour closed, wherever it lies. */
+bool
+Listing::isWanted(const HoleContour& contour) const
+{
+  return parameters_.close == CloseChoice::ALL ||
+         std::any_of(
+             contour.steps.begin(), contour.steps.end(), [&](const ContourStep& step) {
+               const BoundaryLoop& loop =
+                   survey_.loops[survey_.joined.loops[step.section.from.curve]];
+               return survey_.wishes.wishFor(survey_.wishes.inputLoop(
+                          survey_.model, loop)) == LoopWish::CLOSE;
+             });
 }
 
 void
@@ -195,8 +187,6 @@ Listing::addContours()
   is_listed_.assign(survey_.loops.size(), false);
   const SurveyedBridges& joined = survey_.joined;
   Groups groups = joinedIslands(survey_);
-  for (std::size_t i = 0; i < survey_.model.islands.size(); ++i)
-    list_.islands += groups.find(i) == i ? 1 : 0;
   if (joined.bridges.empty())
     return;
   const BoundaryEdges boundaries = boundariesOf(survey_);
@@ -214,17 +204,40 @@ Listing::addContours()
       is_listed_[joined.loops[step.section.from.curve]] = true;
     }
     hole.polygon = polygonOf(contour, boundaries, joined.bridges, vertices);
-    hole.open = reasonForContour(hole.polygon, areas[survey_.loops[loop].island]);
+    if (!isWanted(contour))
+      hole.open = reasonForContour(hole.polygon, areas[survey_.loops[loop].island]);
     add(std::move(hole));
   }
+}
+
+/** A bridge joins islands where a hole beside it is to be closed. */
+void
+Listing::countIslands()
+{
+  const SurveyedBridges& joined = survey_.joined;
+  Groups groups(survey_.model.islands.size());
+  for (const OpenHole& hole : list_.holes)
+    for (const std::size_t bridge : hole.bridges)
+      if (hole.open == OpenReason::NONE)
+        groups.join(islandAt(survey_, joined.bridges[bridge].begin),
+                    islandAt(survey_, joined.bridges[bridge].end));
+  for (std::size_t i = 0; i < survey_.model.islands.size(); ++i)
+    list_.islands += groups.find(i) == i ? 1 : 0;
 }
 
 void
 Listing::addLoops()
 {
   for (std::size_t loop = 0; loop < survey_.loops.size(); ++loop)
-    if (!is_listed_[loop])
-      add({polygonOf(survey_.loops[loop]), {}, reasonForLoop(survey_, loop)});
+    if (!is_listed_[loop]) {
+      const std::size_t input_loop =
+          survey_.wishes.inputLoop(survey_.model, survey_.loops[loop]);
+      add({polygonOf(survey_.loops[loop]),
+           {},
+           reasonForLoop(survey_, parameters_.close, loop),
+           loop,
+           survey_.wishes.capFor(input_loop)});
+    }
 }
 
 /** Loops that meet in a point have one vertex there. */

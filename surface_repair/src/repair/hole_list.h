@@ -21,6 +21,8 @@ struct OpenHole {
   HolePolygon polygon;
   std::vector<std::size_t> bridges;   /**< of the survey, that it passes */
   OpenReason open = OpenReason::NONE; /**< why it is not to be closed; else NONE */
+  std::size_t loop = NONE;            /**< of the survey; NONE: a contour */
+  Cap cap = Cap::AUTO;                /**< what the user decided */
 };
 
 /** \brief All boundaries of a survey after bridging, and the regions to be closed. */
@@ -37,7 +39,8 @@ struct HoleList {
 
 /** \brief List loops and contours. A contour over bridges is to be closed unless it
  * bounds the joined surface from outside, which its own D, turning and the area of the
- * islands that it joins tell (4.1); a loop by its class. */
+ * islands that it joins tell (4.1); a loop by its class. What the user wants comes
+ * first. */
 HoleList
 listHoles(const ModelSurvey& survey, const DarningParameters& parameters);
 

@@ -6,6 +6,7 @@
 #include <pcl/surface_repair/darning/completion_darning.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
+#include "../fairing/flat_cap.h"
 #include "darning_choice.h"
 #include "patch_assembly.h"
 #include "patch_calming.h"
@@ -128,6 +129,7 @@ public:
   , context_(context)
   , care_(region.holes.size(), 0)
   , completed_(region.holes.size(), false)
+  , flat_(isToBeFlat())
   {
     result_.holes.resize(region.holes.size());
   }
@@ -136,6 +138,10 @@ public:
   run();
 
 private:
+  bool
+  isToBeFlat() const;
+  bool
+  hasSamples(const HolePolygon& hole) const;
   void
   divide();
   const std::vector<ChosenDarn>&
@@ -166,11 +172,49 @@ private:
   std::vector<std::size_t> care_; /**< of each hole: place in CARES */
   std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
   std::vector<bool> completed_;   /**< of each hole: free points are vertices */
+  bool flat_;                     /**< all lies in the plane of its rim */
   std::array<std::vector<ChosenDarn>, 3>
       darns_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
   std::vector<std::size_t> obstructed_; /**< triangles of the patch as it is */
 };
+
+/** What the user wants, or else what the rim is and whether free points speak against
+ * it. */
+bool
+RegionClosing::isToBeFlat() const
+{
+  if (region_.cap != Cap::AUTO)
+    return region_.cap == Cap::FLAT;
+  const HolePolygon& hole = region_.holes.front();
+  return isBase(hole.curve,
+                place_.model,
+                *place_.model.adjacency.begin(hole.vertices.front())) &&
+         !hasSamples(hole);
+}
+
+/** Whether free points tell the surface within a large rim: such as were given for
+ * that, or enough of them to be its vertices. */
+bool
+RegionClosing::hasSamples(const HolePolygon& hole) const
+{
+  const FreePointField* free_points = place_.guides.free_points.get();
+  if (free_points == nullptr)
+    return false;
+  const RimPlane plane = planeOf(hole.curve);
+  const std::vector<pcl::index_t> near =
+      free_points->within(plane.center, 0.5 * plane.size);
+  const bool has_given = std::any_of(near.begin(), near.end(), [&](pcl::index_t i) {
+    return place_.model.point_of_free_point[static_cast<std::size_t>(i)] ==
+           pcl::UNAVAILABLE;
+  });
+  if (has_given || near.empty())
+    return has_given;
+  const TakenEdges taken(place_.model);
+  return darn(
+             taskFor(hole, taken, false), place_.parameters.darning.choice, free_points)
+             .method == CompletionDarning().name();
+}
 
 /** ICM2 -> ICM1 (4.5). */
 void
@@ -180,6 +224,10 @@ RegionClosing::divide()
                                  place_.guides.surface.get()};
   std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
+    if (flat_) { // bridges would follow the surface around, out of the plane
+      parts_.push_back({region_.holes[h], {}, h});
+      continue;
+    }
     DividedHole divided = divideHole(region_.holes[h],
                                      static_cast<pcl::index_t>(next),
                                      place_.parameters.survey,
@@ -222,8 +270,8 @@ RegionClosing::darnsOf(const Care& care)
     taken.addPolygon(part.polygon);
   for (const DarnedPart& part : parts_) {
     darns.push_back(darn(taskFor(part.polygon, taken, care.avoiding),
-                         care.basic ? DarningChoice::MINIMUM_WEIGHT
-                                    : place_.parameters.darning.choice,
+                         care.basic || flat_ ? DarningChoice::MINIMUM_WEIGHT
+                                             : place_.parameters.darning.choice,
                          place_.guides.free_points.get()));
     if (darns.back().darn.closed())
       taken.addDarn(part.polygon, darns.back().darn);
@@ -301,7 +349,10 @@ RegionClosing::relax()
   const Positions before = patch.positions;
   RelaxationParameters relaxation = place_.parameters.relaxation;
   relaxation.trust = place_.parameters.survey.field.trust;
-  relaxPatch(place_.model, place_.model.free_points, relaxation, patch);
+  if (flat_)
+    flattenPatch(place_.model, patch);
+  else
+    relaxPatch(place_.model, place_.model.free_points, relaxation, patch);
   look();
   for (const std::size_t rings : CALMED_RINGS) {
     if (obstructed_.empty())

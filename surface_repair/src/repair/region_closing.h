@@ -28,6 +28,7 @@ struct ClosingPlace {
 /** \brief Holes to be closed together: bridges run between them. */
 struct Region {
   std::vector<HolePolygon> holes;
+  Cap cap = Cap::SMOOTH;           /**< AUTO for a single loop only */
   std::size_t bridge_vertices = 0; /**< new vertices on bridges of all regions: numbers
                                         of others begin after these */
 };

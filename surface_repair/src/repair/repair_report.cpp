@@ -26,13 +26,15 @@ describe(OpenReason reason)
   case OpenReason::ONE_SIDED:
     return "its island has no two sides";
   case OpenReason::TOO_LARGE:
-    return "it has more edges than are to be closed";
+    return "it is larger than what is to be closed";
   case OpenReason::NO_DARN:
     return "no darning method closes it";
   case OpenReason::NOT_MANIFOLD:
     return "closing it would give an edge three triangles";
   case OpenReason::INTERSECTION:
     return "closing it would run through the surface";
+  case OpenReason::NOT_WANTED:
+    return "it was not to be closed or joined";
   }
   return "";
 }
@@ -61,6 +63,8 @@ nameOf(OpenReason reason)
     return "NOT_MANIFOLD";
   case OpenReason::INTERSECTION:
     return "INTERSECTION";
+  case OpenReason::NOT_WANTED:
+    return "NOT_WANTED";
   }
   return "";
 }
@@ -74,6 +78,8 @@ isShortfall(OpenReason reason)
   case OpenReason::TUBE_MOUTH:
   case OpenReason::DIFFERENT_OBJECTS:
   case OpenReason::SEEN_EMPTY:
+  case OpenReason::TOO_LARGE:
+  case OpenReason::NOT_WANTED:
     return false;
   default:
     return true;

@@ -10,6 +10,7 @@
 #include "darning_choice.h"
 #include "hole_list.h"
 #include "last_check.h"
+#include "loop_reasons.h"
 #include "repair_log.h"
 
 #include <algorithm>
@@ -61,6 +62,23 @@ struct Failure {
   std::size_t tries = 0;
 };
 
+/** The cap of holes that are closed together. */
+Cap
+capOf(const HoleList& list, const std::vector<std::size_t>& holes, Cap usual)
+{
+  const auto cap_of = [&](std::size_t hole) {
+    const Cap cap = list.holes[hole].cap;
+    return cap == Cap::AUTO ? usual : cap;
+  };
+  const bool all_flat = std::all_of(holes.begin(), holes.end(), [&](std::size_t hole) {
+    return cap_of(hole) == Cap::FLAT;
+  });
+  if (all_flat)
+    return Cap::FLAT;
+  const bool is_loop = holes.size() == 1 && list.holes[holes.front()].loop != NONE;
+  return is_loop ? cap_of(holes.front()) : Cap::SMOOTH;
+}
+
 /** What comes to a model. */
 struct Addition {
   Triangles triangles;
@@ -88,8 +106,14 @@ public:
   RepairRun(const RepairParameters& parameters,
             const ccaa::LoopContext& context,
             RepairReport& report)
-  : parameters_(parameters), context_(context), report_(report), log_(survey_, report)
+  : parameters_(parameters)
+  , closes_all_(parameters.watertight || parameters.darning.close == CloseChoice::ALL)
+  , context_(context)
+  , report_(report)
+  , log_(survey_, report)
   {
+    if (closes_all_)
+      parameters_.darning.close = CloseChoice::HOLES;
     parameters_.survey.simple_edges = simpleEdges(parameters.darning);
     parameters_.survey.trace_in_holes = false;
     parameters_.survey.trace_between_islands = parameters.join_islands;
@@ -102,9 +126,19 @@ private:
   using Clock = RepairLog::Clock;
 
   bool
+  runPasses();
+  bool
   closeHoles(const std::string& stage);
+  HoleList
+  list() const;
   bool
   allIsClosed() const;
+  bool
+  isOpen() const;
+  void
+  fixLimits();
+  void
+  beginClosingAll();
   void
   takeBack(Triangles triangles);
   void
@@ -121,10 +155,13 @@ private:
   resurvey();
   void
   reportLeftOpen();
+  void
+  report(const OpenHole& hole, const HoleOutcome& outcome);
   HoleOutcome
   lastOutcome(const OpenHole& hole) const;
 
-  RepairParameters parameters_;
+  RepairParameters parameters_; /**< as they are in the present pass */
+  bool closes_all_;             /**< once nothing more can be joined */
   ccaa::LoopContext context_;
   RepairReport& report_;
   ModelSurvey survey_;
@@ -137,6 +174,19 @@ private:
   Addition added_;         /**< by this pass */
 };
 
+/** All boundaries and which of them are to be closed. */
+HoleList
+RepairRun::list() const
+{
+  HoleList list = listHoles(survey_, parameters_.darning);
+  const bool keeps_apart =
+      !parameters_.join_islands && survey_.model.islands.size() > 1;
+  for (OpenHole& hole : list.holes)
+    if (keeps_apart && couldBeJoined(hole.open))
+      hole.open = OpenReason::NOT_WANTED;
+  return list;
+}
+
 /** One pass. \return whether anything was closed */
 bool
 RepairRun::closeHoles(const std::string& stage)
@@ -146,7 +196,7 @@ RepairRun::closeHoles(const std::string& stage)
       context_.control->report(stage.c_str(), share);
   };
   tell(0.0);
-  list_ = listHoles(survey_, parameters_.darning);
+  list_ = list();
   Triangles given = list_.replaced.empty() ? Triangles() : survey_.model.triangles;
   if (!list_.replaced.empty())
     weldPinches(list_.replaced, context_, survey_.model);
@@ -157,6 +207,7 @@ RepairRun::closeHoles(const std::string& stage)
     region.bridge_vertices = list_.bridge_vertices;
     for (const std::size_t hole : holes)
       region.holes.push_back(list_.holes[hole].polygon);
+    region.cap = capOf(list_, holes, parameters_.darning.cap);
     places.push_back(placeOf(region.holes));
     regions.push_back(std::move(region));
   }
@@ -190,6 +241,7 @@ RepairRun::takeBack(Triangles triangles)
   model.triangles = std::move(triangles);
   model.adjacency.build(
       model.triangles, model.positions.size(), context_.threads, context_.control);
+  list_.replaced.clear();
 }
 
 /** What this pass closed becomes part of the model. Holes that meet in a point and
@@ -198,9 +250,11 @@ void
 RepairRun::takeAdded()
 {
   append(added_, survey_.model);
+  added_ = {};
   if (list_.replaced.empty())
     return;
   const std::vector<pcl::index_t> number = separatePinches(context_, survey_.model);
+  list_.replaced.clear();
   const auto of_input =
       number.begin() + static_cast<std::ptrdiff_t>(result_.input_vertices);
   result_.input_vertices -=
@@ -269,7 +323,13 @@ RepairRun::resurvey()
       model.free_points.push_back(before.free_points[i]);
       model.point_of_free_point.push_back(before.point_of_free_point[i]);
     }
-  survey_ = surveyModel(std::move(model), survey_.sight, parameters_.survey, context_);
+  LoopWishes wishes = std::move(survey_.wishes);
+  survey_ = surveyModel(std::move(model),
+                        survey_.sight,
+                        parameters_.survey,
+                        context_,
+                        std::move(wishes));
+  used_.assign(survey_.model.free_points.size(), false);
 }
 
 /** What the last try said, or else what speaks against one. */
@@ -302,6 +362,54 @@ RepairRun::allIsClosed() const
          });
 }
 
+/** Anything at all is left that can be closed. */
+bool
+RepairRun::isOpen() const
+{
+  return !failed_.empty() ||
+         std::any_of(list_.holes.begin(), list_.holes.end(), [](const OpenHole& hole) {
+           return hole.open != OpenReason::NONE && hole.open != OpenReason::ONE_SIDED;
+         });
+}
+
+/** Shares of the diagonal are those of the input's. */
+void
+RepairRun::fixLimits()
+{
+  const double diagonal = diagonalOf(survey_.model);
+  for (Extent* limit :
+       {&parameters_.darning.greatest_length, &parameters_.survey.greatest_bridge})
+    *limit = Extent(limit->length(diagonal));
+}
+
+/** Nothing more can be joined: from now on each boundary is closed by itself. */
+void
+RepairRun::beginClosingAll()
+{
+  parameters_.darning.close = CloseChoice::ALL;
+  parameters_.survey.trace_between_islands = false;
+  resurvey();
+}
+
+/** Close what is open, look again, until nothing comes of it any more. \return whether
+ * all is closed */
+bool
+RepairRun::runPasses()
+{
+  for (int pass = 0; pass < MOST_PASSES && !context_.cancelled(); ++pass) {
+    const auto start = Clock::now();
+    const bool closed_any = closeHoles(closingStage(pass));
+    log_.countSeconds("closing", start);
+    const bool finished = allIsClosed();
+    if (!closed_any || finished || context_.cancelled())
+      return finished;
+    const auto closed = Clock::now();
+    resurvey();
+    log_.countSeconds("looking again", closed);
+  }
+  return false;
+}
+
 /** The end where all is closed: no need to put the new model in order. */
 void
 RepairRun::finish()
@@ -312,9 +420,18 @@ RepairRun::finish()
     if (hole.open != OpenReason::NONE) {
       HoleOutcome outcome;
       outcome.open = hole.open;
-      log_.add(hole, outcome);
+      report(hole, outcome);
     }
   takeAdded();
+}
+
+void
+RepairRun::report(const OpenHole& hole, const HoleOutcome& outcome)
+{
+  RepairedHole& entry = report_.holes[log_.add(hole, outcome)];
+  entry.shortfall = parameters_.watertight ? outcome.open != OpenReason::NONE
+                                           : isShortfall(outcome.open);
+  report_.shortfalls += entry.shortfall ? 1 : 0;
 }
 
 void
@@ -324,11 +441,8 @@ RepairRun::reportLeftOpen()
   report_.class_after = survey_.icm_class;
   survey_.joined.bridges.clear(); // they led to nothing
   survey_.joined.holes = {};
-  for (const OpenHole& hole : listHoles(survey_, parameters_.darning).holes) {
-    const HoleOutcome outcome = lastOutcome(hole);
-    log_.add(hole, outcome);
-    report_.shortfalls += isShortfall(outcome.open) ? 1 : 0;
-  }
+  for (const OpenHole& hole : list().holes)
+    report(hole, lastOutcome(hole));
 }
 
 RepairedModel
@@ -342,18 +456,12 @@ RepairRun::run(const pcl::PolygonMesh::ConstPtr& mesh,
   float_positions_ = hasFloatPositions(mesh->cloud);
   result_.input_vertices = survey_.model.positions.size();
   result_.input_triangles = survey_.model.triangles.size();
+  fixLimits();
   log_.noteInput();
-  bool finished = false;
-  for (int pass = 0; pass < MOST_PASSES && !context_.cancelled(); ++pass) {
-    const auto start = Clock::now();
-    const bool closed_any = closeHoles(closingStage(pass));
-    log_.countSeconds("closing", start);
-    finished = allIsClosed();
-    if (!closed_any || finished || context_.cancelled())
-      break;
-    const auto closed = Clock::now();
-    resurvey();
-    log_.countSeconds("looking again", closed);
+  bool finished = runPasses();
+  if (closes_all_ && isOpen() && !context_.cancelled()) {
+    beginClosingAll();
+    finished = runPasses();
   }
   if (context_.cancelled())
     return {};

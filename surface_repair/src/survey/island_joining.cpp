@@ -3,6 +3,7 @@
 // reached is reached (4.47).
 
 #include "survey_fields.h"
+#include "wanted_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +47,6 @@ private:
   traceFrom(const std::vector<PossibleOrigin>& origins, double apart);
   void
   choose();
-  std::vector<ForceLine>
-  believedLines() const;
   std::vector<PossibleOrigin>
   originsAtLostIslands() const;
 
@@ -92,22 +91,10 @@ Joining::choose()
                                    lines(),
                                    survey_.sight.get(),
                                    parameters_.junction);
-  joined.bridges = selectBridges(
-      believedLines(), targets_, {parameters_.bridge_spacing, 2.0 * spacing_});
+  joined.bridges = selectBridges(wantedLines(survey_, parameters_, joined.refused),
+                                 targets_,
+                                 {parameters_.bridge_spacing, 2.0 * spacing_});
   survey_.joined.holes = extractContours(targets_, survey_.joined.bridges);
-}
-
-/** The lines that bridges may follow, in the order they were traced. */
-std::vector<ForceLine>
-Joining::believedLines() const
-{
-  std::set<std::size_t> believed;
-  for (const Junction& junction : survey_.joined.junctions)
-    believed.insert(junction.believed.begin(), junction.believed.end());
-  std::vector<ForceLine> lines;
-  for (const std::size_t line : believed)
-    lines.push_back(survey_.between_islands.lines[line]);
-  return lines;
 }
 
 /** Origins on boundaries that lines reach but no bridge that could be kept, and around

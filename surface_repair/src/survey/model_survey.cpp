@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -115,6 +117,32 @@ traceFields(const SurveyParameters& parameters,
       survey.in_holes.push_back(surveyHole(survey, hole, parameters, context));
 }
 
+/** What the user has decided about the loops. \return what does not fit */
+std::string
+takeDecisions(const pcl::PolygonMesh& mesh,
+              const SurveyParameters& parameters,
+              ModelSurvey& survey)
+{
+  survey.wishes = LoopWishes(survey.model, survey.loops);
+  survey.mesh = fingerprintOf(mesh);
+  if (!parameters.decisions)
+    return {};
+  const MeshFingerprint& wanted = parameters.decisions->mesh;
+  const MeshFingerprint& found = survey.mesh;
+  const auto tell = [](const MeshFingerprint& print) {
+    return std::to_string(print.points) + " points and " +
+           std::to_string(print.polygons) + " polygons";
+  };
+  if (!(wanted == found))
+    return "the decisions are about another mesh, of " + tell(wanted) +
+           "; this one has " + tell(found) +
+           (wanted.points == found.points && wanted.polygons == found.polygons
+                ? ", but other ones"
+                : "");
+  const std::string problem = survey.wishes.take(*parameters.decisions);
+  return problem.empty() ? problem : "the decisions do not fit: " + problem;
+}
+
 /** All that follows once the islands are wound as they should be. */
 void
 surveyWound(const SurveyParameters& parameters,
@@ -145,6 +173,8 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
   ccaa::LoopContext stage = context;
   stage.stage = "reading";
   ReadModel read = readModel(mesh, free_points, stage, parameters.orientation.sides);
+  if (parameters.dropped.any() && read.report.problem.empty())
+    dropIslands(parameters.dropped, stage, read);
   survey.model = std::move(read.model);
   survey.reading = std::move(read.report);
   clock.finish("reading");
@@ -155,7 +185,9 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
   if (auto sight = std::make_shared<const SightLines>(survey.model); !sight->empty())
     survey.sight = std::move(sight);
   clock.finish("orientation");
-  surveyWound(parameters, context, clock, survey);
+  survey.reading.problem = takeDecisions(*mesh, parameters, survey);
+  if (survey.reading.problem.empty())
+    surveyWound(parameters, context, clock, survey);
   return survey;
 }
 
@@ -163,10 +195,12 @@ ModelSurvey
 surveyModel(IncompleteModel model,
             std::shared_ptr<const SightLines> sight,
             const SurveyParameters& parameters,
-            const ccaa::LoopContext& context)
+            const ccaa::LoopContext& context,
+            LoopWishes wishes)
 {
   ModelSurvey survey;
   survey.sight = std::move(sight);
+  survey.wishes = std::move(wishes);
   StageClock clock(survey);
   survey.model = std::move(model);
   survey.loops = extractBoundaries(survey.model);

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests that random damage never makes a repair go wrong.
 
+#include <pcl/surface_repair/decision_proposal.h>
+
 #include "repair_fixture.h"
+#include "support/random_source.h"
+
+#include <memory>
 
 namespace pcl {
 namespace repair {
@@ -29,6 +34,51 @@ TEST_P(RepairOfRandomDamage, MakesNothingWorse)
 INSTANTIATE_TEST_SUITE_P(Seeds,
                          RepairOfRandomDamage,
                          ::testing::Range<std::uint64_t>(1, 51));
+
+/** Whatever the method proposes, changed at random. */
+Decisions
+randomDecisions(const pcl::PolygonMesh& mesh, RandomSource& random)
+{
+  Decisions decisions = proposeDecisions(
+      surveyModel(pcl::make_shared<pcl::PolygonMesh>(mesh), nullptr, {}, {}), {});
+  for (LoopDecision& loop : decisions.loops) {
+    loop.wish = static_cast<LoopWish>(random.below(3));
+    loop.cap = static_cast<Cap>(random.below(3));
+  }
+  for (JunctionDecision& junction : decisions.junctions)
+    junction.join = random.below(2) == 0;
+  return decisions;
+}
+
+class RandomWishes : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomWishes, MakeNothingWorseAndLeaveOpenWhatIsToBeOpen)
+{
+  const DamagedModel made = randomlyDamaged(GetParam());
+  if (made.wound.empty())
+    return;
+  RandomSource random(GetParam());
+  const pcl::PolygonMesh mesh = toPolygonMesh(made.damaged);
+  const Decisions decisions = randomDecisions(mesh, random);
+  RepairParameters parameters;
+  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
+  parameters.darning.close = static_cast<CloseChoice>(random.below(3));
+  parameters.darning.cap = static_cast<Cap>(random.below(3));
+  const Repaired result = repaired(mesh, {}, parameters);
+  expectNothingWorse(result, made.wound);
+  for (const LoopDecision& loop : decisions.loops) {
+    const auto is_it = [&](const RepairedHole& hole) {
+      return hole.edges == loop.key.edges && hole.open != OpenReason::NONE &&
+             !hole.shortfall;
+    };
+    EXPECT_TRUE(
+        loop.wish != LoopWish::LEAVE_OPEN ||
+        std::any_of(result.report.holes.begin(), result.report.holes.end(), is_it))
+        << "loop at point " << loop.key.point;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomWishes, ::testing::Range<std::uint64_t>(1, 31));
 
 } // namespace
 } // namespace repair

@@ -163,7 +163,7 @@ hasConsistentReport(const Repaired& result)
   }
   std::size_t shortfalls = 0;
   for (std::size_t h = 0; h < report.holes.size(); ++h) {
-    shortfalls += isShortfall(report.holes[h].open) ? 1 : 0;
+    shortfalls += report.holes[h].shortfall ? 1 : 0;
     if (made[h] != report.holes[h].triangles)
       return fail("triangles of a hole");
     if ((report.holes[h].open == OpenReason::NONE) != (made[h] > 0))

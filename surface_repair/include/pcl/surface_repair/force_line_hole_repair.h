@@ -317,6 +317,98 @@ public:
     return parameters_.darning.greatest_hole;
   }
 
+  /** \brief Longer boundaries are left open: units of the cloud, or a share of the
+   * bounding box' diagonal. 0 (default): no limit. */
+  void
+  setGreatestHoleLength(const repair::Extent& length)
+  {
+    parameters_.darning.greatest_length = length;
+  }
+  const repair::Extent&
+  getGreatestHoleLength() const
+  {
+    return parameters_.darning.greatest_length;
+  }
+
+  /** \brief Longer bridges between islands are not built: units of the cloud, or a
+   * share of the bounding box' diagonal. 0 (default): no limit. */
+  void
+  setGreatestBridge(const repair::Extent& length)
+  {
+    parameters_.survey.greatest_bridge = length;
+  }
+  const repair::Extent&
+  getGreatestBridge() const
+  {
+    return parameters_.survey.greatest_bridge;
+  }
+
+  /** \brief Which boundaries are closed. Default HOLES. */
+  void
+  setClose(repair::CloseChoice choice)
+  {
+    parameters_.darning.close = choice;
+  }
+  repair::CloseChoice
+  getClose() const
+  {
+    return parameters_.darning.close;
+  }
+
+  /** \brief Islands that are too small to be kept: their triangles are not in the
+   * output, and their points, which stay, draw nothing. Default: none, all triangles
+   * stay. */
+  void
+  setDroppedIslands(const repair::SmallIslands& small)
+  {
+    parameters_.survey.dropped = small;
+  }
+  const repair::SmallIslands&
+  getDroppedIslands() const
+  {
+    return parameters_.survey.dropped;
+  }
+
+  /** \brief The shape of patches. Default AUTO: flat over a large plane rim that the
+   * surface meets steeply, such as the base of a bust; smooth elsewhere. */
+  void
+  setCap(repair::Cap cap)
+  {
+    parameters_.darning.cap = cap;
+  }
+  repair::Cap
+  getCap() const
+  {
+    return parameters_.darning.cap;
+  }
+
+  /** \brief Whether a surface without any boundary is wanted: all that can be closed
+   * is, and whatever stays open is a shortfall. Default false. */
+  void
+  setWatertight(bool watertight)
+  {
+    parameters_.watertight = watertight;
+  }
+  bool
+  getWatertight() const
+  {
+    return parameters_.watertight;
+  }
+
+  /** \brief What a user decided about boundaries and junctions of the input mesh; see
+   * proposeDecisions(). Null (default): nothing. Decisions about another mesh are an
+   * error. */
+  void
+  setDecisions(const std::shared_ptr<const repair::Decisions>& decisions)
+  {
+    parameters_.survey.decisions = decisions;
+  }
+  const std::shared_ptr<const repair::Decisions>&
+  getDecisions() const
+  {
+    return parameters_.survey.decisions;
+  }
+
   /** \brief Whether islands are joined. Default true; with false only holes are closed.
    */
   void

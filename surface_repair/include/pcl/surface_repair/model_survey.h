@@ -5,11 +5,14 @@
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/boundary/classification.h>
+#include <pcl/surface_repair/decision/loop_wishes.h>
+#include <pcl/surface_repair/extent.h>
 #include <pcl/surface_repair/field/free_point_field.h>
 #include <pcl/surface_repair/field/shielding.h>
 #include <pcl/surface_repair/force_line/line_origins.h>
 #include <pcl/surface_repair/hole/hole_contour.h>
 #include <pcl/surface_repair/icadm/icm_class.h>
+#include <pcl/surface_repair/icadm/island_dropping.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/surface_repair/junction/junction.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
@@ -60,6 +63,10 @@ struct SurveyParameters {
   double bridge_spacing = 0.5;  /**< least arc length between bridges, in lengths of the
                                      bridge */
   double line_spacing = 0.25;   /**< least arc length between origins, in gaps */
+  Extent greatest_bridge = {};  /**< longer bridges between islands are not built; 0: no
+                                     limit */
+  SmallIslands dropped = {};    /**< islands that are left out on reading */
+  std::shared_ptr<const Decisions> decisions = {}; /**< of the user, or null */
   bool trace_between_islands = true; /**< lines and bridges of step ICM3 -> ICM2 */
   bool trace_in_holes = true;        /**< lines within each complex hole */
 };
@@ -81,6 +88,8 @@ struct SurveyedBridges {
   std::vector<Junction> junctions; /**< what lines connect, of the same curves */
   std::vector<Bridge> bridges;     /**< only of junctions that are joined */
   ContourExtraction holes;
+  std::vector<std::size_t> refused; /**< ascending: loops with a line that could have
+                                       become a bridge, if it were wanted */
 };
 
 /** \brief What lines are led by and what they may not run through, built once for all
@@ -97,6 +106,8 @@ struct ModelSurvey {
   std::vector<IslandSide> sides; /**< one an island */
   BoundaryLoops loops;
   std::vector<LoopClass> classes; /**< one a loop */
+  MeshFingerprint mesh;           /**< that was read */
+  LoopWishes wishes;              /**< about the loops of the input */
   IcmCounts counts;
   IcmClass icm_class = IcmClass::ICM1;
   double spacing = 0.0;          /**< mean source spacing, units of the cloud */
@@ -121,7 +132,8 @@ struct FieldSlice {
 
 /** \brief Read, orient, classify, trace and choose bridges: everything but triangles.
  * \param[in] free_points a separate cloud of free points, or null
- * \return with reading.problem set when there is no model */
+ * \return with reading.problem set when there is no model, or when it is not what the
+ * decisions are about */
 ModelSurvey
 surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
             const pcl::PCLPointCloud2* free_points,
@@ -129,13 +141,19 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
             const ccaa::LoopContext& context);
 
 /** \brief The same for a model that has been read, whose islands are wound as they
- * should be. \param[in] sight of the model, or null \return as above; what belongs to
- * reading and sides stays empty */
+ * should be. \param[in] sight of the model, or null \param[in] wishes about the loops
+ * of the input that it came of \return as above; what belongs to reading and sides stays
+ * empty */
 ModelSurvey
 surveyModel(IncompleteModel model,
             std::shared_ptr<const SightLines> sight,
             const SurveyParameters& parameters,
-            const ccaa::LoopContext& context);
+            const ccaa::LoopContext& context,
+            LoopWishes wishes = {});
+
+/** \brief Diagonal of the bounding box of all triangles. */
+double
+diagonalOf(const IncompleteModel& model);
 
 /** \brief The field of all islands on the plane through the middle of the model across
  * its shortest extent, in light mode.

@@ -71,10 +71,11 @@ enum class OpenReason : std::uint8_t {
   NOT_JOINED,   /**< rim of an island that no bridge joins to another one */
   UNDECIDED,    /**< hole or border is not clear */
   ONE_SIDED,    /**< its island has no two sides */
-  TOO_LARGE,    /**< more edges than the greatest number to be closed */
+  TOO_LARGE,    /**< beyond the greatest number of edges, or length, to be closed */
   NO_DARN,      /**< no darning method closes it */
   NOT_MANIFOLD, /**< closing it would make an edge of three triangles */
-  INTERSECTION  /**< closing it would run through the surface or another patch */
+  INTERSECTION, /**< closing it would run through the surface or another patch */
+  NOT_WANTED    /**< the user's word: leave open, or do not join */
 };
 
 /** \brief A sentence part for messages, such as "its patch would run through the
@@ -87,7 +88,8 @@ const char*
 nameOf(OpenReason reason);
 
 /** \brief Whether something that should be closed was left open for this reason: all
- * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS and SEEN_EMPTY. */
+ * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS, SEEN_EMPTY, and what the user
+ * wanted: TOO_LARGE, NOT_WANTED. */
 bool
 isShortfall(OpenReason reason);
 
@@ -100,6 +102,8 @@ struct RepairedHole {
   std::vector<std::size_t> bridges; /**< that it passes, indices into the report's */
   std::vector<std::size_t> islands; /**< that it touches, ascending */
   OpenReason open = OpenReason::NONE;
+  bool shortfall = false;    /**< it should be closed: see isShortfall(); where a
+                                  watertight surface is wanted, any that is open */
   std::string darning;       /**< name of the method, empty where it is open */
   std::size_t triangles = 0; /**< new ones */
   std::size_t tries = 0;     /**< darnings that were tried before */

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what a user decides about boundary loops and junctions.
+
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_repair/decision/decisions.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** FNV-1a over the bytes of values, eight at a time. */
+class Checksum {
+public:
+  void
+  add(std::uint64_t value)
+  {
+    sum_ = (sum_ ^ value) * 0x100000001b3ULL;
+    sum_ ^= sum_ >> 29;
+  }
+
+  void
+  add(double value)
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    add(bits);
+  }
+
+  std::uint64_t
+  sum() const
+  {
+    return sum_;
+  }
+
+private:
+  std::uint64_t sum_ = 0xcbf29ce484222325ULL;
+};
+
+} // namespace
+
+LoopKey
+keyOf(const IncompleteModel& model, const BoundaryLoop& loop)
+{
+  LoopKey key;
+  key.edges = loop.vertices.size();
+  for (const pcl::index_t vertex : loop.vertices) {
+    const pcl::index_t point = model.point_of_vertex[static_cast<std::size_t>(vertex)];
+    if (point != pcl::UNAVAILABLE && (key.point < 0 || point < key.point))
+      key.point = point;
+    key.center += model.positions[static_cast<std::size_t>(vertex)];
+  }
+  key.center /= static_cast<double>(std::max<std::size_t>(key.edges, 1));
+  return key;
+}
+
+MeshFingerprint
+fingerprintOf(const pcl::PolygonMesh& mesh)
+{
+  Checksum checksum;
+  const ccaa::PointView points = ccaa::positionView(mesh.cloud);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (const double coordinate : Position(points[i]))
+      checksum.add(coordinate);
+  for (const pcl::Vertices& polygon : mesh.polygons) {
+    checksum.add(std::uint64_t{polygon.vertices.size()});
+    for (const pcl::index_t corner : polygon.vertices)
+      checksum.add(static_cast<std::uint64_t>(corner));
+  }
+  return {points.size(), mesh.polygons.size(), checksum.sum()};
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: why a loop that no bridge touches is not to be closed.
+
+#include "loop_reasons.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Why a rim was joined to none: what its junctions say, if they agree. */
+OpenReason
+reasonForRim(const ModelSurvey& survey, std::size_t loop)
+{
+  std::optional<OpenReason> reason;
+  for (const Junction& junction : survey.joined.junctions)
+    for (const std::size_t curve : junction.curves) {
+      if (survey.joined.loops[curve] != loop)
+        continue;
+      if (junction.verdict == JunctionVerdict::DIFFERENT_OBJECTS)
+        reason = OpenReason::DIFFERENT_OBJECTS;
+      else if (junction.verdict != JunctionVerdict::SEEN_EMPTY)
+        return OpenReason::NOT_JOINED;
+      else if (!reason)
+        reason = OpenReason::SEEN_EMPTY;
+    }
+  return reason.value_or(OpenReason::NOT_JOINED);
+}
+
+/** What its class says. */
+OpenReason
+reasonByClass(const ModelSurvey& survey, std::size_t loop)
+{
+  if (survey.model.islands[survey.loops[loop].island].one_sided)
+    return OpenReason::ONE_SIDED;
+  switch (survey.classes[loop].boundary_class) {
+  case BoundaryClass::HOLE:
+    return OpenReason::NONE;
+  case BoundaryClass::ISLAND_RIM:
+    return reasonForRim(survey, loop);
+  case BoundaryClass::OUTER_BORDER:
+    return OpenReason::OUTER_BORDER;
+  case BoundaryClass::UNDECIDED:
+    break;
+  }
+  return survey.classes[loop].evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH
+                                                     : OpenReason::UNDECIDED;
+}
+
+/** A loop stays as it is because the user wants it so. */
+OpenReason
+leftOpen(OpenReason by_class)
+{
+  return by_class == OpenReason::NONE || isShortfall(by_class) ? OpenReason::NOT_WANTED
+                                                               : by_class;
+}
+
+/** What its class says where the user says nothing about it. \param[in] is_of_input
+ * it has been there from the beginning */
+OpenReason
+reasonByChoice(const ModelSurvey& survey,
+               CloseChoice choice,
+               std::size_t loop,
+               bool is_of_input)
+{
+  const OpenReason by_class = reasonByClass(survey, loop);
+  if (by_class == OpenReason::ONE_SIDED)
+    return by_class;
+  if (choice == CloseChoice::ALL)
+    return OpenReason::NONE;
+  const std::vector<std::size_t>& refused = survey.joined.refused;
+  if (couldBeJoined(by_class) &&
+      std::binary_search(refused.begin(), refused.end(), loop))
+    return OpenReason::NOT_WANTED;
+  if (by_class == OpenReason::NOT_JOINED)
+    return by_class;
+  return choice == CloseChoice::NOTHING && is_of_input ? leftOpen(by_class) : by_class;
+}
+
+} // namespace
+
+OpenReason
+reasonForLoop(const ModelSurvey& survey, CloseChoice choice, std::size_t loop)
+{
+  const std::size_t input_loop =
+      survey.wishes.inputLoop(survey.model, survey.loops[loop]);
+  const OpenReason by_class = reasonByClass(survey, loop);
+  switch (survey.wishes.wishFor(input_loop)) {
+  case LoopWish::CLOSE:
+    return by_class == OpenReason::ONE_SIDED ? by_class : OpenReason::NONE;
+  case LoopWish::LEAVE_OPEN:
+    return leftOpen(by_class);
+  case LoopWish::AUTO:
+    break;
+  }
+  return reasonByChoice(survey, choice, loop, input_loop != NONE);
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which force lines may become bridges between islands.
+
+#pragma once
+
+#include <pcl/surface_repair/model_survey.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief The lines that bridges may follow, in the order they were traced: those that
+ * are believed in junctions that are joined, all of a junction that the user wants
+ * joined; but for those that are too long or connect what the user wants apart.
+ * \param[out] refused see SurveyedBridges::refused */
+std::vector<ForceLine>
+wantedLines(const ModelSurvey& survey,
+            const SurveyParameters& parameters,
+            std::vector<std::size_t>& refused);
+
+} // namespace repair
+} // namespace pcl

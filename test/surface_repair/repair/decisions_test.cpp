@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of decisions that users make about a repair.
+
+#include <pcl/surface_repair/decision_proposal.h>
+
+#include "repair_fixture.h"
+
+#include <cmath>
+#include <memory>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using namespace test;
+
+/** The openings of a barrel: a sphere without its poles, the upper opening the smaller
+ * one. */
+Shape
+barrel()
+{
+  return inPieces(icosphere(4), [](const Position& p) {
+    return p.z() > std::sqrt(1.0 - 0.16) || p.z() < -0.8 ? -1 : 0;
+  });
+}
+
+/** A sphere without two belts: three islands in a row. */
+Shape
+threeSlices()
+{
+  return inPieces(icosphere(4), [](const Position& p) {
+    const double height = std::abs(p.z());
+    return height > 0.3 && height < 0.55 ? -1 : height < 0.4 ? 0 : p.z() > 0.0 ? 1 : 2;
+  });
+}
+
+Decisions
+proposed(const Shape& shape, const RepairParameters& parameters = {})
+{
+  return proposeDecisions(
+      surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
+                  nullptr,
+                  parameters.survey,
+                  {}),
+      parameters);
+}
+
+Repaired
+decided(const Shape& shape, const Decisions& decisions)
+{
+  RepairParameters parameters;
+  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
+  return repaired(shape, parameters);
+}
+
+/** The decision about the loop that lies highest. */
+LoopDecision&
+highest(Decisions& decisions)
+{
+  return *std::max_element(decisions.loops.begin(),
+                           decisions.loops.end(),
+                           [](const LoopDecision& a, const LoopDecision& b) {
+                             return a.key.center.z() < b.key.center.z();
+                           });
+}
+
+TEST(Decisions, AreProposedForEachLoopWithItsClass)
+{
+  const Decisions decisions = proposed(barrel());
+  ASSERT_EQ(2U, decisions.loops.size());
+  EXPECT_TRUE(decisions.junctions.empty());
+  for (const LoopDecision& loop : decisions.loops) {
+    EXPECT_EQ(BoundaryClass::HOLE, loop.found);
+    EXPECT_EQ(LoopWish::CLOSE, loop.wish);
+    EXPECT_EQ(OpenReason::NONE, loop.reason);
+    EXPECT_GT(loop.confidence, 0.4);
+  }
+}
+
+TEST(Decisions, AreProposedForEachPairOfLoopsThatBridgesConnect)
+{
+  const Decisions decisions = proposed(threeSlices());
+  EXPECT_EQ(4U, decisions.loops.size());
+  ASSERT_EQ(2U, decisions.junctions.size());
+  for (const JunctionDecision& junction : decisions.junctions) {
+    EXPECT_LT(junction.first_loop, junction.second_loop);
+    EXPECT_GT(junction.bridges, 2U);
+    EXPECT_GT(junction.shortest, 0.2);
+    for (const std::size_t loop : {junction.first_loop, junction.second_loop}) {
+      EXPECT_TRUE(decisions.loops[loop].joined);
+      EXPECT_EQ(LoopWish::AUTO, decisions.loops[loop].wish);
+    }
+  }
+}
+
+TEST(Decisions, LeaveABorderOpenUnlessAllIsToBeClosed)
+{
+  const Shape sheet = terrain(20, 20, 1.0);
+  EXPECT_EQ(LoopWish::LEAVE_OPEN, proposed(sheet).loops.at(0).wish);
+  RepairParameters all;
+  all.darning.close = CloseChoice::ALL;
+  EXPECT_EQ(LoopWish::CLOSE, proposed(sheet, all).loops.at(0).wish);
+}
+
+TEST(Decisions, AsProposedChangeNothing)
+{
+  for (const Shape& shape : {barrel(), threeSlices(), terrain(20, 20, 1.0)}) {
+    const Repaired plain = repaired(shape);
+    const Repaired result = decided(shape, proposed(shape));
+    EXPECT_EQ(plain.output.cloud.data, result.output.cloud.data);
+    EXPECT_EQ(plain.triangles(), result.triangles());
+    EXPECT_EQ(plain.report.shortfalls, result.report.shortfalls);
+  }
+}
+
+TEST(Decisions, LeaveALoopOpenWithoutAShortfall)
+{
+  Decisions decisions = proposed(barrel());
+  highest(decisions).wish = LoopWish::LEAVE_OPEN;
+  const Repaired result = decided(barrel(), decisions);
+  EXPECT_EQ(1U, topologyOf(result.triangles()).borders);
+  EXPECT_TRUE(result.report.complete());
+  expectNothingWorse(result, barrel().triangles);
+}
+
+TEST(Decisions, CloseAnOuterBorder)
+{
+  const Shape sheet =
+      inPieces(icosphere(4), [](const Position& p) { return p.z() < 0.3 ? -1 : 0; });
+  Decisions decisions = proposed(sheet);
+  ASSERT_EQ(BoundaryClass::OUTER_BORDER, decisions.loops.at(0).found);
+  decisions.loops[0].wish = LoopWish::CLOSE;
+  EXPECT_EQ(0U, countBoundaryEdges(decided(sheet, decisions).triangles()));
+}
+
+TEST(Decisions, KeepTwoIslandsApart)
+{
+  Decisions decisions = proposed(threeSlices());
+  ASSERT_EQ(2U, decisions.junctions.size());
+  decisions.junctions[0].join = false;
+  const Repaired result = decided(threeSlices(), decisions);
+  EXPECT_EQ(2U, topologyOf(result.triangles()).components);
+  expectNothingWorse(result, threeSlices().triangles);
+}
+
+TEST(Decisions, ALoopThatIsToBeLeftOpenIsNotJoinedEither)
+{
+  Decisions decisions = proposed(threeSlices());
+  highest(decisions).wish = LoopWish::LEAVE_OPEN;
+  const Repaired result = decided(threeSlices(), decisions);
+  EXPECT_EQ(2U, topologyOf(result.triangles()).components);
+  EXPECT_GE(topologyOf(result.triangles()).borders, 1U);
+}
+
+TEST(Decisions, AreKeptInAnotherProposal)
+{
+  Decisions decisions = proposed(threeSlices());
+  decisions.junctions[1].join = false;
+  highest(decisions).cap = Cap::FLAT;
+  RepairParameters parameters;
+  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
+  Decisions again = proposed(threeSlices(), parameters);
+  ASSERT_EQ(2U, again.junctions.size());
+  EXPECT_TRUE(again.junctions[0].join);
+  EXPECT_FALSE(again.junctions[1].join);
+  EXPECT_EQ(Cap::FLAT, highest(again).cap);
+}
+
+/** PCL's errors are expected here and would only hide others. */
+class RefusedDecisions : public ::testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+  }
+
+  static std::string
+  problemOf(const Repaired& result)
+  {
+    EXPECT_TRUE(result.output.polygons.empty());
+    return result.report.reading.problem;
+  }
+};
+
+TEST_F(RefusedDecisions, AboutAMeshWithOtherCounts)
+{
+  EXPECT_NE("", problemOf(decided(threeSlices(), proposed(barrel()))));
+}
+
+TEST_F(RefusedDecisions, AboutAMeshWithOtherCoordinates)
+{
+  Shape moved = barrel();
+  moved.vertices[7].x() += 1e-3;
+  EXPECT_NE("", problemOf(decided(moved, proposed(barrel()))));
+}
+
+TEST_F(RefusedDecisions, AboutALoopThatIsNotThere)
+{
+  Decisions decisions = proposed(barrel());
+  ++decisions.loops[0].key.edges;
+  EXPECT_NE("", problemOf(decided(barrel(), decisions)));
+}
+
+TEST_F(RefusedDecisions, AboutAJunctionOfALoopThatIsNotListed)
+{
+  Decisions decisions = proposed(threeSlices());
+  decisions.junctions[0].second_loop = 17;
+  EXPECT_NE("", problemOf(decided(threeSlices(), decisions)));
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
