@@ -2,10 +2,12 @@
 // Part of PclSurfaceRepair: program that repairs an incomplete model, or shows what it
 // lacks.
 #include <pcl/surface_ccaa/threads.h>
+#include <pcl/surface_repair/decision_proposal.h>
 
 #include "common/batch.h"
 #include "common/bridge_layer.h"
 #include "common/cli.h"
+#include "common/decisions_file.h"
 #include "common/dry_run.h"
 #include "common/hole_report.h"
 #include "common/inspection_files.h"
@@ -59,6 +61,8 @@ checkFiles(const app::RepairSettings& settings)
 {
   std::vector<std::string> files{
       settings.output, settings.bridges, settings.report, settings.inspect};
+  if (settings.dry_run)
+    files.push_back(settings.decisions);
   if (!settings.inspect.empty())
     for (const std::string& name : app::inspectionNames())
       files.push_back(settings.inspect + "/" + name);
@@ -71,6 +75,8 @@ checkFiles(const app::RepairSettings& settings)
     status = app::checkMeshOutput(settings.target());
   if (status.ok() && !settings.bridges.empty())
     status = app::OutputFile::check(settings.bridges);
+  if (status.ok() && settings.dry_run && !settings.decisions.empty())
+    status = app::OutputFile::check(settings.decisions);
   if (status.ok() && !settings.inspect.empty())
     status = app::OutputFolder::check(settings.inspect);
   if (status.ok() && !settings.report.empty() &&
@@ -104,7 +110,7 @@ freePoints(const app::RepairSettings& settings, const Result& result)
 app::Status
 survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
 {
-  pcl::repair::SurveyParameters parameters = settings.method.survey;
+  pcl::repair::SurveyParameters parameters = settings.surveyParameters();
   pcl::ccaa::SideHints& sides = parameters.orientation.sides;
   sides = app::sidesOf(sides, result.model.viewpoint);
   pcl::ccaa::RunControl control(bar.callback());
@@ -171,7 +177,7 @@ app::Outcome
 judge(const app::RepairSettings& settings, const Result& result)
 {
   if (settings.dry_run) {
-    const app::RepairPlan plan = app::planRepair(result.survey);
+    const app::RepairPlan plan = app::planRepair(result.survey, settings.method);
     return plan.isEmpty() ? app::Outcome()
                           : app::Outcome{app::INCOMPLETE, app::summarizePlan(plan), {}};
   }
@@ -235,6 +241,10 @@ writeOutputs(const app::RepairSettings& settings,
       result.model.shift.toGlobal(pcl::PCLPointCloud2(layer.cloud), layer.cloud);
     app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(settings.bridges));
   }
+  if (settings.dry_run && !settings.decisions.empty())
+    app::writeDecisions(settings.input,
+                        proposeDecisions(result.survey, settings.method),
+                        folder.addElsewhere(settings.decisions));
   // Of many inputs there is one report, at the end.
   if (!settings.report.empty() && settings.output_folder.empty())
     app::writeReport(describe(settings, outcome, result),
@@ -242,10 +252,17 @@ writeOutputs(const app::RepairSettings& settings,
   return folder.commit();
 }
 
+std::ostream&
+peopleStreamOf(const app::RepairSettings& settings)
+{
+  return app::peopleStream(
+      {settings.output, settings.report, settings.dry_run ? settings.decisions : ""});
+}
+
 void
 sumUp(const app::RepairSettings& settings, const Result& result)
 {
-  std::ostream& people = app::peopleStream({settings.output, settings.report});
+  std::ostream& people = peopleStreamOf(settings);
   if (settings.surveys())
     people << app::summarizeSurvey(settings, result.survey) << std::endl;
   if (settings.dry_run)
@@ -305,8 +322,7 @@ runOne(const app::RepairSettings& settings,
   if (!settings.quiet)
     sumUp(settings, result);
   outcome.notes = result.warnings;
-  outcome.verdict = {tellVerdict(settings, result),
-                     &app::peopleStream({settings.output, settings.report})};
+  outcome.verdict = {tellVerdict(settings, result), &peopleStreamOf(settings)};
   return outcome;
 }
 
@@ -345,6 +361,8 @@ run(const app::Arguments& arguments)
     return runMany(settings, view);
   if (status.ok())
     status = checkFiles(settings);
+  if (status.ok())
+    status = app::takeDecisions(settings);
   if (!status.ok())
     return app::Outcome::badInput(status);
   Result result;

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: what a repair would do, told without doing it.
 #include "dry_run.h"
 
+#include <pcl/surface_repair/decision_proposal.h>
+
 #include "repair_details.h"
 #include "wording.h"
 #include <nlohmann/json.hpp>
@@ -12,25 +14,41 @@
 namespace app {
 namespace {
 
+using pcl::OpenReason;
 using pcl::repair::BoundaryClass;
+using pcl::repair::LoopDecision;
 using pcl::repair::ModelSurvey;
 
 /** Lines for single holes, before it is too much to read. */
 constexpr std::size_t most_holes_told = 10;
 
 bool
-isTubeMouth(const pcl::repair::LoopClass& loop)
+isHole(const LoopDecision& loop)
 {
-  return loop.boundary_class == BoundaryClass::UNDECIDED && loop.evidence.is_tube_mouth;
+  return loop.joined ? loop.found == BoundaryClass::HOLE
+                     : loop.reason == OpenReason::NONE;
+}
+
+/** Where a loop stands in the plan; not at all if it is to stay as it is. */
+void
+count(const LoopDecision& loop, RepairPlan& plan)
+{
+  if (isHole(loop))
+    ++plan.holes;
+  else if (loop.joined || loop.reason == OpenReason::NOT_JOINED)
+    ++plan.rims;
+  else if (isShortfall(loop.reason))
+    ++plan.undecided;
 }
 
 /** Loops that are holes, the longest first. */
 std::vector<std::size_t>
-holesByLength(const ModelSurvey& survey)
+holesByLength(const ModelSurvey& survey, const pcl::repair::RepairParameters& method)
 {
   std::vector<std::size_t> holes;
-  for (std::size_t i = 0; i < survey.classes.size(); ++i)
-    if (survey.classes[i].boundary_class == BoundaryClass::HOLE)
+  const auto loops = proposeDecisions(survey, method).loops;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (isHole(loops[i]))
       holes.push_back(i);
   std::stable_sort(holes.begin(), holes.end(), [&](std::size_t a, std::size_t b) {
     return survey.loops[a].length > survey.loops[b].length;
@@ -57,16 +75,11 @@ tellHole(const pcl::repair::BoundaryLoop& loop)
 } // namespace
 
 RepairPlan
-planRepair(const ModelSurvey& survey)
+planRepair(const ModelSurvey& survey, const pcl::repair::RepairParameters& method)
 {
   RepairPlan plan;
-  for (const pcl::repair::LoopClass& loop : survey.classes) {
-    plan.holes += loop.boundary_class == BoundaryClass::HOLE ? 1 : 0;
-    plan.rims += loop.boundary_class == BoundaryClass::ISLAND_RIM ? 1 : 0;
-    const bool is_undecided =
-        loop.boundary_class == BoundaryClass::UNDECIDED && !isTubeMouth(loop);
-    plan.undecided += is_undecided ? 1 : 0;
-  }
+  for (const LoopDecision& loop : proposeDecisions(survey, method).loops)
+    count(loop, plan);
   for (const pcl::repair::IslandSide& side : survey.sides)
     plan.turned_islands += side.flipped ? 1 : 0;
   plan.removed_triangles =
@@ -80,7 +93,7 @@ describePlan(const RepairSettings& settings,
              const ModelSurvey& survey,
              nlohmann::json& report)
 {
-  const RepairPlan plan = planRepair(survey);
+  const RepairPlan plan = planRepair(survey, settings.method);
   const auto& field = settings.method.survey.field;
   report["dry_run"] = true;
   report["would_repair"] = !plan.isEmpty();
@@ -121,7 +134,7 @@ std::string
 tellPlan(const RepairSettings& settings, const ModelSurvey& survey)
 {
   std::string text;
-  const std::vector<std::size_t> holes = holesByLength(survey);
+  const std::vector<std::size_t> holes = holesByLength(survey, settings.method);
   for (std::size_t i = 0; i < std::min(most_holes_told, holes.size()); ++i)
     text += tellHole(survey.loops[holes[i]]);
   if (holes.size() > most_holes_told)

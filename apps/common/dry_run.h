@@ -14,10 +14,10 @@ namespace app {
 
 /** \brief What a repair would find to do. */
 struct RepairPlan {
-  std::size_t holes = 0;          /**< loops that are holes for sure */
-  std::size_t rims = 0;           /**< loops that others face: islands to be joined */
-  std::size_t undecided = 0;      /**< loops that may stay open */
-  std::size_t turned_islands = 0; /**< inside out */
+  std::size_t holes = 0;             /**< loops to be closed */
+  std::size_t rims = 0;              /**< loops of islands to be joined */
+  std::size_t undecided = 0;         /**< loops that may stay open */
+  std::size_t turned_islands = 0;    /**< inside out */
   std::size_t removed_triangles = 0; /**< repeated and twisted ones */
   std::size_t cut_edges = 0;         /**< of three triangles and more */
 
@@ -30,7 +30,8 @@ struct RepairPlan {
 };
 
 RepairPlan
-planRepair(const pcl::repair::ModelSurvey& survey);
+planRepair(const pcl::repair::ModelSurvey& survey,
+           const pcl::repair::RepairParameters& method);
 
 /** \brief Add the plan, and the parameters that are taken from the data, to the report
  * of a survey. */

@@ -103,7 +103,7 @@ describeHoles(const RepairReport& report)
                     {"islands", hole.islands},
                     {"bridges", hole.bridges},
                     {"closed", hole.open == OpenReason::NONE},
-                    {"shortfall", isShortfall(hole.open)},
+                    {"shortfall", hole.shortfall},
                     {"why", describe(hole.open)},
                     {"darning", hole.darning},
                     {"triangles", hole.triangles},
@@ -156,6 +156,14 @@ placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
   return place + text;
 }
 
+/** \brief Whether it is open as it should be, whatever the user wants. */
+bool
+isBorder(const RepairedHole& hole)
+{
+  return !hole.shortfall &&
+         (hole.open == OpenReason::OUTER_BORDER || hole.open == OpenReason::TUBE_MOUTH);
+}
+
 } // namespace
 
 json
@@ -188,9 +196,12 @@ summarizeRepair(const RepairReport& report)
   Tally darnings;
   std::size_t closed = 0;
   std::size_t borders = 0;
+  std::size_t wanted = 0;
   for (const RepairedHole& hole : report.holes) {
     closed += hole.open == OpenReason::NONE ? 1 : 0;
-    borders += hole.open != OpenReason::NONE && !isShortfall(hole.open) ? 1 : 0;
+    borders += isBorder(hole) ? 1 : 0;
+    wanted +=
+        hole.open != OpenReason::NONE && !hole.shortfall && !isBorder(hole) ? 1 : 0;
     if (!hole.darning.empty())
       darnings.add(hole.darning);
   }
@@ -206,6 +217,10 @@ summarizeRepair(const RepairReport& report)
     text += ", " + std::to_string(report.shortfalls) + " left open";
   if (borders > 0)
     text += ", " + plural(borders, "border") + " kept";
+  if (wanted > 0)
+    text += ", " + std::to_string(wanted) + " left open as asked for";
+  if (report.reading.dropped_islands > 0)
+    text += ", " + plural(report.reading.dropped_islands, "small island") + " dropped";
   char seconds[64];
   std::snprintf(seconds, sizeof(seconds), "; %.3f s", totalSeconds(report.seconds));
   return text + ", " + std::to_string(report.input_triangles) + " + " +
@@ -218,7 +233,7 @@ tellShortfalls(const RepairReport& report, const pcl::PolygonMesh& mesh)
 {
   std::map<OpenReason, std::vector<const RepairedHole*>> groups;
   for (const RepairedHole& hole : report.holes)
-    if (isShortfall(hole.open))
+    if (hole.shortfall)
       groups[hole.open].push_back(&hole);
   std::string text;
   for (const auto& [reason, holes] : groups) {

@@ -8,6 +8,7 @@
 #include "file_names.h"
 #include "model_io.h"
 #include "side_options.h"
+#include "wish_options.h"
 
 #include <cmath>
 
@@ -187,6 +188,25 @@ checkChoices(const ReconstructSettings& settings)
   return {};
 }
 
+/** What is to be closed matters only where something is closed. */
+Status
+checkNeedsRepair(const Arguments& arguments, const ReconstructSettings& settings)
+{
+  for (const char* name : {"close",
+                           "watertight",
+                           "cap",
+                           "drop-islands",
+                           "greatest-hole",
+                           "greatest-hole-length",
+                           "greatest-bridge"})
+    if (!settings.repair && arguments.count(name) != 0 && !arguments[name].defaulted())
+      return Status::error("--" + std::string(name) + " needs --repair");
+  if (settings.labels && arguments.count("drop-islands") != 0)
+    return Status::error("--labels tells the stage of each triangle that the "
+                         "reconstruction made; it does not go with --drop-islands");
+  return {};
+}
+
 } // namespace
 
 CommandLine
@@ -196,6 +216,7 @@ makeReconstructCommandLine()
   addFileNames(line, "INPUT_CLOUD", "OUTPUT_MESH");
   addOutputs(line.addOptions());
   addSideOptions(line);
+  addWishOptions(line);
   addFormatOption(line, "ply, vtk, obj, off or stl");
   addSettings(line.addMethodOptions());
   return line;
@@ -234,6 +255,10 @@ takeReconstructSettings(const Arguments& arguments, ReconstructSettings& setting
         takeReal(arguments, "certified-angle", 0, 60, settings.certified_minimum_angle);
   if (status.ok())
     status = takeReal(arguments, "max-length", 1, 1e6, settings.length_factor);
+  if (status.ok())
+    status = checkNeedsRepair(arguments, settings);
+  if (status.ok())
+    status = takeWishes(arguments, settings.method);
   return status;
 }
 

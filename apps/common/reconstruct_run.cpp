@@ -177,6 +177,7 @@ repairResult(const ReconstructSettings& settings,
   if (result.model.mesh.polygons.empty())
     return {};
   RepairTask task;
+  task.method = settings.method;
   task.threads = settings.threads;
   task.method.survey.orientation.sides = sidesForRepair(settings, result);
   pcl::RepairReport report;

@@ -6,6 +6,7 @@
 #include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
+#include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -44,7 +45,8 @@ struct ReconstructSettings {
   bool labels = false;                // as a face property
   bool normals = false;               // as fields of the cloud
   bool measure_speedup = false;
-  bool repair = false; // what the base stage left open
+  bool repair = false;                  // what the base stage left open
+  pcl::repair::RepairParameters method; // of the repair
   bool quiet = false;
   pcl::ccaa::SideHints sides; // what the user tells about the outer side
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace app {
 
@@ -46,8 +47,55 @@ describeReading(const ReadingReport& reading)
           {"overfull_edges", reading.overfull_edges},
           {"separated_fans", reading.separated_fans},
           {"twist_triangles", reading.twist_triangles},
-          {"reversed_triangles", reading.reversed_triangles}};
+          {"reversed_triangles", reading.reversed_triangles},
+          {"dropped_islands", reading.dropped_islands},
+          {"dropped_triangles", reading.dropped_triangles}};
 }
+
+namespace {
+
+/** \brief As on the command line; null: no limit. */
+json
+describeExtent(const pcl::repair::Extent& extent)
+{
+  if (!extent.limits())
+    return nullptr;
+  if (!extent.of_diagonal)
+    return extent.value;
+  std::ostringstream text;
+  text << extent.value * 100.0 << '%';
+  return text.str();
+}
+
+const char*
+nameOf(pcl::repair::CloseChoice choice)
+{
+  switch (choice) {
+  case pcl::repair::CloseChoice::NOTHING:
+    return "none";
+  case pcl::repair::CloseChoice::HOLES:
+    return "holes";
+  case pcl::repair::CloseChoice::ALL:
+    return "all";
+  }
+  return "";
+}
+
+const char*
+nameOf(pcl::repair::Cap cap)
+{
+  switch (cap) {
+  case pcl::repair::Cap::AUTO:
+    return "auto";
+  case pcl::repair::Cap::SMOOTH:
+    return "smooth";
+  case pcl::repair::Cap::FLAT:
+    return "flat";
+  }
+  return "";
+}
+
+} // namespace
 
 json
 describeParameters(const pcl::repair::RepairParameters& method)
@@ -71,6 +119,15 @@ describeParameters(const pcl::repair::RepairParameters& method)
           {"darning", nameOf(method.darning.choice)},
           {"darning_simple_edges", method.darning.simple_edges},
           {"greatest_hole", method.darning.greatest_hole},
+          {"greatest_hole_length", describeExtent(method.darning.greatest_length)},
+          {"greatest_bridge", describeExtent(method.survey.greatest_bridge)},
+          {"close", nameOf(method.darning.close)},
+          {"watertight", method.watertight},
+          {"cap", nameOf(method.darning.cap)},
+          {"drop_islands",
+           {{"triangles", method.survey.dropped.triangles},
+            {"area", method.survey.dropped.area},
+            {"share_of_all_area", method.survey.dropped.share_of_all_area}}},
           {"join_islands", method.join_islands},
           {"refine", method.refine},
           {"edge_length", method.refinement.edge_length},

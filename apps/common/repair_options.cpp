@@ -2,9 +2,11 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_holes.
 #include "repair_options.h"
 
+#include "decisions_file.h"
 #include "file_names.h"
 #include "model_io.h"
 #include "side_options.h"
+#include "wish_options.h"
 
 #include <limits>
 
@@ -116,6 +118,10 @@ addRunOptions(po::options_description_easy_init add)
       "write what was found to this folder (made if missing): .vtk and .pcd files for "
       "pcl_viewer, PNG pictures, and legend.txt, which explains them");
   add("no-pictures", "leave out the pictures");
+  add("decisions",
+      path(),
+      "with --dry-run write to this JSON file what would be done about each boundary "
+      "and junction; else do what it says, after you have changed it");
   add("threads",
       po::value<long long>()->default_value(0),
       "number of threads, 0 = all; the result is the same for any");
@@ -145,16 +151,6 @@ addSurveyOptions(po::options_description_easy_init add)
   add("bridge-spacing",
       realValue(defaults.bridge_spacing),
       "least distance between bridges, in lengths of the bridge, above 0");
-}
-
-/** Which holes are closed. */
-void
-addClosingOptions(po::options_description_easy_init add)
-{
-  add("no-join", "leave islands apart");
-  add("greatest-hole",
-      po::value<long long>()->default_value(0),
-      "holes of more edges are left open, 0: no limit");
 }
 
 /** How they are closed. */
@@ -239,15 +235,11 @@ takeDarning(const std::string& text, DarningChoice& choice)
 Status
 takeClosingParameters(const Arguments& arguments, RepairParameters& parameters)
 {
-  unsigned int greatest_hole = 0;
   Status status =
       takeDarning(takeText(arguments, "darning"), parameters.darning.choice);
   if (status.ok())
-    status = takeCount(arguments, "greatest-hole", 0, 1000000000, greatest_hole);
-  if (status.ok())
     status = takeReal(
         arguments, "edge-length", ABOVE_ZERO, 1e6, parameters.refinement.edge_length);
-  parameters.darning.greatest_hole = greatest_hole;
   const bool pure = arguments.count("pure") != 0;
   if (pure)
     parameters.darning.choice = DarningChoice::FAN;
@@ -262,9 +254,10 @@ takeClosingParameters(const Arguments& arguments, RepairParameters& parameters)
 Status
 checkManyInputs(const RepairSettings& settings)
 {
-  if (!settings.inspect.empty() || !settings.bridges.empty())
-    return Status::error("--inspect and --bridges tell about one model; they do not go "
-                         "with --output-folder");
+  if (!settings.inspect.empty() || !settings.bridges.empty() ||
+      !settings.decisions.empty())
+    return Status::error("--inspect, --bridges and --decisions are about one model; "
+                         "they do not go with --output-folder");
   const Target target("", settings.format);
   if (!isMeshOutput(target))
     return Status::error("--format for --output-folder must be one of ply, vtk, obj, "
@@ -289,6 +282,9 @@ checkOutputs(const RepairSettings& settings)
     return checkManyInputs(settings);
   if (settings.output.empty() && (!settings.bridges.empty() || settings.labels))
     return Status::error("--bridges and --labels tell about a repair; they need an "
+                         "OUTPUT_MESH");
+  if (settings.output.empty() && !settings.dry_run && !settings.decisions.empty())
+    return Status::error("--decisions is written with --dry-run and read with an "
                          "OUTPUT_MESH");
   if (settings.labels && !holdsFaceProperties(settings.target()))
     return Status::error("--labels needs an output that ends in .ply, not '" +
@@ -341,7 +337,8 @@ void
 addMethodOptions(CommandLine& command_line)
 {
   addSideOptions(command_line);
-  addClosingOptions(command_line.addOptions());
+  command_line.addOptions()("no-join", "leave islands apart");
+  addWishOptions(command_line);
   addDarningOptions(command_line.addMethodOptions());
   addSurveyOptions(command_line.addMethodOptions());
 }
@@ -352,7 +349,19 @@ takeMethod(const Arguments& arguments, RepairParameters& method)
   Status status = takeSides(arguments, method.survey.orientation.sides);
   if (status.ok())
     status = takeSurveyParameters(arguments, method.survey);
-  return status.ok() ? takeClosingParameters(arguments, method) : status;
+  if (status.ok())
+    status = takeClosingParameters(arguments, method);
+  return status.ok() ? takeWishes(arguments, method) : status;
+}
+
+Status
+takeDecisions(RepairSettings& settings)
+{
+  if (settings.decisions.empty())
+    return {};
+  return settings.dry_run
+             ? readDecisionsIfAny(settings.decisions, settings.method.survey.decisions)
+             : readDecisions(settings.decisions, settings.method.survey.decisions);
 }
 
 Status
@@ -361,6 +370,7 @@ takeRepairSettings(const Arguments& arguments, RepairSettings& settings)
   settings.inspect = takeText(arguments, "inspect");
   settings.free_points = takeText(arguments, "free-points");
   settings.report = takeText(arguments, "report");
+  settings.decisions = takeText(arguments, "decisions");
   settings.pictures = arguments.count("no-pictures") == 0;
   settings.quiet = arguments.count("quiet") != 0;
   settings.bridges = takeText(arguments, "bridges");

@@ -24,6 +24,7 @@ struct RepairSettings {
   std::string inspect;     /**< folder; empty: none */
   std::string free_points; /**< empty: none */
   std::string report;      /**< empty: none */
+  std::string decisions;   /**< file; empty: none */
   bool pictures = true;
   bool quiet = false;
   bool labels = false; /**< as a face property */
@@ -34,6 +35,16 @@ struct RepairSettings {
   target() const
   {
     return makeTarget(output, format);
+  }
+
+  /** \brief For what is found without a repair. A dry run looks for no bridges that a
+   * repair would not build. */
+  pcl::repair::SurveyParameters
+  surveyParameters() const
+  {
+    pcl::repair::SurveyParameters parameters = method.survey;
+    parameters.trace_between_islands = !dry_run || method.join_islands;
+    return parameters;
   }
 
   /** \brief Whether a repaired mesh is asked for. */
@@ -76,5 +87,10 @@ takeMethod(const Arguments& arguments, pcl::repair::RepairParameters& method);
  * nothing is asked for. */
 Status
 takeRepairSettings(const Arguments& arguments, RepairSettings& settings);
+
+/** \brief Read the file of decisions: there has to be one for a repair, there may be
+ * one for a dry run, which writes it anew. */
+Status
+takeDecisions(RepairSettings& settings);
 
 } // namespace app

@@ -203,6 +203,7 @@ tellReading(const ReadingReport& reading)
   tell(reading.overfull_edges, "edge", "of three or more triangles cut");
   tell(reading.separated_fans, "point", "given to fans and sheets that touch");
   tell(reading.twist_triangles, "twisted triangle", "left out");
+  tell(reading.dropped_islands, "small island", "dropped");
   tell(reading.reversed_triangles, "triangle", "wound the other way");
   return text.empty() ? "" : "  on reading: " + text + "\n";
 }

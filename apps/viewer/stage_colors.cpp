@@ -47,6 +47,8 @@ colorOf(OpenReason reason)
     return {255, 100, 90};
   case OpenReason::INTERSECTION:
     return {235, 0, 130};
+  case OpenReason::NOT_WANTED:
+    return {110, 110, 110};
   }
   return colorOf(TriangleOrigin::MINIMUM_WEIGHT);
 }

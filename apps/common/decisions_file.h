@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a user's decisions about a repair, as a JSON file.
+#pragma once
+
+#include <pcl/surface_repair/decision/decisions.h>
+
+#include "output_file.h"
+
+#include <memory>
+#include <string>
+
+namespace app {
+
+using DecisionsPtr = std::shared_ptr<const pcl::repair::Decisions>;
+
+/** \brief Read what a user decided. Fails with one sentence for a file that is none, or
+ * that says what cannot be. Whether it fits a mesh is for the repair to say. */
+Status
+readDecisions(const std::string& path, DecisionsPtr& decisions);
+
+/** \brief The same, but a file that is not there yet says nothing. */
+Status
+readDecisionsIfAny(const std::string& path, DecisionsPtr& decisions);
+
+/** \brief A loop and what is decided about it, in a line or two. */
+std::string
+tellLoop(std::size_t number, const pcl::repair::LoopDecision& loop);
+
+/** \brief The same of a junction. */
+std::string
+tellJunction(std::size_t number, const pcl::repair::JunctionDecision& junction);
+
+/** \brief Write proposals for a user to change into an opened file.
+ * \param[in] input name of the mesh, for people */
+void
+writeDecisions(const std::string& input,
+               const pcl::repair::Decisions& decisions,
+               OutputFile& file);
+
+} // namespace app
