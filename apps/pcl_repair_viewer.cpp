@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that shows a repair stage by stage.
+#include <pcl/surface_repair/decision_proposal.h>
+
 #include "common/cli.h"
+#include "common/decisions_file.h"
 #include "common/hole_report.h"
 #include "common/interrupt.h"
 #include "common/output_file.h"
@@ -11,6 +14,7 @@
 #include "render/display.h"
 #include "render/drawing.h"
 #include "render/view_choice.h"
+#include "viewer/decision_desk.h"
 #include "viewer/stage_view.h"
 #include "viewer/stages.h"
 #include "viewer/viewer_options.h"
@@ -19,6 +23,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -44,6 +49,8 @@ checkOutputs(const app::ViewerSettings& settings)
     status = app::OutputFile::check(settings.screenshot);
   if (status.ok() && !settings.folder.empty())
     status = app::OutputFolder::check(settings.folder);
+  if (status.ok() && !settings.decisions.empty())
+    status = app::OutputFile::check(settings.decisions);
   return status;
 }
 
@@ -58,6 +65,9 @@ checkStage(const app::ViewerSettings& settings, bool from_cloud)
   if (from_cloud && of_mesh)
     return app::Status::error("'" + settings.task.input +
                               "' is a cloud; it has no stage 'mesh' (try base)");
+  if (from_cloud && !settings.decisions.empty())
+    return app::Status::error("'" + settings.task.input +
+                              "' is a cloud; --decisions are about a mesh");
   if (!from_cloud && of_cloud)
     return app::Status::error("'" + settings.task.input +
                               "' is a mesh; it has no stage '" + settings.stage +
@@ -167,9 +177,26 @@ keepScreenshot(const app::ViewerSettings& settings,
     std::cout << "screenshot: " << name << std::endl;
 }
 
+std::string
+keepDecisions(const app::ViewerSettings& settings,
+              const pcl::repair::Decisions& decisions)
+{
+  if (settings.decisions.empty())
+    return "There is no file to write: it is named by --decisions FILE.";
+  app::OutputFile file;
+  app::Status status = file.open(settings.decisions);
+  if (status.ok()) {
+    app::writeDecisions(settings.task.input, decisions, file);
+    status = file.commit();
+  }
+  return status.ok() ? "Written to " + settings.decisions + "." : status.message();
+}
+
 /** \return whether a signal closed it */
 bool
-showWindow(const app::ViewerSettings& settings, app::StageView& view)
+showWindow(const app::ViewerSettings& settings,
+           const app::ViewerRun& run,
+           app::StageView& view)
 {
   app::ViewerWindow window(view,
                            settings.view.width,
@@ -178,6 +205,16 @@ showWindow(const app::ViewerSettings& settings, app::StageView& view)
                            [&](const std::string& stage, const std::string& bytes) {
                              keepScreenshot(settings, stage, bytes);
                            });
+  std::optional<app::DecisionDesk> desk;
+  if (!run.from_cloud && run.problem.empty()) {
+    desk.emplace(proposeDecisions(run.survey, settings.task.method),
+                 run.survey,
+                 view,
+                 [&](const pcl::repair::Decisions& decisions) {
+                   return keepDecisions(settings, decisions);
+                 });
+    window.setDesk(*desk);
+  }
   window.goTo(chosenStage(settings, view.stages(), 0));
   while (window.update())
     if (app::interrupted())
@@ -210,6 +247,9 @@ run(const app::Arguments& arguments)
   app::Status status = app::takeViewerSettings(arguments, settings);
   if (status.ok())
     status = checkOutputs(settings);
+  if (status.ok())
+    status = app::readDecisionsIfAny(settings.decisions,
+                                     settings.task.method.survey.decisions);
   settings.task.repairs = needsRepair(settings);
   app::ProgressBar bar(settings.quiet);
   bar.show("reading", 0);
@@ -226,7 +266,7 @@ run(const app::Arguments& arguments)
   app::StageView view = makeView(settings, run);
   bar.clear();
   sumUp(settings, run);
-  if (!settings.offScreen() && showWindow(settings, view))
+  if (!settings.offScreen() && showWindow(settings, run, view))
     return {app::INTERRUPTED, "stopped by a signal", {}};
   bool stopped = false;
   if (settings.offScreen())

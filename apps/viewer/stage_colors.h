@@ -9,6 +9,8 @@
 namespace app {
 
 constexpr Rgb ADDED_TEAL{70, 175, 175};      /**< by the base algorithm */
+constexpr Rgb CHOSEN{255, 215, 0};           /**< what is being decided about */
+constexpr Rgb TO_BE_CLOSED{0, 150, 70};      /**< loops that a user wants closed */
 constexpr Rgb OVERFULL_MAGENTA{215, 0, 215}; /**< edges of three or more triangles */
 constexpr Rgb RAW_BACK{208, 200, 190};       /**< of triangles not yet wound alike */
 constexpr Rgb REMOVED_CORAL{235, 110, 80};   /**< by the filter */

@@ -3,6 +3,7 @@
 #include "viewer/stage_view.h"
 
 #include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
 #include <vtkProperty.h>
 #include <vtkTextActor.h>
@@ -17,6 +18,9 @@
 
 namespace app {
 namespace {
+
+constexpr double OVERLAY_WIDTH = 6.0; // pixels
+constexpr int OVERLAY_LETTERS = 16;   // points
 
 int
 stripHeight(int height)
@@ -61,7 +65,7 @@ makeStrip(const std::vector<Stage>& stages, std::size_t current, int width, int 
 }
 
 std::vector<LegendNote>
-keyNotes(const ViewState& state)
+keyNotes(const ViewState& state, bool decides)
 {
   std::vector<LegendNote> notes{{"Show or hide", "", false}};
   for (std::size_t i = 0; i < LAYERS; ++i)
@@ -70,6 +74,11 @@ keyNotes(const ViewState& state)
                      !state.shows(static_cast<Layer>(i))});
   notes.push_back({"Keys", "", false});
   for (const KeyHelp& key : otherKeys())
+    notes.push_back({key.key, key.meaning, false});
+  if (!decides)
+    return notes;
+  notes.push_back({"Decide", "", false});
+  for (const KeyHelp& key : decisionKeys())
     notes.push_back({key.key, key.meaning, false});
   return notes;
 }
@@ -116,6 +125,40 @@ StageView::showParts(const ViewState& state, int height)
       part.actor->GetProperty()->SetLineWidth(part.size > 0.0 ? size : 1.0F);
       part.actor->GetProperty()->SetPointSize(size);
     }
+  for (const auto& prop : overlay_)
+    prop->SetVisibility(hasOverlay(state) && state.shows(Layer::LINES) ? 1 : 0);
+}
+
+bool
+StageView::hasOverlay(const ViewState& state) const
+{
+  const std::string& name = stages_[state.stage()].name;
+  return !note_.empty() && (name == "boundaries" || name == "holes");
+}
+
+void
+StageView::setOverlay(const StageOverlay& overlay)
+{
+  for (const auto& prop : overlay_)
+    model_->RemoveViewProp(prop);
+  overlay_.clear();
+  note_ = overlay.note;
+  if (overlay.lines) {
+    auto lines = makeMarks(overlay.lines, {0.0, 0.0, 0.0}, OVERLAY_WIDTH);
+    showColors(overlay.lines, *lines);
+    overlay_.emplace_back(lines);
+  }
+  for (const StageLabel& label : overlay.labels) {
+    const auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
+    text->SetInput(label.text.c_str());
+    text->SetPosition(label.place.x(), label.place.y(), label.place.z());
+    text->GetTextProperty()->SetFontSize(OVERLAY_LETTERS);
+    text->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
+    text->GetTextProperty()->BoldOn();
+    overlay_.emplace_back(text);
+  }
+  for (const auto& prop : overlay_)
+    model_->AddViewProp(prop);
 }
 
 std::vector<vtkSmartPointer<vtkRenderer>>
@@ -126,12 +169,12 @@ StageView::arrange(const ViewState& state, int width, int height, bool with_keys
   Legend legend;
   legend.title = std::to_string(state.stage() + 1) + "/" +
                  std::to_string(stages_.size()) + " " + stage.title;
-  legend.text = stage.text;
+  legend.text = hasOverlay(state) ? note_ : stage.text;
   for (const StageColor& color : stage.legend)
     if (state.shows(color.layer))
       legend.entries.push_back(color.entry);
   if (with_keys && state.help())
-    legend.notes = keyNotes(state);
+    legend.notes = keyNotes(state, hasOverlay(state));
   else
     legend.notes = {{subject_, "", false}};
   model_->SetViewport(static_cast<double>(legendWidth(height)) / width,

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vtkPolyData.h>
+#include <vtkProp.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -22,6 +24,20 @@ struct StageCamera {
   std::vector<Eigen::Vector3d> positions;          /**< what has to be in the picture */
   Eigen::Vector3d view = Eigen::Vector3d::UnitZ(); /**< towards the camera */
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+};
+
+/** \brief A few letters at a place of the model. */
+struct StageLabel {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  std::string text;
+};
+
+/** \brief What is drawn over the stages "boundaries" and "holes" while decisions are
+ * made. */
+struct StageOverlay {
+  std::string note;                   /**< in place of the stage's text */
+  vtkSmartPointer<vtkPolyData> lines; /**< with a colour a point; may be null */
+  std::vector<StageLabel> labels;
 };
 
 /** \brief Stages, seen by one camera that stays where it is from stage to stage. */
@@ -49,6 +65,11 @@ public:
   void
   turnRound();
 
+  /** \brief Draw something over the stages of which it is told, in place of what was
+   * there before. */
+  void
+  setOverlay(const StageOverlay& overlay);
+
   /** \brief The renderer of the model. */
   vtkRenderer&
   model()
@@ -59,11 +80,15 @@ public:
 private:
   void
   showParts(const ViewState& state, int height);
+  bool
+  hasOverlay(const ViewState& state) const;
 
   std::vector<Stage> stages_;
   StageCamera camera_;
   std::string subject_;
   vtkSmartPointer<vtkRenderer> model_;
+  std::string note_; /**< of the overlay; empty: there is none */
+  std::vector<vtkSmartPointer<vtkProp>> overlay_;
 };
 
 /** \brief A picture of one stage with its legend, for a painter of this size: the bytes

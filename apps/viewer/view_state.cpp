@@ -31,6 +31,14 @@ commandKeys()
       {"r", Command::FIT_VIEW},
       {"o", Command::OPPOSITE_VIEW},
       {"j", Command::SCREENSHOT},
+      {"period", Command::NEXT_DECISION},
+      {"comma", Command::PREVIOUS_DECISION},
+      {"k", Command::CHOOSE_HERE},
+      {"a", Command::ACCEPT},
+      {"x", Command::REJECT},
+      {"c", Command::CHANGE_CAP},
+      {"u", Command::UNDO},
+      {"w", Command::SAVE},
       {"h", Command::HELP},
       {"q", Command::QUIT},
       {"Escape", Command::QUIT}};
@@ -62,6 +70,19 @@ otherKeys()
                                          {"j", "screenshot"},
                                          {"h", "hide or show keys"},
                                          {"q", "quit"}};
+  return keys;
+}
+
+const std::vector<KeyHelp>&
+decisionKeys()
+{
+  static const std::vector<KeyHelp> keys{{". ,", "next, previous"},
+                                         {"k", "loop at the mouse"},
+                                         {"a", "close, join"},
+                                         {"x", "leave open, apart"},
+                                         {"c", "flat or smooth"},
+                                         {"u", "undo"},
+                                         {"w", "write the file"}};
   return keys;
 }
 
@@ -126,13 +147,9 @@ ViewState::apply(const Action& action)
   case Command::QUIT:
     quits_ = true;
     return false;
-  case Command::NONE:
-  case Command::FIT_VIEW:
-  case Command::OPPOSITE_VIEW:
-  case Command::SCREENSHOT:
+  default: // no matter of this state
     return false;
   }
-  return false;
 }
 
 } // namespace app

@@ -26,6 +26,14 @@ enum class Command : std::uint8_t {
   FIT_VIEW,
   OPPOSITE_VIEW,
   SCREENSHOT,
+  NEXT_DECISION,
+  PREVIOUS_DECISION,
+  CHOOSE_HERE,
+  ACCEPT,
+  REJECT,
+  CHANGE_CAP,
+  UNDO,
+  SAVE,
   HELP,
   QUIT
 };
@@ -54,6 +62,10 @@ layerKeys();
 /** \brief All other keys, for the help. */
 const std::vector<KeyHelp>&
 otherKeys();
+
+/** \brief The keys by which decisions are made, for the help. */
+const std::vector<KeyHelp>&
+decisionKeys();
 
 /** \brief The stage and the layers that are shown. Edges and normals are hidden at
  * first: they would hide the rest. */

@@ -73,6 +73,10 @@ makeViewerCommandLine()
   addViewOptions(line, "1280x800");
   add("points-only", "take the points of a mesh alone, as a cloud");
   add("free-points", value<std::string>(), "a cloud of points of the missing regions");
+  add("decisions",
+      value<std::string>(),
+      "JSON file of decisions about boundaries and junctions of a mesh: read if it is "
+      "there, written by the key w");
   add("threads",
       value<long long>()->default_value(0),
       "number of threads, 0 = all; the result is the same for any");
@@ -87,6 +91,7 @@ takeViewerSettings(const Arguments& arguments, ViewerSettings& settings)
   settings.task.input = takeText(arguments, "INPUT");
   settings.task.free_points = takeText(arguments, "free-points");
   settings.task.points_only = arguments.count("points-only") != 0;
+  settings.decisions = takeText(arguments, "decisions");
   settings.stage = takeText(arguments, "stage");
   settings.screenshot = takeText(arguments, "screenshot");
   settings.folder = takeText(arguments, "screenshots");

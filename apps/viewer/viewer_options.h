@@ -17,6 +17,7 @@ struct ViewerSettings {
   std::string screenshot; /**< file; empty: none */
   std::string folder;     /**< for a picture of every stage; empty: none */
   InspectionView view;
+  std::string decisions; /**< file; empty: none */
   bool quiet = false;
 
   /** \brief Whether pictures are asked for and no window. */

@@ -135,6 +135,8 @@ runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
   const auto* const free_points =
       task.free_points.empty() ? nullptr : &run.free_points.mesh.cloud;
   survey(task, free_points, bar, run);
+  if (!run.problem.empty() && task.method.survey.decisions)
+    return Status::error(nameForPeople(task.input) + ": " + run.problem);
   if (!run.problem.empty() || !task.repairs || interrupted())
     return {};
   run.repaired = true;

@@ -10,6 +10,7 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include "render/drawing.h"
+#include "viewer/decision_desk.h"
 #include "viewer/stage_view.h"
 #include "viewer/view_state.h"
 
@@ -89,8 +90,15 @@ public:
       view_.turnRound();
     else if (action.command == Command::SCREENSHOT)
       take_(view_.stages()[state_.stage()].name, picture());
-    else if (!changed)
+    else if (!changed && !decide(action.command))
       return;
+    show();
+  }
+
+  void
+  setDesk(DecisionDesk& desk)
+  {
+    desk_ = &desk;
     show();
   }
 
@@ -130,6 +138,17 @@ public:
   }
 
 private:
+  /** \brief \return whether a key was about decisions */
+  bool
+  decide(Command command)
+  {
+    if (desk_ == nullptr || command != Command::CHOOSE_HERE)
+      return desk_ != nullptr && desk_->apply(command);
+    const int* const mouse = window_->GetInteractor()->GetEventPosition();
+    desk_->chooseAt(mouse[0], mouse[1]);
+    return true;
+  }
+
   /** \brief Put the stage and its legend in the window. */
   void
   show()
@@ -149,6 +168,7 @@ private:
   StageView& view_;
   ViewState state_;
   ScreenshotTaker take_;
+  DecisionDesk* desk_ = nullptr;
   vtkSmartPointer<vtkRenderWindow> window_;
   vtkSmartPointer<StageStyle> style_;
   std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
@@ -174,6 +194,12 @@ ViewerWindow::goTo(std::size_t stage)
   action.command = Command::GO_TO_STAGE;
   action.stage = stage;
   content_->act(action);
+}
+
+void
+ViewerWindow::setDesk(DecisionDesk& desk)
+{
+  content_->setDesk(desk);
 }
 
 void

@@ -8,6 +8,7 @@
 
 namespace app {
 
+class DecisionDesk;
 class StageView;
 
 /** \brief Takes a picture of a stage, as the bytes of a PNG file. */
@@ -29,6 +30,10 @@ public:
   ViewerWindow(const ViewerWindow&) = delete;
   ViewerWindow&
   operator=(const ViewerWindow&) = delete;
+
+  /** \brief Let keys make decisions. \a desk has to outlive the window. */
+  void
+  setDesk(DecisionDesk& desk);
 
   /** \brief Show the stage with this number, from 0. */
   void

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: keys of the viewer, with and without its window.
+#include <pcl/surface_repair/decision_proposal.h>
+
 #include <gtest/gtest.h>
 
 #include "pictures.h"
 #include "render/display.h"
 #include "repair_fixture.h"
+#include "viewer/decision_desk.h"
 #include "viewer/stage_colors.h"
 #include "viewer/stage_view.h"
 #include "viewer/viewer_window.h"
@@ -130,6 +133,41 @@ TEST_F(RenderViewerWindow, ShowsStagesAndLayersAsKeysSay)
   EXPECT_TRUE(window.update());
   window.press("q");
   EXPECT_FALSE(window.update());
+}
+
+TEST_F(RenderViewerWindow, MakesDecisionsByKeysAndSavesThem)
+{
+  const app::Display display;
+  ASSERT_TRUE(display.ready());
+  app::StageView view = makeView();
+  app::ViewerWindow window(view, 700, 500, "test", {});
+  std::vector<pcl::repair::Decisions> saved;
+  app::DecisionDesk desk(proposeDecisions(run_.survey, {}),
+                         run_.survey,
+                         view,
+                         [&](const pcl::repair::Decisions& decisions) {
+                           saved.push_back(decisions);
+                           return "";
+                         });
+  window.setDesk(desk);
+  window.press("n");
+  const auto count = [&] {
+    return countColor(decodePng(window.picture()), app::CHOSEN);
+  };
+  EXPECT_GT(count(), 100U) << "the chosen loop is to be seen";
+  window.press("x");
+  window.press("period");
+  window.press("period"); // to the junction of both loops
+  window.press("x");
+  window.press("w");
+  window.press("u");
+  window.press("w");
+  ASSERT_EQ(2U, saved.size());
+  EXPECT_EQ(pcl::repair::LoopWish::LEAVE_OPEN, saved[0].loops.at(0).wish);
+  EXPECT_FALSE(saved[0].junctions.at(0).join);
+  EXPECT_TRUE(saved[1].junctions.at(0).join);
+  window.press("b");
+  EXPECT_EQ(0U, count()) << "other stages are as they were";
 }
 
 } // namespace

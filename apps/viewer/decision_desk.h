@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: shows decisions in the viewer, and makes them by its keys.
+#pragma once
+
+#include <pcl/surface_repair/model_survey.h>
+
+#include "viewer/decision_editor.h"
+#include "viewer/stage_view.h"
+
+#include <functional>
+#include <string>
+
+namespace app {
+
+/** \brief Writes decisions to their file. \return a sentence about how that went */
+using DecisionSaver = std::function<std::string(const pcl::repair::Decisions&)>;
+
+/** \brief Between keys, a DecisionEditor and the stages "boundaries" and "holes", in
+ * which loops and junctions have their numbers and loops the colour of what is decided.
+ */
+class DecisionDesk {
+public:
+  /** \brief Survey and view have to outlive it. */
+  DecisionDesk(pcl::repair::Decisions decisions,
+               const pcl::repair::ModelSurvey& survey,
+               StageView& view,
+               DecisionSaver save);
+
+  /** \brief Do what a key asks for, if it is about decisions. \return whether the
+   * picture is another one now */
+  bool
+  apply(Command command);
+
+  /** \brief Choose the loop that lies nearest to a place of the window, in pixels from
+   * its lower left corner. */
+  void
+  chooseAt(int x, int y);
+
+  const DecisionEditor&
+  editor() const
+  {
+    return editor_;
+  }
+
+private:
+  void
+  show(const std::string& more = "");
+  InspectionLayer
+  coloredLoops() const;
+
+  DecisionEditor editor_;
+  const pcl::repair::ModelSurvey& survey_;
+  StageView& view_;
+  DecisionSaver save_;
+};
+
+} // namespace app

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: decisions that are made while looking at them.
+#include "viewer/decision_editor.h"
+
+#include "common/decisions_file.h"
+
+#include <utility>
+
+namespace app {
+
+using pcl::repair::Cap;
+using pcl::repair::LoopWish;
+
+std::vector<std::size_t>
+DecisionEditor::chosenLoops() const
+{
+  if (size() == 0)
+    return {};
+  if (isLoop())
+    return {chosen_};
+  const auto& junction = decisions_.junctions[chosen_ - decisions_.loops.size()];
+  return {junction.first_loop, junction.second_loop};
+}
+
+void
+DecisionEditor::chooseNext()
+{
+  if (size() > 0)
+    chosen_ = (chosen_ + 1) % size();
+}
+
+void
+DecisionEditor::choosePrevious()
+{
+  if (size() > 0)
+    chosen_ = (chosen_ + size() - 1) % size();
+}
+
+void
+DecisionEditor::chooseAlong(const Eigen::Vector3d& from,
+                            const Eigen::Vector3d& direction)
+{
+  double least = -1.0;
+  for (std::size_t k = 0; k < decisions_.loops.size(); ++k) {
+    const Eigen::Vector3d to = decisions_.loops[k].key.center - from;
+    const double distance = to.cross(direction).squaredNorm();
+    if (least < 0.0 || distance < least) {
+      least = distance;
+      chosen_ = k;
+    }
+  }
+}
+
+void
+DecisionEditor::remember()
+{
+  steps_.push_back({chosen_, decisions_});
+  changed_ = true;
+}
+
+void
+DecisionEditor::decide(bool yes)
+{
+  if (size() == 0)
+    return;
+  remember();
+  if (isLoop())
+    decisions_.loops[chosen_].wish = yes ? LoopWish::CLOSE : LoopWish::LEAVE_OPEN;
+  else
+    junction().join = yes;
+}
+
+void
+DecisionEditor::accept()
+{
+  decide(true);
+}
+
+void
+DecisionEditor::reject()
+{
+  decide(false);
+}
+
+void
+DecisionEditor::changeCap()
+{
+  if (size() == 0 || !isLoop())
+    return;
+  remember();
+  Cap& cap = decisions_.loops[chosen_].cap;
+  cap = cap == Cap::AUTO ? Cap::FLAT : cap == Cap::FLAT ? Cap::SMOOTH : Cap::AUTO;
+}
+
+bool
+DecisionEditor::undo()
+{
+  if (steps_.empty())
+    return false;
+  chosen_ = steps_.back().chosen;
+  decisions_ = std::move(steps_.back().before);
+  steps_.pop_back();
+  changed_ = true;
+  return true;
+}
+
+std::string
+DecisionEditor::tell() const
+{
+  if (size() == 0)
+    return "There is nothing to decide.";
+  if (isLoop())
+    return tellLoop(chosen_, decisions_.loops[chosen_]);
+  const std::size_t number = chosen_ - decisions_.loops.size();
+  return tellJunction(number, decisions_.junctions[number]);
+}
+
+} // namespace app

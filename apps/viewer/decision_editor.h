@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: decisions that are made while looking at them.
+#pragma once
+
+#include <pcl/surface_repair/decision/decisions.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/** \brief One loop or junction after the other is chosen, accepted, rejected, and taken
+ * back again. Knows nothing of windows. */
+class DecisionEditor {
+public:
+  explicit DecisionEditor(pcl::repair::Decisions decisions)
+  : decisions_(std::move(decisions))
+  {}
+
+  const pcl::repair::Decisions&
+  decisions() const
+  {
+    return decisions_;
+  }
+
+  /** \brief Loops, then junctions. */
+  std::size_t
+  size() const
+  {
+    return decisions_.loops.size() + decisions_.junctions.size();
+  }
+
+  /** \brief The one that is chosen; of no meaning where there is none. */
+  std::size_t
+  chosen() const
+  {
+    return chosen_;
+  }
+
+  /** \brief Numbers of the loops that are chosen: one, or both of a junction. */
+  std::vector<std::size_t>
+  chosenLoops() const;
+
+  void
+  chooseNext();
+  void
+  choosePrevious();
+
+  /** \brief Choose the loop whose centre is nearest to a line of sight. */
+  void
+  chooseAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction);
+
+  /** \brief Close the loop, or join the junction. */
+  void
+  accept();
+
+  /** \brief Leave the loop open, or do not join the junction. */
+  void
+  reject();
+
+  /** \brief Flat, smooth, automatic, one after the other; of a loop only. */
+  void
+  changeCap();
+
+  /** \brief Take back the last change, and choose what it was about. \return false
+   * where there is none */
+  bool
+  undo();
+
+  /** \brief Whether anything is not as it was when it was saved last. */
+  bool
+  isChanged() const
+  {
+    return changed_;
+  }
+  void
+  setSaved()
+  {
+    changed_ = false;
+  }
+
+  /** \brief What is chosen, and what is decided about it, in a line or two. */
+  std::string
+  tell() const;
+
+private:
+  struct Step {
+    std::size_t chosen;
+    pcl::repair::Decisions before;
+  };
+
+  bool
+  isLoop() const
+  {
+    return chosen_ < decisions_.loops.size();
+  }
+  pcl::repair::JunctionDecision&
+  junction()
+  {
+    return decisions_.junctions[chosen_ - decisions_.loops.size()];
+  }
+  void
+  decide(bool yes);
+  void
+  remember();
+
+  pcl::repair::Decisions decisions_;
+  std::size_t chosen_ = 0;
+  std::vector<Step> steps_;
+  bool changed_ = false;
+};
+
+} // namespace app
