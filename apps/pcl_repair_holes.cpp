@@ -277,8 +277,9 @@ tellVerdict(const app::RepairSettings& settings, const Result& result)
 {
   if (settings.repairs())
     return app::tellSurface(app::surfaceFacts(result.repair));
-  return settings.dry_run ? app::summarizePlan(app::planRepair(result.survey))
-                          : "inspected";
+  return settings.dry_run
+             ? app::summarizePlan(app::planRepair(result.survey, settings.method))
+             : "inspected";
 }
 
 /** \brief Everything up to the files. */

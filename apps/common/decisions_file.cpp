@@ -114,16 +114,14 @@ describeLoop(std::size_t number, const LoopDecision& loop)
 Json
 describeJunction(std::size_t number, const JunctionDecision& junction)
 {
-  return {
-      {"junction", number},
-      {"decision", junction.join ? JOIN : DO_NOT_JOIN},
-      {"loops", {junction.first_loop, junction.second_loop}},
-      {"confidence", junction.confidence > 0.0 ? Json(junction.confidence) : Json()},
-      {"reason",
-       junction.join ? "force lines connect them" : describe(junction.reason)},
-      {"bridges", junction.bridges},
-      {"shortest_bridge", junction.shortest},
-      {"quality", junction.quality}};
+  return {{"junction", number},
+          {"decision", junction.join ? JOIN : DO_NOT_JOIN},
+          {"loops", {junction.first_loop, junction.second_loop}},
+          {"confidence", junction.confidence},
+          {"reason", describe(junction.verdict)},
+          {"bridges", junction.bridges},
+          {"shortest_bridge", junction.shortest},
+          {"quality", junction.quality}};
 }
 
 LoopDecision
@@ -226,7 +224,8 @@ tellJunction(std::size_t number, const JunctionDecision& junction)
   return "Junction J" + std::to_string(number) + " of loops " +
          std::to_string(junction.first_loop) + " and " +
          std::to_string(junction.second_loop) + ": " +
-         (junction.join ? JOIN : DO_NOT_JOIN) + ". It has " +
+         (junction.join ? JOIN : DO_NOT_JOIN) +
+         ". By evidence: " + describe(junction.verdict) + "; " +
          plural(junction.bridges, "bridge") + ".";
 }
 

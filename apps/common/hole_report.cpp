@@ -156,12 +156,12 @@ placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
   return place + text;
 }
 
-/** \brief Whether it is open as it should be, whatever the user wants. */
+/** \brief Whether it is open because the user wants it so. */
 bool
-isBorder(const RepairedHole& hole)
+isAskedFor(const RepairedHole& hole)
 {
   return !hole.shortfall &&
-         (hole.open == OpenReason::OUTER_BORDER || hole.open == OpenReason::TUBE_MOUTH);
+         (hole.open == OpenReason::TOO_LARGE || hole.open == OpenReason::NOT_WANTED);
 }
 
 } // namespace
@@ -199,9 +199,9 @@ summarizeRepair(const RepairReport& report)
   std::size_t wanted = 0;
   for (const RepairedHole& hole : report.holes) {
     closed += hole.open == OpenReason::NONE ? 1 : 0;
-    borders += isBorder(hole) ? 1 : 0;
-    wanted +=
-        hole.open != OpenReason::NONE && !hole.shortfall && !isBorder(hole) ? 1 : 0;
+    wanted += isAskedFor(hole) ? 1 : 0;
+    borders +=
+        hole.open != OpenReason::NONE && !hole.shortfall && !isAskedFor(hole) ? 1 : 0;
     if (!hole.darning.empty())
       darnings.add(hole.darning);
   }

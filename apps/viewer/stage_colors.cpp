@@ -33,6 +33,10 @@ colorOf(OpenReason reason)
     return colorOf(pcl::repair::BoundaryClass::OUTER_BORDER);
   case OpenReason::TUBE_MOUTH:
     return {0, 115, 115};
+  case OpenReason::DIFFERENT_OBJECTS:
+    return {90, 110, 140};
+  case OpenReason::SEEN_EMPTY:
+    return {60, 150, 190};
   case OpenReason::NOT_JOINED:
     return {160, 85, 20};
   case OpenReason::UNDECIDED:

@@ -136,8 +136,8 @@ LoopWishes::mustJoin(const IncompleteModel& model,
                      const BoundaryLoop& first,
                      const BoundaryLoop& second) const
 {
-  return !joined_.empty() && joined_.count(ordered(inputLoop(model, first),
-                                                   inputLoop(model, second))) > 0;
+  return !joined_.empty() &&
+         joined_.count(ordered(inputLoop(model, first), inputLoop(model, second))) > 0;
 }
 
 bool

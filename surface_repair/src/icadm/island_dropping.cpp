@@ -96,6 +96,7 @@ dropIslands(const SmallIslands& small,
   left.point_of_vertex = chosen(model.point_of_vertex, kept);
   left.given_normals = chosen(model.given_normals, kept);
   left.viewpoints = chosen(model.viewpoints, kept);
+  left.viewpoints_by = model.viewpoints_by;
   left.free_points = std::move(model.free_points);
   left.point_of_free_point = std::move(model.point_of_free_point);
   model = std::move(left);

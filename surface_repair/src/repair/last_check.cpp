@@ -105,6 +105,7 @@ takeBack(const std::set<std::size_t>& holes,
     entry.open = OpenReason::NOT_MANIFOLD;
     entry.darning.clear();
     entry.triangles = 0;
+    entry.shortfall = true;
     ++report.shortfalls;
     ++(entry.edges <= SIMPLE_HOLE_EDGES ? report.counts_after.simple_holes
                                         : report.counts_after.complex_holes);

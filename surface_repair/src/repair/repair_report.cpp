@@ -49,6 +49,10 @@ nameOf(OpenReason reason)
     return "OUTER_BORDER";
   case OpenReason::TUBE_MOUTH:
     return "TUBE_MOUTH";
+  case OpenReason::DIFFERENT_OBJECTS:
+    return "DIFFERENT_OBJECTS";
+  case OpenReason::SEEN_EMPTY:
+    return "SEEN_EMPTY";
   case OpenReason::NOT_JOINED:
     return "NOT_JOINED";
   case OpenReason::UNDECIDED:

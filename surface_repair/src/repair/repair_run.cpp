@@ -324,11 +324,8 @@ RepairRun::resurvey()
       model.point_of_free_point.push_back(before.point_of_free_point[i]);
     }
   LoopWishes wishes = std::move(survey_.wishes);
-  survey_ = surveyModel(std::move(model),
-                        survey_.sight,
-                        parameters_.survey,
-                        context_,
-                        std::move(wishes));
+  survey_ = surveyModel(
+      std::move(model), survey_.sight, parameters_.survey, context_, std::move(wishes));
   used_.assign(survey_.model.free_points.size(), false);
 }
 

@@ -11,7 +11,8 @@ namespace repair {
 
 namespace {
 
-/** The lines of a junction that may become bridges, were it not for the user's limits. */
+/** The lines of a junction that may become bridges, were it not for the user's limits.
+ */
 const std::vector<std::size_t>&
 linesOf(const Junction& junction, const ModelSurvey& survey)
 {

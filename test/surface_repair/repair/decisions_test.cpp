@@ -143,6 +143,23 @@ TEST(Decisions, KeepTwoIslandsApart)
   expectNothingWorse(result, threeSlices().triangles);
 }
 
+TEST(Decisions, JoinWhatEvidenceSpeaksAgainst)
+{
+  RepairParameters parameters;
+  parameters.survey.junction.joined_from = 1e9; // nothing is believed
+  Decisions decisions = proposed(threeSlices(), parameters);
+  ASSERT_EQ(3U, topologyOf(repaired(threeSlices(), parameters).triangles()).components);
+  ASSERT_LE(2U, decisions.junctions.size());
+  for (JunctionDecision& junction : decisions.junctions) {
+    EXPECT_FALSE(junction.join);
+    junction.join = true;
+  }
+  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
+  const Repaired result = repaired(threeSlices(), parameters);
+  EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+  expectNothingWorse(result, threeSlices().triangles);
+}
+
 TEST(Decisions, ALoopThatIsToBeLeftOpenIsNotJoinedEither)
 {
   Decisions decisions = proposed(threeSlices());

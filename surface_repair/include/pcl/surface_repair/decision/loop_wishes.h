@@ -92,7 +92,7 @@ private:
   std::vector<Entry> loops_;                          /**< of the input */
   std::multimap<Pair, std::size_t> place_of_;         /**< of lowest point and edges */
   std::multimap<pcl::index_t, std::size_t> loops_at_; /**< of a point of the cloud */
-  std::set<Pair> joined_; /**< loops, the lower one first */
+  std::set<Pair> joined_;                             /**< loops, the lower one first */
   std::set<Pair> apart_;                              /**< loops, the lower one first */
   std::set<Pair> islands_apart_;                      /**< the lower one first */
   bool leaves_open_ = false; /**< some loop must stay as it is */

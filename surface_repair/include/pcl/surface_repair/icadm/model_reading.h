@@ -31,8 +31,8 @@ struct ReadingReport {
   std::size_t points_on_vertices = 0; /**< that are no free points for that reason */
   Eigen::Vector3d global_shift = Eigen::Vector3d::Zero(); /**< taken off all positions
                                        of the model: see pcl::GlobalShift */
-  std::size_t dropped_islands = 0;    /**< smaller than the user wants them; see
-                                           dropIslands() */
+  std::size_t dropped_islands = 0; /**< smaller than the user wants them; see
+                                        dropIslands() */
   std::size_t dropped_triangles = 0;
   std::string problem; /**< why there is no model; empty: there is one */
 };
