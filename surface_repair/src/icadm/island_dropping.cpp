@@ -52,7 +52,7 @@ keptTriangles(const IncompleteModel& model, const std::vector<bool>& dropped)
 /** Number the vertices of some triangles anew, in their old order. \\return the old
  * numbers */
 std::vector<std::size_t>
-renumber(std::size_t vertices, Triangles& triangles)
+numberAnew(std::size_t vertices, Triangles& triangles)
 {
   std::vector<pcl::index_t> number(vertices, pcl::UNAVAILABLE);
   for (const Triangle& triangle : triangles)
@@ -90,7 +90,7 @@ dropIslands(const SmallIslands& small,
     read.report.problem = "all islands are smaller than those that are to be kept";
     return;
   }
-  const std::vector<std::size_t> kept = renumber(model.positions.size(), triangles);
+  const std::vector<std::size_t> kept = numberAnew(model.positions.size(), triangles);
   IncompleteModel left =
       assembleModel(std::move(triangles), chosen(model.positions, kept), context);
   left.point_of_vertex = chosen(model.point_of_vertex, kept);
