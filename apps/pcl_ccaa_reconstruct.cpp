@@ -147,7 +147,7 @@ tellVerdict(const app::ReconstructSettings& settings,
   if (result.repair)
     facts = app::surfaceFacts(*result.repair);
   else
-    facts.open = result.boundary_loops.value_or(0);
+    facts.open = result.topology ? result.topology->boundary_loops : 0;
   facts.has_triangles = !result.model.mesh.polygons.empty();
   facts.faults += result.filter.one_sided_components;
   return app::tellSurface(facts);
