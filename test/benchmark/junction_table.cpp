@@ -56,7 +56,7 @@ rangeMapOf(std::uint64_t seed)
   scene.seen = rangeMap(scene.truth, view);
   scene.kind = "range maps";
   scene.viewpoint.known = true;
-  scene.viewpoint.position = view.sensor.cast<float>();
+  scene.viewpoint.position = view.sensor;
   return scene;
 }
 

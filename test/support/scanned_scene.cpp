@@ -24,7 +24,7 @@ constexpr double SCENE_RADIUS = 1.6;
 constexpr double VIEW_RADIUS = 2.6;
 
 Position
-randomDirection(RandomSource& random)
+randomUnit(RandomSource& random)
 {
   return Position(random.normal(), random.normal(), random.normal()).normalized();
 }
@@ -32,7 +32,7 @@ randomDirection(RandomSource& random)
 Eigen::Matrix3d
 randomTurn(RandomSource& random)
 {
-  return Eigen::AngleAxisd(random.uniform(0.0, 2.0 * M_PI), randomDirection(random))
+  return Eigen::AngleAxisd(random.uniform(0.0, 2.0 * M_PI), randomUnit(random))
       .toRotationMatrix();
 }
 
@@ -44,8 +44,8 @@ warped(Shape shape, RandomSource& random)
   std::array<Position, WAVES> push;
   std::array<double, WAVES> phase{};
   for (std::size_t w = 0; w < WAVES; ++w) {
-    along[w] = random.uniform(1.0, 5.0) * randomDirection(random);
-    push[w] = random.uniform(0.0, 0.5) / along[w].norm() * randomDirection(random);
+    along[w] = random.uniform(1.0, 5.0) * randomUnit(random);
+    push[w] = random.uniform(0.0, 0.5) / along[w].norm() * randomUnit(random);
     phase[w] = random.uniform(0.0, 2.0 * M_PI);
   }
   const Position stretch(1.0, random.uniform(0.35, 1.0), random.uniform(0.35, 1.0));

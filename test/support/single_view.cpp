@@ -70,11 +70,11 @@ hitFloor(const Position& from, const Position& direction)
 }
 
 /** The scene, standing upright. */
-struct Scene {
+struct ViewedScene {
   std::vector<Ball> balls;
   std::vector<Eigen::AlignedBox3d> boxes;
 
-  explicit Scene(RandomSource& random)
+  explicit ViewedScene(RandomSource& random)
   {
     for (int i = 0; i < 4; ++i) {
       const double radius = random.uniform(0.25, 0.45);
@@ -111,7 +111,7 @@ SingleView
 singleView(std::uint64_t seed, std::size_t rays)
 {
   RandomSource random(seed);
-  const Scene scene(random);
+  const ViewedScene scene(random);
   SingleView view;
   view.sensor = Position(
       random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5), random.uniform(4.5, 7.0));

@@ -11,12 +11,14 @@
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl {
 namespace repair {
 namespace {
 
 using namespace ccaa::test;
+using test::modelOf;
 
 ModelSurvey
 survey(const Shape& shape)
