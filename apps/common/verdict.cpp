@@ -39,7 +39,7 @@ surfaceFacts(const pcl::RepairReport& report)
   Tally reasons;
   for (const pcl::RepairedHole& hole : report.holes) {
     const bool is_open = hole.open != pcl::OpenReason::NONE;
-    const bool is_left = isShortfall(hole.open);
+    const bool is_left = hole.shortfall;
     facts.left_open += is_left ? 1 : 0;
     facts.open += is_open && !is_left ? 1 : 0;
     if (is_left)
