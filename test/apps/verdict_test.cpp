@@ -58,6 +58,7 @@ protected:
   {
     const test::Shape sphere = test::icosphere(3);
     save(folder_.path("closed.ply"), test::toPolygonMesh(sphere));
+    save(folder_.path("band.ply"), test::toPolygonMesh(test::moebiusBand(40)));
     save(folder_.path("holed.ply"),
          test::toPolygonMesh(test::withoutTriangles(sphere, {0, 1, 2, 3})));
   }
@@ -81,8 +82,10 @@ TEST_F(RunVerdict, EndsEveryProgram)
 {
   const std::pair<const char*, const char*> verdicts[] = {
       {"pcl_repair_holes holed.ply out.ply", "complete: watertight, 1 piece\n"},
-      {"pcl_repair_holes holed.ply out.ply --greatest-hole 3 2>&1",
-       "incomplete: 1 boundary left open (1 TOO_LARGE), 1 piece\n"},
+      {"pcl_repair_holes holed.ply out.ply --greatest-hole 3",
+       "complete: 1 border open, 1 piece\n"},
+      {"pcl_repair_holes band.ply out.ply 2>&1",
+       "incomplete: 1 boundary left open (1 ONE_SIDED), 1 piece\n"},
       {"pcl_repair_holes holed.ply --dry-run", "incomplete: 1 hole to close\n"},
       {"pcl_repair_holes closed.ply --dry-run", "complete: nothing to repair\n"},
       {"pcl_repair_holes holed.ply closed.ply --output-folder all",
