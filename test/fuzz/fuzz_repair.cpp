@@ -64,11 +64,16 @@ checkResult(const pcl::PolygonMesh& input,
   const auto vertices = std::size_t{output.cloud.width} * output.cloud.height;
   require(isIcadm(after, vertices), "the result is an incomplete correct model");
   const pcl::repair::ReadingReport& reading = report.reading;
-  if (reading.filter.one_sided_components == 0)
+  const bool one_sided =
+      std::any_of(report.islands.begin(), report.islands.end(), [](const auto& island) {
+        return island.one_sided;
+      });
+  if (!one_sided)
     require(isConsistentlyWound(after), "neighbours are wound alike");
   require(startsWith(output.cloud, input.cloud), "the points of the input stay");
   require(report.origins.size() == after.size(), "each triangle has an origin");
-  if (reading.filtered || reading.invalid_polygons > 0)
+  if (reading.twist_triangles + reading.repeated_triangles + reading.invalid_polygons >
+      0)
     return;
   require(report.input_triangles == before.size() && after.size() >= before.size(),
           "the triangles of the input are as many as they were");
