@@ -7,6 +7,8 @@
 #include "repair_details.h"
 #include "wording.h"
 
+#include <algorithm>
+
 namespace app {
 
 std::string
@@ -38,13 +40,14 @@ surfaceFacts(const pcl::RepairReport& report)
   SurfaceFacts facts;
   Tally reasons;
   for (const pcl::RepairedHole& hole : report.holes) {
-    const bool is_open = hole.open != pcl::OpenReason::NONE;
-    const bool is_left = hole.shortfall;
-    facts.left_open += is_left ? 1 : 0;
-    facts.open += is_open && !is_left ? 1 : 0;
-    if (is_left)
-      reasons.add(nameOf(hole.open));
+    if (!hole.shortfall)
+      continue;
+    ++facts.left_open;
+    reasons.add(nameOf(hole.open));
   }
+  // The rims of what was cut off on reading are no holes, but openings all the same.
+  const std::size_t openings = report.after.boundary_loops;
+  facts.open = openings - std::min(openings, facts.left_open);
   facts.reasons = reasons.text();
   facts.pieces = report.counts_after.islands;
   return facts;

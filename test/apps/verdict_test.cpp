@@ -43,6 +43,14 @@ TEST(SurfaceVerdict, TellsBordersThatMayBeOpen)
   EXPECT_EQ("1 border open, 2 pieces", app::tellSurface(facts));
 }
 
+TEST(SurfaceVerdict, CountsOpeningsThatAreNoHoles)
+{
+  pcl::RepairReport report;
+  report.counts_after.islands = 2;
+  report.after.boundary_loops = 1; // the rim of a flap that was cut off
+  EXPECT_EQ("1 border open, 2 pieces", app::tellSurface(app::surfaceFacts(report)));
+}
+
 TEST(SurfaceVerdict, OfAFaultySurfaceIsNotWatertight)
 {
   app::SurfaceFacts facts;
