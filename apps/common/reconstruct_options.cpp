@@ -256,9 +256,9 @@ takeReconstructSettings(const Arguments& arguments, ReconstructSettings& setting
   if (status.ok())
     status = takeReal(arguments, "max-length", 1, 1e6, settings.length_factor);
   if (status.ok())
-    status = checkNeedsRepair(arguments, settings);
-  if (status.ok())
     status = takeWishes(arguments, settings.method);
+  if (status.ok())
+    status = checkNeedsRepair(arguments, settings);
   return status;
 }
 

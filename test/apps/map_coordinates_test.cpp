@@ -145,9 +145,9 @@ TEST_F(MapCoordinates, AreMergedWithOneShift)
   save(folder_.path("a.ply"), test::toDoubleCloud({all.begin(), middle}));
   save(folder_.path("b.xyz"), test::toDoubleCloud({middle, all.end()}));
   const app::Model whole = reconstructed(PLACE);
-  const app::Model merged =
-      outputOf("pcl_ccaa_reconstruct",
-               {folder_.path("a.ply"), folder_.path("b.xyz"), "--merge", "--repair"});
+  const app::Model merged = outputOf(
+      "pcl_ccaa_reconstruct",
+      {folder_.path("a.ply"), folder_.path("b.xyz"), "--merge", "--repair", "-o"});
   expectSamePolygons(whole.mesh, merged.mesh);
   EXPECT_EQ(positionsIn(whole.mesh.cloud), positionsIn(merged.mesh.cloud));
 }
@@ -157,10 +157,10 @@ TEST_F(MapCoordinates, AreMergedAsDoublesWhereOneFileHasFloats)
   const Positions given = wavySurface();
   save(folder_.path("a.ply"), test::toDoubleCloud({{0.1, 0, 9}}));
   save(folder_.path("b.ply"), test::toRawCloud(given));
-  Positions positions =
-      positionsIn(outputOf("pcl_ccaa_reconstruct",
-                           {folder_.path("a.ply"), folder_.path("b.ply"), "--merge"})
-                      .mesh.cloud);
+  Positions positions = positionsIn(
+      outputOf("pcl_ccaa_reconstruct",
+               {folder_.path("a.ply"), folder_.path("b.ply"), "--merge", "-o"})
+          .mesh.cloud);
   EXPECT_EQ(Position(0.1, 0, 9), positions.front());
   positions.erase(positions.begin());
   EXPECT_EQ(given, positions);

@@ -29,6 +29,7 @@ using pcl::ccaa::test::Scene;
 using pcl::ccaa::test::Shape;
 using pcl::repair::ForceLine;
 using pcl::repair::Junction;
+using pcl::repair::JunctionParameters;
 using pcl::repair::ModelSurvey;
 
 /** A line may be this far from the true surface, in its lengths. */
@@ -222,7 +223,9 @@ printRow(std::ostream& out, const char* kind, const std::vector<Sample>& samples
   for (const Sample& sample : samples)
     if (sample.seed % 2 != 0 && sample.kind == kind)
       ++counts[sample.is_true ? 1 : 0]
-              [sample.junction.evidence.logOdds() > 0.0 ? 1 : 0];
+              [sample.junction.evidence.logOdds() >= JunctionParameters().joined_from
+                   ? 1
+                   : 0];
   out << "| " << kind << " | " << counts[1][0] + counts[1][1] << " | " << counts[1][1]
       << " | " << counts[0][0] + counts[0][1] << " | " << counts[0][0] << " |\n";
 }

@@ -14,12 +14,26 @@
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 
+#include <limits>
+
 namespace pcl {
 namespace ccaa {
 namespace test {
 namespace {
 
-/** The sphere, its other fields 0: as normals they tell no side. */
+template <typename PointT>
+void
+forgetSensor(PointT&)
+{}
+
+void
+forgetSensor(PointWithViewpoint& point)
+{
+  point.vp_x = point.vp_y = point.vp_z = std::numeric_limits<float>::quiet_NaN();
+}
+
+/** The sphere, its other fields 0: as normals they tell no side. A sensor there would
+ * be one within the sphere. */
 template <typename PointT>
 typename PointCloud<PointT>::Ptr
 sphereOf()
@@ -28,6 +42,7 @@ sphereOf()
   for (const Position& position : fibonacciSphere(200)) {
     PointT point;
     pcl::copyPoint(*toCloud({position})->begin(), point);
+    forgetSensor(point);
     cloud->push_back(point);
   }
   return cloud;

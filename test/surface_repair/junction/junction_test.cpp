@@ -27,11 +27,11 @@ survey(const Shape& shape)
       pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)), nullptr, {}, {});
 }
 
-/** Two squares side by side, the second one moved. */
+/** Two sheets, 11 x 29 edges large, the second one moved. */
 Shape
 twoSheets(const Position& shift)
 {
-  return joined(grid(12, 12), translated(grid(12, 12), shift));
+  return joined(grid(12, 30), translated(grid(12, 30), shift));
 }
 
 bool

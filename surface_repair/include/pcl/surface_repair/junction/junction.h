@@ -70,8 +70,8 @@ struct Junction {
 struct JunctionParameters {
   /** \brief false: every pair that a line connects is joined. */
   bool judge = true;
-  /** \brief Least log odds of what is joined. Default 0: as likely as not. */
-  double joined_from = 0.0;
+  /** \brief Least log odds of what is joined. Default 0.5: in doubt it is left open. */
+  double joined_from = 0.5;
   /** \brief Log odds below which two boundaries are different objects for sure; of a
    * junction that is joined a line by itself with less is not believed. */
   double different_below = -2.0;
