@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pcl {
@@ -24,6 +26,13 @@ constexpr double LEAST_PLANE_SHARE = 0.6;
 /** \brief Cosine of 10 degrees: in the frame of a survey the ground lies across an
  * axis, in that of a sensor only by chance. */
 constexpr double LEAST_AXIS_COSINE = 0.984807753012208;
+
+/** \brief Most area of a terrain over the area that it covers, both along an axis: 2
+ * for the two sides of a plate, or for a floor with a ceiling. */
+constexpr double MOST_LAYERS = 1.4;
+
+/** \brief Triangles for each cell of the grid in which that is counted. */
+constexpr std::size_t TRIANGLES_IN_CELL = 8;
 
 /** \brief Least margin of the votes for one side of the plane; 0 for a closed body. */
 constexpr double LEAST_TERRAIN_MARGIN = 0.8;
@@ -188,6 +197,45 @@ collectEvidence(const WoundMesh& mesh,
       mesh.winding, mesh.triangles.size(), wanted, context, addTriangle);
 }
 
+namespace {
+
+/** \brief Whether a surface lies over itself along an axis, as no terrain does: its
+ * area, projected, is well above that of the cells of a grid that its triangles are in.
+ */
+bool
+isLayered(const WoundMesh& mesh, int axis)
+{
+  const std::size_t count = mesh.triangles.size();
+  Eigen::AlignedBox3d box;
+  double doubled_area = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Facet facet = facetOf(mesh, i);
+    box.extend(facet.centroid);
+    doubled_area += std::abs(facet.area[axis]);
+  }
+  const auto side = static_cast<std::size_t>(
+      std::sqrt(static_cast<double>(count / TRIANGLES_IN_CELL)) + 1.0);
+  const std::array<int, 2> axes = {(axis + 1) % 3, (axis + 2) % 3};
+  const auto cellOf = [&](const Position& place, int along) {
+    const double share = (place[along] - box.min()[along]) / box.sizes()[along];
+    return std::min(side - 1,
+                    static_cast<std::size_t>(share * static_cast<double>(side)));
+  };
+  const double covered = box.sizes()[axes[0]] * box.sizes()[axes[1]];
+  if (!(covered > 0.0))
+    return false;
+  std::vector<bool> taken(side * side, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Position place = facetOf(mesh, i).centroid;
+    taken[cellOf(place, axes[0]) * side + cellOf(place, axes[1])] = true;
+  }
+  const auto cells = std::count(taken.begin(), taken.end(), true);
+  const double cell_area = covered / static_cast<double>(side * side);
+  return 0.5 * doubled_area > MOST_LAYERS * cell_area * static_cast<double>(cells);
+}
+
+} // namespace
+
 std::vector<Votes>
 collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
 {
@@ -209,7 +257,7 @@ collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
   const bool is_plane =
       tensor.sum.trace() > 0.0 && along >= LEAST_AXIS_COSINE &&
       solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.sum.trace();
-  if (!is_plane)
+  if (!is_plane || isLayered(mesh, axis))
     return std::vector<Votes>(all.size());
   if (up[axis] < 0.0)
     up = -up;

@@ -58,7 +58,7 @@ protected:
 using Algorithms = ::testing::Types<GreedyStart<PointXYZ>,
                                     ProjectionCompletion<PointXYZ>,
                                     ConsecutiveReconstruction<PointXYZ>>;
-TYPED_TEST_SUITE(CheckedConstructions, Algorithms);
+TYPED_TEST_SUITE(CheckedConstructions, Algorithms, );
 
 TYPED_TEST(CheckedConstructions, GiveNothingWithoutACloud)
 {

@@ -64,7 +64,7 @@ template <typename PointT>
 class PointTypes : public ::testing::Test {};
 
 using AllTypes = ::testing::Types<BOOST_PP_SEQ_ENUM(PCL_XYZ_POINT_TYPES)>;
-TYPED_TEST_SUITE(PointTypes, AllTypes);
+TYPED_TEST_SUITE(PointTypes, AllTypes, );
 
 TYPED_TEST(PointTypes, AreAllReconstructedAlike)
 {

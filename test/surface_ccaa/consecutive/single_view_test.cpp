@@ -6,6 +6,7 @@
 
 #include "support/clouds.h"
 #include "support/random_source.h"
+#include "support/shapes.h"
 #include "support/single_view.h"
 
 namespace pcl {
@@ -210,6 +211,15 @@ TEST(Terrain, IsGuessedToLookAlongTheNearestAxisAndSaysSo)
   const Result result = reconstruct<PointXYZ>(cloudOf<PointXYZ>(points));
   EXPECT_EQ(upwardShare(result, points), 1.0);
   EXPECT_EQ(describe(result.tally), "guessed: up (+z) from the dominant plane");
+}
+
+/** The lower side of a plate looks down. */
+TEST(Terrain, IsNotGuessedWhereSurfacesLieOverEachOther)
+{
+  const Positions points = thinPlate(30, 30, 4.0).vertices;
+  const Result result = reconstruct<PointXYZ>(cloudOf<PointXYZ>(points));
+  EXPECT_EQ(result.tally[OutwardRule::PLANE], 0u);
+  EXPECT_NEAR(upwardShare(result, points), 0.5, 0.01);
 }
 
 } // namespace
