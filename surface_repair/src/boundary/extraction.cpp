@@ -260,9 +260,11 @@ vertexBefore(const IncompleteModel& model, const BoundaryLoop& loop, std::size_t
   const auto point = [&](pcl::index_t corner) {
     return model.point_of_vertex[static_cast<std::size_t>(corner)];
   };
-  return *std::find_if(corners.begin(), corners.end(), [&](pcl::index_t corner) {
-    return point(corner) == point(vertex);
-  });
+  const auto before =
+      std::find_if(corners.begin(), corners.end(), [&](pcl::index_t corner) {
+        return point(corner) == point(vertex);
+      });
+  return before == corners.end() ? vertex : *before; // parted at a seam
 }
 
 std::map<pcl::index_t, pcl::index_t>
