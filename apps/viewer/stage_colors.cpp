@@ -35,6 +35,8 @@ colorOf(OpenReason reason)
     return {0, 115, 115};
   case OpenReason::DIFFERENT_OBJECTS:
     return {90, 110, 140};
+  case OpenReason::DEPTH_JUMP:
+    return {75, 190, 150};
   case OpenReason::SEEN_EMPTY:
     return {60, 150, 190};
   case OpenReason::NOT_JOINED:

@@ -22,6 +22,7 @@ wishAfter(OpenReason reason)
     return LoopWish::CLOSE;
   case OpenReason::OUTER_BORDER:
   case OpenReason::TUBE_MOUTH:
+  case OpenReason::DEPTH_JUMP:
   case OpenReason::TOO_LARGE:
   case OpenReason::NOT_WANTED:
     return LoopWish::LEAVE_OPEN;

@@ -6,6 +6,7 @@
 #include <pcl/surface_repair/boundary/extraction.h>
 
 #include "../boundary/loop_evidence.h"
+#include "../junction/depth_jump.h"
 #include "loop_reasons.h"
 
 #include <algorithm>
@@ -106,10 +107,13 @@ joinedAreas(const ModelSurvey& survey, Groups& groups)
 
 /** D4.1-1 and what goes with it, for a contour. */
 OpenReason
-reasonForContour(const HolePolygon& polygon, double area)
+reasonForContour(const HolePolygon& polygon, double area, const IncompleteModel& model)
 {
-  return evidenceOf(polygon.curve, area).score() < 0.0 ? OpenReason::OUTER_BORDER
-                                                       : OpenReason::NONE;
+  if (evidenceOf(polygon.curve, area).score() < 0.0)
+    return OpenReason::OUTER_BORDER;
+  return isDepthJump(fillAreaOf(polygon.curve), polygon.curve, polygon.vertices, model)
+             ? OpenReason::DEPTH_JUMP
+             : OpenReason::NONE;
 }
 
 class Listing {
@@ -204,8 +208,10 @@ Listing::addContours()
       is_listed_[joined.loops[step.section.from.curve]] = true;
     }
     hole.polygon = polygonOf(contour, boundaries, joined.bridges, vertices);
-    if (!isWanted(contour))
-      hole.open = reasonForContour(hole.polygon, areas[survey_.loops[loop].island]);
+    hole.is_wanted = isWanted(contour);
+    if (!hole.is_wanted)
+      hole.open = reasonForContour(
+          hole.polygon, areas[survey_.loops[loop].island], survey_.model);
     add(std::move(hole));
   }
 }
@@ -232,11 +238,14 @@ Listing::addLoops()
     if (!is_listed_[loop]) {
       const std::size_t input_loop =
           survey_.wishes.inputLoop(survey_.model, survey_.loops[loop]);
-      add({polygonOf(survey_.loops[loop]),
-           {},
-           reasonForLoop(survey_, parameters_.close, loop),
-           loop,
-           survey_.wishes.capFor(input_loop)});
+      OpenHole hole;
+      hole.polygon = polygonOf(survey_.loops[loop]);
+      hole.open = reasonForLoop(survey_, parameters_.close, loop);
+      hole.loop = loop;
+      hole.cap = survey_.wishes.capFor(input_loop);
+      hole.is_wanted = parameters_.close == CloseChoice::ALL ||
+                       survey_.wishes.wishFor(input_loop) == LoopWish::CLOSE;
+      add(std::move(hole));
     }
 }
 

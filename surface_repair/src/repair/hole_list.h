@@ -23,6 +23,7 @@ struct OpenHole {
   OpenReason open = OpenReason::NONE; /**< why it is not to be closed; else NONE */
   std::size_t loop = NONE;            /**< of the survey; NONE: a contour */
   Cap cap = Cap::AUTO;                /**< what the user decided */
+  bool is_wanted = false;             /**< the user wants it closed */
 };
 
 /** \brief All boundaries of a survey after bridging, and the regions to be closed. */

@@ -3,6 +3,8 @@
 
 #include "loop_reasons.h"
 
+#include "../junction/depth_jump.h"
+
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -39,7 +41,12 @@ reasonByClass(const ModelSurvey& survey, std::size_t loop)
     return OpenReason::ONE_SIDED;
   switch (survey.classes[loop].boundary_class) {
   case BoundaryClass::HOLE:
-    return OpenReason::NONE;
+    return isDepthJump(fillAreaOf(survey.loops[loop].curve),
+                       survey.loops[loop].curve,
+                       survey.loops[loop].vertices,
+                       survey.model)
+               ? OpenReason::DEPTH_JUMP
+               : OpenReason::NONE;
   case BoundaryClass::ISLAND_RIM:
     return reasonForRim(survey, loop);
   case BoundaryClass::OUTER_BORDER:

@@ -7,6 +7,7 @@
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include "../fairing/flat_cap.h"
+#include "../junction/depth_jump.h"
 #include "darning_choice.h"
 #include "patch_assembly.h"
 #include "patch_calming.h"
@@ -102,6 +103,22 @@ private:
   std::set<VertexPair> edges_;
 };
 
+void
+addArea(const DarnedPart& part, FillArea& fill)
+{
+  const auto place = [&](pcl::index_t corner) {
+    const auto c = static_cast<std::size_t>(corner);
+    return c < part.polygon.size() ? part.polygon.curve.points[c]
+                                   : part.darn.inner[c - part.polygon.size()];
+  };
+  for (const Triangle& t : part.darn.triangles) {
+    const Eigen::Vector3d normal =
+        ccaa::areaNormal({place(t[0]), place(t[1]), place(t[2])});
+    fill.vector += normal;
+    fill.size += normal.norm();
+  }
+}
+
 /** The nearest place that floats at an origin can hold. Through memory: GCC 12 takes a
  * vector of doubles that became floats and doubles again for the doubles that they
  * were. */
@@ -148,6 +165,8 @@ private:
   darnsOf(const Care& care);
   void
   darnAll();
+  void
+  leaveDepthJumps();
   void
   shapePatch();
   void
@@ -302,6 +321,26 @@ RegionClosing::darnAll()
   }
 }
 
+/** A surface that the sensor would see edge-on was never measured (free points are). */
+void
+RegionClosing::leaveDepthJumps()
+{
+  for (std::size_t hole = 0; hole < care_.size(); ++hole) {
+    const bool is_wanted = !region_.is_wanted.empty() && region_.is_wanted[hole];
+    if (care_[hole] == GIVEN_UP || is_wanted || completed_[hole])
+      continue;
+    FillArea fill;
+    for (const DarnedPart& part : parts_)
+      if (part.hole == hole)
+        addArea(part, fill);
+    const HolePolygon& polygon = region_.holes[hole];
+    if (!isDepthJump(fill, polygon.curve, polygon.vertices, place_.model))
+      continue;
+    care_[hole] = GIVEN_UP;
+    result_.holes[hole].open = OpenReason::DEPTH_JUMP;
+  }
+}
+
 /** Whether all holes that are still to be closed want something. */
 bool
 RegionClosing::all(bool Care::*wanted) const
@@ -415,6 +454,7 @@ RegionClosing::run()
   divide();
   do {
     darnAll();
+    leaveDepthJumps();
     shapePatch();
   }
   while (!context_.cancelled() && !isSound());

@@ -17,6 +17,8 @@ describe(OpenReason reason)
     return "it is the mouth of an open tube";
   case OpenReason::DIFFERENT_OBJECTS:
     return "what lies beyond it is another object";
+  case OpenReason::DEPTH_JUMP:
+    return "the sensor would see a surface across it edge-on";
   case OpenReason::SEEN_EMPTY:
     return "the sensor has seen that nothing is there";
   case OpenReason::NOT_JOINED:
@@ -51,6 +53,8 @@ nameOf(OpenReason reason)
     return "TUBE_MOUTH";
   case OpenReason::DIFFERENT_OBJECTS:
     return "DIFFERENT_OBJECTS";
+  case OpenReason::DEPTH_JUMP:
+    return "DEPTH_JUMP";
   case OpenReason::SEEN_EMPTY:
     return "SEEN_EMPTY";
   case OpenReason::NOT_JOINED:
@@ -81,6 +85,7 @@ isShortfall(OpenReason reason)
   case OpenReason::OUTER_BORDER:
   case OpenReason::TUBE_MOUTH:
   case OpenReason::DIFFERENT_OBJECTS:
+  case OpenReason::DEPTH_JUMP:
   case OpenReason::SEEN_EMPTY:
   case OpenReason::TOO_LARGE:
   case OpenReason::NOT_WANTED:

@@ -14,6 +14,7 @@
 #include "repair_log.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -205,8 +206,10 @@ RepairRun::closeHoles(const std::string& stage)
   for (const std::vector<std::size_t>& holes : list_.regions) {
     Region region;
     region.bridge_vertices = list_.bridge_vertices;
-    for (const std::size_t hole : holes)
+    for (const std::size_t hole : holes) {
       region.holes.push_back(list_.holes[hole].polygon);
+      region.is_wanted.push_back(list_.holes[hole].is_wanted);
+    }
     region.cap = capOf(list_, holes, parameters_.darning.cap);
     places.push_back(placeOf(region.holes));
     regions.push_back(std::move(region));
@@ -318,6 +321,11 @@ RepairRun::resurvey()
   IncompleteModel model =
       assembleModel(std::move(before.triangles), std::move(before.positions), context_);
   model.point_of_vertex = std::move(before.point_of_vertex);
+  model.viewpoints = std::move(before.viewpoints);
+  if (!model.viewpoints.empty()) // new vertices were measured by none
+    model.viewpoints.resize(
+        model.positions.size(),
+        Position::Constant(std::numeric_limits<double>::quiet_NaN()));
   for (std::size_t i = 0; i < used_.size(); ++i)
     if (!used_[i]) {
       model.free_points.push_back(before.free_points[i]);

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: a repair goes by what it is told about the outer side.
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
+#include <pcl/conversions.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,19 @@ using namespace ccaa::test;
 
 constexpr double LEAST_SHARE = 0.97;
 
-/** A view as islands, every second one of which shows the sensor its back. */
+/** A view as islands that show the sensor their front. */
+PolygonMesh::Ptr
+seenIslandsOf(const SingleView& view)
+{
+  ConsecutiveReconstruction<PointXYZ> chain;
+  chain.setInputCloud(toCloud(view.points));
+  chain.setViewpoint(view.sensor);
+  const auto mesh = make_shared<PolygonMesh>();
+  chain.reconstruct(*mesh);
+  return mesh;
+}
+
+/** A view as islands that know of no sensor, every second one turned. */
 PolygonMesh::Ptr
 islandsOf(const SingleView& view)
 {
@@ -60,6 +73,41 @@ TEST(ToldSides, GivenTrianglesFaceTheViewpointAfterARepair)
     // Slivers at silhouettes, whose own triangles disagree, are left to other rules.
     EXPECT_EQ(repair.getReport().islands[0].side.rule, SideRule::TOLD_VIEWPOINT);
   }
+}
+
+TEST(ToldSides, NewTrianglesFaceTheViewpointToo)
+{
+  const SingleView view = singleView(5);
+  ForceLineHoleRepair repair;
+  repair.setInputMesh(seenIslandsOf(view));
+  repair.setViewpoint(view.sensor);
+  PolygonMesh repaired;
+  repair.process(repaired);
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  pcl::fromPCLPointCloud2(repaired.cloud, cloud);
+  Positions points;
+  for (const pcl::PointXYZ& point : cloud)
+    points.emplace_back(point.x, point.y, point.z);
+  EXPECT_GE(facingShare(repaired.polygons, points, view.sensor), LEAST_SHARE);
+}
+
+TEST(ToldSides, AJumpInDepthIsClosedIfTheUserWantsAllClosed)
+{
+  const SingleView view = singleView(5);
+  const PolygonMesh::Ptr mesh = seenIslandsOf(view);
+  std::size_t left_open[2] = {0, 0};
+  for (const bool all : {false, true}) {
+    ForceLineHoleRepair repair;
+    repair.setInputMesh(mesh);
+    repair.setViewpoint(view.sensor);
+    repair.setClose(all ? CloseChoice::ALL : CloseChoice::HOLES);
+    PolygonMesh repaired;
+    repair.process(repaired);
+    for (const RepairedHole& hole : repair.getReport().holes)
+      left_open[all ? 1 : 0] += hole.open == OpenReason::DEPTH_JUMP ? 1 : 0;
+  }
+  EXPECT_GT(left_open[0], 0u);
+  EXPECT_EQ(left_open[1], 0u);
 }
 
 TEST(ToldSides, GivenTrianglesFaceTheOriginAfterARepairThatMayTakeIt)

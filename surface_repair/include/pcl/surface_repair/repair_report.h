@@ -67,6 +67,7 @@ enum class OpenReason : std::uint8_t {
   OUTER_BORDER,      /**< no hole: the outer border of an open surface */
   TUBE_MOUTH,        /**< one of the two mouths of a tube, open like the other one */
   DIFFERENT_OBJECTS, /**< rim of an island that lies beside other objects */
+  DEPTH_JUMP,        /**< lies between a silhouette and what stands behind it */
   SEEN_EMPTY,   /**< rim of an island beside a gap that sensors have looked through */
   NOT_JOINED,   /**< rim of an island that no bridge joins to another one */
   UNDECIDED,    /**< hole or border is not clear */
@@ -88,8 +89,8 @@ const char*
 nameOf(OpenReason reason);
 
 /** \brief Whether something that should be closed was left open for this reason: all
- * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS, SEEN_EMPTY, and what the user
- * wanted: TOO_LARGE, NOT_WANTED. */
+ * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS, DEPTH_JUMP, SEEN_EMPTY, and
+ * what the user wanted: TOO_LARGE, NOT_WANTED. */
 bool
 isShortfall(OpenReason reason);
 
