@@ -7,6 +7,7 @@
 #include <pcl/surface_repair/junction/junction.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -21,6 +22,10 @@ constexpr double LEAST_JUMP = 4.0;
  * cosine is less than this share of that of the rim only where it is none. On the
  * Bunny's scans shadows have at most 0.33. */
 constexpr double EDGE_ON = 0.4;
+
+/** Share of the disc around it that a loop takes up in the view of a sensor, from which
+ * on the way it runs around says whether it is a hole. */
+constexpr double LEAST_OPENING = 0.1;
 
 /** The sensor that has measured all vertices that have one; null where they differ. */
 const Position*
@@ -108,6 +113,25 @@ isDepthJump(const FillArea& fill,
   const Surroundings around = surroundingsOf(vertices, model);
   return furthest - nearest > LEAST_JUMP * around.edge &&
          shown < EDGE_ON * around.normal.dot(to_sensor);
+}
+
+bool
+isOutline(const BoundaryCurve& curve,
+          const std::vector<pcl::index_t>& vertices,
+          const IncompleteModel& model)
+{
+  const Position* sensor = onlySensor(vertices, model);
+  if (sensor == nullptr)
+    return false;
+  BoundaryCurve view = curve; // on the unit sphere around the sensor
+  for (Position& point : view.points)
+    point = (point - *sensor).normalized();
+  const Position center = centerOf(view);
+  double radius = 0.0; // squared
+  for (const Position& point : view.points)
+    radius = std::max(radius, (point - center).squaredNorm());
+  const double shown = -fillAreaOf(view).vector.dot(center.normalized());
+  return shown < -2.0 * LEAST_OPENING * M_PI * radius;
 }
 
 } // namespace repair

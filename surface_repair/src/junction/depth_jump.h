@@ -32,5 +32,13 @@ isDepthJump(const FillArea& fill,
             const std::vector<pcl::index_t>& vertices,
             const IncompleteModel& model);
 
+/** \brief Whether the one sensor that has measured a loop sees its surface within it:
+ * the outline of what it sees, and no hole. False where several sensors have measured
+ * it, or none, and where the loop is too thin in its view to tell. Cost linear. */
+bool
+isOutline(const BoundaryCurve& curve,
+          const std::vector<pcl::index_t>& vertices,
+          const IncompleteModel& model);
+
 } // namespace repair
 } // namespace pcl

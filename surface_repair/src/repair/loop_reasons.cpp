@@ -54,6 +54,8 @@ reasonByClass(const ModelSurvey& survey, std::size_t loop)
   case BoundaryClass::UNDECIDED:
     break;
   }
+  if (isOutline(survey.loops[loop].curve, survey.loops[loop].vertices, survey.model))
+    return OpenReason::OUTER_BORDER;
   return survey.classes[loop].evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH
                                                      : OpenReason::UNDECIDED;
 }
@@ -85,7 +87,8 @@ reasonByChoice(const ModelSurvey& survey,
     return OpenReason::NOT_WANTED;
   if (by_class == OpenReason::NOT_JOINED)
     return by_class;
-  return choice == CloseChoice::NOTHING && is_of_input ? leftOpen(by_class) : by_class;
+  const bool is_left = is_of_input || by_class == OpenReason::UNDECIDED;
+  return choice == CloseChoice::NOTHING && is_left ? leftOpen(by_class) : by_class;
 }
 
 } // namespace

@@ -92,6 +92,34 @@ TEST(DepthJump, AGapWhoseRimTwoSensorsHaveMeasuredIsNone)
 
 TEST(DepthJump, WithoutASensorThereIsNone) { EXPECT_FALSE(isJump(brokenCliff(10.0))); }
 
+/** Whether the border, or else the hole, of a level is an outline. */
+bool
+isOutlineOf(const IncompleteModel& model, bool border)
+{
+  const BoundaryLoops loops = extractBoundaries(model);
+  const std::size_t larger =
+      loops[0].vertices.size() > loops[1].vertices.size() ? 0 : 1;
+  const BoundaryLoop& loop = loops[border ? larger : 1 - larger];
+  return isOutline(loop.curve, loop.vertices, model);
+}
+
+TEST(Outline, OfALevelIsItsBorderAndNotItsHole)
+{
+  IncompleteModel model = brokenCliff(0.0);
+  model.viewpoints.assign(model.positions.size(), ABOVE);
+  EXPECT_TRUE(isOutlineOf(model, true));
+  EXPECT_FALSE(isOutlineOf(model, false));
+}
+
+TEST(Outline, IsUnknownWithoutTheOneSensorThatHasMeasuredItAll)
+{
+  IncompleteModel model = brokenCliff(0.0);
+  EXPECT_FALSE(isOutlineOf(model, true));
+  for (const Position& vertex : model.positions)
+    model.viewpoints.push_back(vertex.x() > 11.5 ? ABOVE : BESIDE);
+  EXPECT_FALSE(isOutlineOf(model, true));
+}
+
 } // namespace
 } // namespace repair
 } // namespace pcl
