@@ -9,7 +9,7 @@
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include "new_vertices.h"
-#include "repair_run.h"
+#include "repair_method.h"
 
 #include <chrono>
 #include <new>

@@ -6,7 +6,6 @@
 #include <pcl/surface_repair/boundary/extraction.h>
 
 #include "../boundary/loop_evidence.h"
-#include "../junction/depth_jump.h"
 #include "loop_reasons.h"
 
 #include <algorithm>
@@ -107,13 +106,10 @@ joinedAreas(const ModelSurvey& survey, Groups& groups)
 
 /** D4.1-1 and what goes with it, for a contour. */
 OpenReason
-reasonForContour(const HolePolygon& polygon, double area, const IncompleteModel& model)
+reasonForContour(const HolePolygon& polygon, double area)
 {
-  if (evidenceOf(polygon.curve, area).score() < 0.0)
-    return OpenReason::OUTER_BORDER;
-  return isDepthJump(fillAreaOf(polygon.curve), polygon.curve, polygon.vertices, model)
-             ? OpenReason::DEPTH_JUMP
-             : OpenReason::NONE;
+  return evidenceOf(polygon.curve, area).score() < 0.0 ? OpenReason::OUTER_BORDER
+                                                       : OpenReason::NONE;
 }
 
 class Listing {
@@ -210,8 +206,7 @@ Listing::addContours()
     hole.polygon = polygonOf(contour, boundaries, joined.bridges, vertices);
     hole.is_wanted = isWanted(contour);
     if (!hole.is_wanted)
-      hole.open = reasonForContour(
-          hole.polygon, areas[survey_.loops[loop].island], survey_.model);
+      hole.open = reasonForContour(hole.polygon, areas[survey_.loops[loop].island]);
     add(std::move(hole));
   }
 }

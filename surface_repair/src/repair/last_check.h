@@ -6,7 +6,7 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "repair_run.h"
+#include "repaired_model.h"
 
 namespace pcl {
 namespace repair {

@@ -5,7 +5,7 @@
 
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 
-#include "repair_run.h"
+#include "repaired_model.h"
 
 #include <vector>
 

@@ -3,6 +3,7 @@
 
 #include "patch_assembly.h"
 
+#include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_repair/icadm/model_assembly.h>
 
@@ -94,6 +95,21 @@ trianglesAround(const IncompleteModel& model, const Patch& patch)
   return triangles;
 }
 
+/** The nearest place that floats at an origin can hold. Through memory: GCC 12 takes a
+ * vector of doubles that became floats and doubles again for the doubles that they
+ * were. */
+Position
+nearestFloats(Position place, const Position& origin)
+{
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double there =
+        origin[axis] == 0.0 ? place[axis] : place[axis] + origin[axis]; // keeps -0
+    volatile const float held = static_cast<float>(there);
+    place[axis] = static_cast<double>(held) - origin[axis];
+  }
+  return place;
+}
+
 } // namespace
 
 Patch
@@ -154,6 +170,29 @@ fitsModel(const IncompleteModel& model, const Patch& patch)
       return false;
   }
   return adjacency.overfullEdges().empty() && isConsistentlyWound(together, adjacency);
+}
+
+void
+roundToFloats(const Position& origin, Patch& patch)
+{
+  for (std::size_t v = patch.rim.size(); v < patch.positions.size(); ++v)
+    patch.positions[v] = nearestFloats(patch.positions[v], origin);
+}
+
+void
+addFill(const DarnedPart& part, FillArea& fill)
+{
+  const auto place = [&](pcl::index_t corner) {
+    const auto c = static_cast<std::size_t>(corner);
+    return c < part.polygon.size() ? part.polygon.curve.points[c]
+                                   : part.darn.inner[c - part.polygon.size()];
+  };
+  for (const Triangle& t : part.darn.triangles) {
+    const Eigen::Vector3d normal =
+        ccaa::areaNormal({place(t[0]), place(t[1]), place(t[2])});
+    fill.vector += normal;
+    fill.size += normal.norm();
+  }
 }
 
 } // namespace repair

@@ -7,6 +7,8 @@
 #include <pcl/surface_repair/darning/patch.h>
 #include <pcl/surface_repair/hole/hole_polygon.h>
 
+#include "../junction/depth_jump.h"
+
 #include <cstddef>
 #include <set>
 #include <vector>
@@ -21,6 +23,10 @@ struct DarnedPart {
   std::size_t hole = 0; /**< which one it is of */
 };
 
+/** \brief Add what fills a part. */
+void
+addFill(const DarnedPart& part, FillArea& fill);
+
 /** \brief Put darns together; parts meet at the vertices that they share.
  * \param[in] model_vertices number of vertices of the model */
 Patch
@@ -30,6 +36,12 @@ assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices);
  * only these have. */
 Patch
 withoutHoles(const Patch& patch, const std::set<std::size_t>& holes);
+
+/** \brief Bring new vertices to the nearest places that floats can hold: what is tested
+ * is what will be written. \param[in] origin of the patch, in the frame of the floats
+ */
+void
+roundToFloats(const Position& origin, Patch& patch);
 
 /** \brief Whether model and patch together are a manifold, wound alike, at all vertices
  * of the patch; but for several fans at a point that has several in the model. */

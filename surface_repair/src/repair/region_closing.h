@@ -28,9 +28,9 @@ struct ClosingPlace {
 /** \brief Holes to be closed together: bridges run between them. */
 struct Region {
   std::vector<HolePolygon> holes;
-  std::vector<bool> is_wanted; /**< of each: the user wants it, whatever speaks against
-                                  it; none where it is empty */
-  Cap cap = Cap::SMOOTH;       /**< AUTO for a single loop only */
+  std::vector<bool> is_certain; /**< of each: to be closed whatever a sensor says, since
+                                   the user or bridges do; none where it is empty */
+  Cap cap = Cap::SMOOTH;        /**< AUTO for a single loop only */
   std::size_t bridge_vertices = 0; /**< new vertices on bridges of all regions: numbers
                                         of others begin after these */
 };

@@ -25,7 +25,12 @@ originOf(const std::string& darning)
 void
 RepairLog::countSeconds(const char* step, Clock::time_point since)
 {
-  const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
+  countSeconds(step, std::chrono::duration<double>(Clock::now() - since).count());
+}
+
+void
+RepairLog::countSeconds(const char* step, double seconds)
+{
   auto& all = report_.seconds;
   const auto entry = std::find_if(
       all.begin(), all.end(), [&](const auto& e) { return e.first == step; });
@@ -33,6 +38,17 @@ RepairLog::countSeconds(const char* step, Clock::time_point since)
     all.emplace_back(step, seconds);
   else
     entry->second += seconds;
+}
+
+void
+RepairLog::noteLook()
+{
+  if (!has_input_)
+    noteInput();
+  else
+    for (const auto& [stage, seconds] : survey_.seconds)
+      countSeconds("looking again", seconds);
+  has_input_ = true;
 }
 
 void

@@ -25,9 +25,17 @@ public:
   : survey_(survey), report_(report)
   {}
 
-  /** \brief What came in: reading, islands, loops, class, and its triangles. */
+  /** \brief What is known before anything is closed. The first time that is what came
+   * in: islands, loops, class, and its triangles; later only the time it took. */
   void
-  noteInput();
+  noteLook();
+
+  /** \brief noteLook() was called. */
+  bool
+  hasInput() const
+  {
+    return has_input_;
+  }
 
   /** \brief Junctions and bridges are those of the present survey from now on. */
   void
@@ -48,6 +56,10 @@ public:
 
 private:
   void
+  countSeconds(const char* step, double seconds);
+  void
+  noteInput();
+  void
   noteJunctions();
   void
   reportBridges(const OpenHole& hole, const HoleOutcome& outcome, RepairedHole& entry);
@@ -58,6 +70,7 @@ private:
 
   const ModelSurvey& survey_;
   RepairReport& report_;
+  bool has_input_ = false;
   std::size_t pass_ = 0;
   std::vector<std::size_t>
       entry_of_bridge_; /**< of the present survey's bridges, in the report */

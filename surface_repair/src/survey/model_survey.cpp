@@ -2,12 +2,15 @@
 // Part of PclSurfaceRepair: all that can be told about an incomplete model.
 
 #include <pcl/surface_repair/boundary/extraction.h>
+#include <pcl/surface_repair/icadm/model_assembly.h>
 #include <pcl/surface_repair/model_survey.h>
 
 #include "survey_fields.h"
+#include "survey_stages.h"
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,67 +19,35 @@ namespace repair {
 
 namespace {
 
-/** Notes how long each stage took. */
+/** Notes how long a stage takes. */
 class StageClock {
 public:
-  explicit StageClock(ModelSurvey& survey) : survey_(survey) {}
+  explicit StageClock(const char* stage) : stage_(stage) {}
 
   void
-  finish(const char* stage)
+  finish(ModelSurvey& survey) const
   {
-    const Clock::time_point now = Clock::now();
-    survey_.seconds.emplace_back(stage,
-                                 std::chrono::duration<double>(now - start_).count());
-    start_ = now;
+    const std::chrono::duration<double> seconds = Clock::now() - start_;
+    survey.seconds.emplace_back(stage_, seconds.count());
   }
 
 private:
   using Clock = std::chrono::steady_clock;
-  ModelSurvey& survey_;
+  const char* stage_;
   Clock::time_point start_ = Clock::now();
 };
+
+ccaa::LoopContext
+named(ccaa::LoopContext context, const char* stage)
+{
+  context.stage = stage;
+  return context;
+}
 
 bool
 isOpenHole(const LoopClass& loop)
 {
   return loop.boundary_class == BoundaryClass::HOLE;
-}
-
-/** Sides first: which way a loop runs, and so its class, depends on them. */
-void
-findSides(const SurveyParameters& parameters,
-          const ccaa::LoopContext& context,
-          ModelSurvey& survey)
-{
-  survey.loops = extractBoundaries(survey.model);
-  survey.sides =
-      orientIslands(survey.model, survey.loops, parameters.orientation, context);
-  const bool any_flipped =
-      std::any_of(survey.sides.begin(), survey.sides.end(), [](const IslandSide& side) {
-        return side.flipped;
-      });
-  if (!any_flipped)
-    return;
-  turnIslands(survey.model, survey.sides);
-  survey.loops = extractBoundaries(survey.model);
-}
-
-void
-classify(const SurveyParameters& parameters,
-         const ccaa::LoopContext& context,
-         ModelSurvey& survey)
-{
-  survey.classes = classifyBoundaries(
-      survey.model, survey.loops, parameters.classification, context);
-  if (context.cancelled())
-    return;
-  std::vector<std::size_t> hole_edges;
-  for (std::size_t k = 0; k < survey.loops.size(); ++k)
-    if (isOpenHole(survey.classes[k]))
-      hole_edges.push_back(survey.loops[k].vertices.size());
-  survey.counts =
-      countHoles(survey.model.islands.size(), hole_edges, parameters.simple_edges);
-  survey.icm_class = classOf(survey.counts);
 }
 
 bool
@@ -94,6 +65,18 @@ hasGap(const SourceSet& sources)
       sources.curves.begin(), sources.curves.end(), [&](const SourceCurve& curve) {
         return curve.island != sources.curves.front().island;
       });
+}
+
+/** Holes by their number of edges, and the class that follows (D4.1-4). */
+void
+count(std::size_t simple_edges, ModelSurvey& survey)
+{
+  std::vector<std::size_t> hole_edges;
+  for (std::size_t k = 0; k < survey.loops.size(); ++k)
+    if (isOpenHole(survey.classes[k]))
+      hole_edges.push_back(survey.loops[k].vertices.size());
+  survey.counts = countHoles(survey.model.islands.size(), hole_edges, simple_edges);
+  survey.icm_class = classOf(survey.counts);
 }
 
 void
@@ -117,17 +100,11 @@ traceFields(const SurveyParameters& parameters,
       survey.in_holes.push_back(surveyHole(survey, hole, parameters, context));
 }
 
-/** What the user has decided about the loops. \return what does not fit */
+/** What of the user's decisions does not fit. */
 std::string
-takeDecisions(const pcl::PolygonMesh& mesh,
-              const SurveyParameters& parameters,
-              ModelSurvey& survey)
+misfit(const Decisions& decisions, ModelSurvey& survey)
 {
-  survey.wishes = LoopWishes(survey.model, survey.loops);
-  survey.mesh = fingerprintOf(mesh);
-  if (!parameters.decisions)
-    return {};
-  const MeshFingerprint& wanted = parameters.decisions->mesh;
+  const MeshFingerprint& wanted = decisions.mesh;
   const MeshFingerprint& found = survey.mesh;
   const auto tell = [](const MeshFingerprint& print) {
     return std::to_string(print.points) + " points and " +
@@ -139,28 +116,122 @@ takeDecisions(const pcl::PolygonMesh& mesh,
            (wanted.points == found.points && wanted.polygons == found.polygons
                 ? ", but other ones"
                 : "");
-  const std::string problem = survey.wishes.take(*parameters.decisions);
+  const std::string problem = survey.wishes.take(decisions);
   return problem.empty() ? problem : "the decisions do not fit: " + problem;
 }
 
-/** All that follows once the islands are wound as they should be. */
-void
-surveyWound(const SurveyParameters& parameters,
-            ccaa::LoopContext context,
-            StageClock& clock,
-            ModelSurvey& survey)
+} // namespace
+
+ModelSurvey
+readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
+           const pcl::PCLPointCloud2* free_points,
+           const SurveyParameters& parameters,
+           const ccaa::LoopContext& context)
 {
-  context.stage = "classification";
-  classify(parameters, context, survey);
-  clock.finish("classification");
-  context.stage = "force lines";
-  if (!context.cancelled() && !survey.loops.empty())
-    traceFields(parameters, context, survey);
-  clock.finish("force lines");
-  survey.cancelled = context.cancelled();
+  ModelSurvey survey;
+  const StageClock clock("reading");
+  const ccaa::LoopContext stage = named(context, "reading");
+  ReadModel read = readModel(mesh, free_points, stage, parameters.orientation.sides);
+  if (parameters.dropped.any() && read.report.problem.empty())
+    dropIslands(parameters.dropped, stage, read);
+  survey.model = std::move(read.model);
+  survey.reading = std::move(read.report);
+  clock.finish(survey);
+  return survey;
 }
 
-} // namespace
+void
+orientIslands(const SurveyParameters& parameters,
+              const ccaa::LoopContext& context,
+              ModelSurvey& survey)
+{
+  if (!survey.reading.problem.empty())
+    return;
+  const StageClock clock("orientation");
+  survey.loops = extractBoundaries(survey.model);
+  survey.sides = orientIslands(survey.model,
+                               survey.loops,
+                               parameters.orientation,
+                               named(context, "orientation"));
+  const bool any_flipped =
+      std::any_of(survey.sides.begin(), survey.sides.end(), [](const IslandSide& side) {
+        return side.flipped;
+      });
+  if (any_flipped) {
+    turnIslands(survey.model, survey.sides);
+    survey.loops = extractBoundaries(survey.model);
+  }
+  if (auto sight = std::make_shared<const SightLines>(survey.model); !sight->empty())
+    survey.sight = std::move(sight);
+  clock.finish(survey);
+}
+
+void
+takeDecisions(const pcl::PolygonMesh& mesh,
+              const SurveyParameters& parameters,
+              ModelSurvey& survey)
+{
+  if (!survey.reading.problem.empty())
+    return;
+  survey.wishes = LoopWishes(survey.model, survey.loops);
+  survey.mesh = fingerprintOf(mesh);
+  if (parameters.decisions)
+    survey.reading.problem = misfit(*parameters.decisions, survey);
+}
+
+void
+classifyBoundaries(const SurveyParameters& parameters,
+                   const ccaa::LoopContext& context,
+                   ModelSurvey& survey)
+{
+  const StageClock clock("classification");
+  survey.classes = classifyBoundaries(survey.model,
+                                      survey.loops,
+                                      parameters.classification,
+                                      named(context, "classification"));
+  if (!context.cancelled())
+    count(parameters.simple_edges, survey);
+  clock.finish(survey);
+}
+
+void
+bridgeIslands(const SurveyParameters& parameters,
+              const ccaa::LoopContext& context,
+              ModelSurvey& survey)
+{
+  const StageClock clock("force lines");
+  if (!context.cancelled() && !survey.loops.empty())
+    traceFields(parameters, named(context, "force lines"), survey);
+  clock.finish(survey);
+}
+
+ModelSurvey
+putInOrder(ModelSurvey before,
+           const std::vector<bool>& used,
+           const ccaa::LoopContext& context)
+{
+  ModelSurvey survey;
+  const StageClock clock("assembly");
+  survey.sight = std::move(before.sight);
+  survey.wishes = std::move(before.wishes);
+  IncompleteModel& old = before.model;
+  IncompleteModel& model = survey.model;
+  model = assembleModel(std::move(old.triangles), std::move(old.positions), context);
+  model.point_of_vertex = std::move(old.point_of_vertex);
+  model.viewpoints = std::move(old.viewpoints);
+  if (!model.viewpoints.empty()) // new vertices were measured by none
+    model.viewpoints.resize(
+        model.positions.size(),
+        Position::Constant(std::numeric_limits<double>::quiet_NaN()));
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) {
+      model.free_points.push_back(old.free_points[i]);
+      model.point_of_free_point.push_back(old.point_of_free_point[i]);
+    }
+  survey.loops = extractBoundaries(model);
+  clock.finish(survey);
+  return survey;
+}
 
 ModelSurvey
 surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
@@ -168,43 +239,14 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context)
 {
-  ModelSurvey survey;
-  StageClock clock(survey);
-  ccaa::LoopContext stage = context;
-  stage.stage = "reading";
-  ReadModel read = readModel(mesh, free_points, stage, parameters.orientation.sides);
-  if (parameters.dropped.any() && read.report.problem.empty())
-    dropIslands(parameters.dropped, stage, read);
-  survey.model = std::move(read.model);
-  survey.reading = std::move(read.report);
-  clock.finish("reading");
+  ModelSurvey survey = readSurvey(mesh, free_points, parameters, context);
+  orientIslands(parameters, context, survey);
+  takeDecisions(*mesh, parameters, survey);
   if (!survey.reading.problem.empty())
     return survey;
-  stage.stage = "orientation";
-  findSides(parameters, stage, survey);
-  if (auto sight = std::make_shared<const SightLines>(survey.model); !sight->empty())
-    survey.sight = std::move(sight);
-  clock.finish("orientation");
-  survey.reading.problem = takeDecisions(*mesh, parameters, survey);
-  if (survey.reading.problem.empty())
-    surveyWound(parameters, context, clock, survey);
-  return survey;
-}
-
-ModelSurvey
-surveyModel(IncompleteModel model,
-            std::shared_ptr<const SightLines> sight,
-            const SurveyParameters& parameters,
-            const ccaa::LoopContext& context,
-            LoopWishes wishes)
-{
-  ModelSurvey survey;
-  survey.sight = std::move(sight);
-  survey.wishes = std::move(wishes);
-  StageClock clock(survey);
-  survey.model = std::move(model);
-  survey.loops = extractBoundaries(survey.model);
-  surveyWound(parameters, context, clock, survey);
+  classifyBoundaries(parameters, context, survey);
+  bridgeIslands(parameters, context, survey);
+  survey.cancelled = context.cancelled();
   return survey;
 }
 

@@ -140,17 +140,6 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context);
 
-/** \brief The same for a model that has been read, whose islands are wound as they
- * should be. \param[in] sight of the model, or null \param[in] wishes about the loops
- * of the input that it came of \return as above; what belongs to reading and sides
- * stays empty */
-ModelSurvey
-surveyModel(IncompleteModel model,
-            std::shared_ptr<const SightLines> sight,
-            const SurveyParameters& parameters,
-            const ccaa::LoopContext& context,
-            LoopWishes wishes = {});
-
 /** \brief Diagonal of the bounding box of all triangles. */
 double
 diagonalOf(const IncompleteModel& model);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: edges that a fill must not have once more.
+
+#pragma once
+
+#include "patch_assembly.h"
+#include "surface_obstacle.h"
+
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Edges of a model, of polygons to be closed, and of what closes them. */
+class TakenEdges {
+public:
+  /** \brief \param[in] model must outlive the object */
+  explicit TakenEdges(const IncompleteModel& model) : model_(model) {}
+
+  void
+  addPolygon(const HolePolygon& polygon);
+
+  /** \brief The inner edges of a darn between points of its polygon. */
+  void
+  addDarn(const HolePolygon& polygon, const Darn& darn);
+
+  bool
+  contain(pcl::index_t a, pcl::index_t b) const;
+
+private:
+  const IncompleteModel& model_;
+  std::set<std::pair<pcl::index_t, pcl::index_t>> edges_; /**< lower vertex first */
+};
+
+/** \brief The task to fill a polygon. \param[in] taken must outlive it
+ * \param[in] obstacle to be avoided, must outlive it; or null */
+DarningTask
+darningTask(const HolePolygon& polygon,
+            const TakenEdges& taken,
+            const SurfaceObstacle* obstacle);
+
+} // namespace repair
+} // namespace pcl
