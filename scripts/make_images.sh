@@ -18,6 +18,7 @@ mkdir -p "$images"
 
 # The Bunny in pieces, and what pcl_repair_holes finds in it.
 bin=build/release/bin
+viewer=$bin/pcl_repair_viewer
 "$bin/pcl_damage_cloud" "$mesh" build/demo/pieces.ply --slabs 4 --slab-size 0.06 \
   --spheres 4 --sphere-size 0.05 --keep 0.05 --noise 0.3 --seed 7
 "$bin/pcl_repair_holes" build/demo/pieces.ply --inspect build/demo/pieces --view 0,0,1 --size 700x460
@@ -25,29 +26,36 @@ for name in islands lines slice; do
   cp "build/demo/pieces/$name.png" "$images/inspect_bunny_$name.png"
 done
 
-# A real scan, where there is one: it is no part of the repository.
-scan=${PSR_SHARED_DATA:-../shared/data}/range_maps/lato000.ply
+# Real scans, where there are any: they are no part of the repository.
+data=${PSR_SHARED_DATA:-../shared/data}
+scan=$data/range_maps/lato000.ply
 if [[ -f $scan ]]; then
   "$bin/pcl_repair_holes" "$scan" --inspect build/demo/scan --size 700x460
   cp build/demo/scan/loops.png "$images/inspect_scan_loops.png"
 fi
 
-# Repaired real scans: before, force lines, after.
-# repair_pictures NAME SCAN "VIEW AND UP" SIZE SIZE_OF_LINES
-repair_pictures() {
-  local name=$1 scan=$2 size=$4 size_of_lines=$5
-  read -ra view <<<"$3"
-  [[ -f $scan ]] || return 0
-  "$bin/pcl_repair_holes" "$scan" "build/demo/$name.ply" --quiet || (($? == 2))
-  "$bin/pcl_repair_holes" "$scan" --inspect "build/demo/$name" "${view[@]}" \
-    --size "$size_of_lines" --quiet
-  "$render" "$scan" "$images/repair_${name}_before.png" "${view[@]}" --size "$size"
-  "$render" "build/demo/$name.ply" "$images/repair_${name}_after.png" "${view[@]}" --size "$size"
-  cp "build/demo/$name/lines.png" "$images/repair_${name}_bridges.png"
-}
-data=${PSR_SHARED_DATA:-../shared/data}
-repair_pictures bunny "$data/bunny/bun_zipper.ply" "--view 0,-1,0.3 --view-up 0,0,1" 640x500 860x500
-repair_pictures scan "$data/range_maps/lato180.ply" "--view 0,0,1 --view-up 0,1,0" 600x640 860x640
+# A repaired real scan: before, force lines, after.
+scan=$data/bunny/bun_zipper.ply
+if [[ -f $scan ]]; then
+  view=(--view 0,-1,0.3 --view-up 0,0,1)
+  "$bin/pcl_repair_holes" "$scan" build/demo/bunny_scan.ply --quiet
+  "$bin/pcl_repair_holes" "$scan" --inspect build/demo/bunny_scan "${view[@]}" --size 860x500 --quiet
+  "$render" "$scan" "$images/repair_bunny_before.png" "${view[@]}" --size 640x500
+  "$render" build/demo/bunny_scan.ply "$images/repair_bunny_after.png" "${view[@]}" --size 640x500
+  cp build/demo/bunny_scan/lines.png "$images/repair_bunny_bridges.png"
+fi
+
+# A scene of several objects (Debian package opencv-doc), from where the sensor stood.
+scan=$data/rs1_scene/rs1_normals.ply
+if [[ -f $scan ]]; then
+  view=(--view 0.1,-0.1,1 --view-up 1,0,0)
+  "$bin/pcl_repair_holes" "$scan" build/demo/toys.ply --viewpoint 0,0,0 || (($? == 2))
+  "$render" "$scan" "$images/repair_toys_before.png" "${view[@]}" --size 600x500
+  "$render" build/demo/toys.ply "$images/repair_toys_after.png" "${view[@]}" --size 600x500 \
+    --new-since "$scan"
+  [[ ! -x $viewer ]] || "$viewer" "$scan" --viewpoint 0,0,0 --stage holes --quiet "${view[@]}" \
+    --screenshot "$images/repair_toys_holes.png" --size 760x500
+fi
 
 # What free points and k_i (figure F4.8-5) do to a large hole.
 head=$data/igea/igea.ply
@@ -69,7 +77,6 @@ if [[ -f $head ]]; then
 fi
 
 # Stages as the viewer shows them.
-viewer=$bin/pcl_repair_viewer
 if [[ -x $viewer ]]; then
   for stage in filter base; do
     "$viewer" build/demo/bunny_cloud.obj --stage "$stage" --quiet \
