@@ -147,12 +147,23 @@ tutorial_6() {
   strip gamma hole.ply --free-point-exponent "0.5 4" "${samples[@]}" "${aside[@]}"
 }
 
+tutorial_7() {
+  run_commands 7_decisions
+  local size=460x320 view=(--view 0,0,1)
+  picture 7_scene scene.ply "${view[@]}"
+  picture 7_aside scene.ply --view 1,0.3,1
+  picture 7_repaired repaired.ply "${view[@]}" --new-since scene.ply
+  picture 7_decided decided.ply "${view[@]}" --new-since scene.ply
+  pcl_repair_viewer scene.ply --stage holes --quiet --screenshot "$images/7_holes.png" \
+    --size 560x380 "${view[@]}"
+}
+
 [[ -f build/demo/bunny_cloud.obj && -x build/release/bin/scan_to_mesh ]] || {
   scripts/demo.sh
   cmake --build --preset release --target examples
 }
 mkdir -p "$images"
-(($# > 0)) || set -- 1 2 3 4 5 6
+(($# > 0)) || set -- 1 2 3 4 5 6 7
 for number; do
   (tutorial_"$number")
 done
