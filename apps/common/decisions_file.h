@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: a user's decisions about a repair, as a JSON file.
 #pragma once
 
-#include <pcl/surface_repair/decision/decisions.h>
+#include <pcl/surface_repair/decisions.h>
 
 #include "output_file.h"
 

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: what pcl_repair_holes tells about a model.
 #pragma once
 
+#include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_report.h>
 
 #include "repair_options.h"

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: decisions that are made while looking at them.
 #pragma once
 
-#include <pcl/surface_repair/decision/decisions.h>
+#include <pcl/surface_repair/decisions.h>
 
 #include <cstddef>
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <pcl/surface_repair/boundary/extraction.h>
 #include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/surface_repair/model_survey.h>
 
 #include <Eigen/Geometry>
 

@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
+#include <pcl/surface_repair/model_survey.h>
 
 #include "measuring.h"
 #include "repair_trial.h"

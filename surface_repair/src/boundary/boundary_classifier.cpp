@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what each boundary of a mesh bounds: hole, rim or border.
 #include <pcl/console/print.h>
+#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/threads.h>
+#include <pcl/surface_repair/boundary/classification.h>
 #include <pcl/surface_repair/boundary/extraction.h>
 #include <pcl/surface_repair/boundary_classifier.h>
+#include <pcl/surface_repair/icadm/icm_class.h>
+#include <pcl/surface_repair/icadm/model_reading.h>
 
 #include <new>
 

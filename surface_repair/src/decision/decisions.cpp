@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: what a user decides about boundary loops and junctions.
 
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_repair/decision/decisions.h>
+#include <pcl/surface_repair/decisions.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace pcl {
@@ -41,21 +40,6 @@ private:
 };
 
 } // namespace
-
-LoopKey
-keyOf(const IncompleteModel& model, const BoundaryLoop& loop)
-{
-  LoopKey key;
-  key.edges = loop.vertices.size();
-  for (const pcl::index_t vertex : loop.vertices) {
-    const pcl::index_t point = model.point_of_vertex[static_cast<std::size_t>(vertex)];
-    if (point != pcl::UNAVAILABLE && (key.point < 0 || point < key.point))
-      key.point = point;
-    key.center += model.positions[static_cast<std::size_t>(vertex)];
-  }
-  key.center /= static_cast<double>(std::max<std::size_t>(key.edges, 1));
-  return key;
-}
 
 MeshFingerprint
 fingerprintOf(const pcl::PolygonMesh& mesh)

@@ -3,6 +3,7 @@
 
 #include "darning_choice.h"
 
+#include <pcl/surface_ccaa/mesh/box_tree.h>
 #include <pcl/surface_repair/darning/completion_darning.h>
 #include <pcl/surface_repair/darning/fan_darning.h>
 #include <pcl/surface_repair/darning/minimum_weight_darning.h>

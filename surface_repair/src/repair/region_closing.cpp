@@ -4,6 +4,9 @@
 #include "region_closing.h"
 
 #include <pcl/surface_repair/darning/completion_darning.h>
+#include <pcl/surface_repair/fairing/refinement.h>
+#include <pcl/surface_repair/fairing/relaxation.h>
+#include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include "../fairing/flat_cap.h"
 #include "../junction/depth_jump.h"

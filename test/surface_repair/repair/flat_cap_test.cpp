@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of patches that lie in the plane of their rim.
 
+#include <pcl/surface_repair/decisions.h>
+#include <pcl/surface_repair/model_survey.h>
+
 #include "repair_fixture.h"
 
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
+#include <pcl/surface_repair/icadm/incomplete_model.h>
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/run_settings.h>
-#include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/icadm/icm_class.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
+#include <pcl/surface_repair/model_findings.h>
+#include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/memory.h>
 #include <pcl/PolygonMesh.h>
 #include <pcl/types.h>
@@ -16,6 +15,9 @@
 #include <vector>
 
 namespace pcl {
+namespace repair {
+struct IncompleteModel;
+}
 
 /** \brief One boundary loop of a mesh and what it bounds. */
 struct ClassifiedBoundary {

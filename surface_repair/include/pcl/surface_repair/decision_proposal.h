@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/decision/decisions.h>
+#include <pcl/surface_repair/decisions.h>
 #include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_parameters.h>
 

@@ -6,7 +6,6 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/boundary/classification.h>
 #include <pcl/surface_repair/decision/loop_wishes.h>
-#include <pcl/surface_repair/extent.h>
 #include <pcl/surface_repair/field/free_point_field.h>
 #include <pcl/surface_repair/field/shielding.h>
 #include <pcl/surface_repair/force_line/line_origins.h>
@@ -17,6 +16,7 @@
 #include <pcl/surface_repair/junction/junction.h>
 #include <pcl/surface_repair/orientation/island_orientation.h>
 #include <pcl/surface_repair/perturbation/free_point_perturbation.h>
+#include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/PolygonMesh.h>
 
@@ -29,47 +29,6 @@
 
 namespace pcl {
 namespace repair {
-
-/** \brief Light (M1): distances as they are, nothing shields. Full (M2): free points
- * shorten ways (4.424) and the surface shields (E4.43-6). */
-enum class FieldMode : std::uint8_t { LIGHT, FULL };
-
-/** \brief The method's parameters; 0 stands for "from the data" where it says so. */
-struct FieldParameters {
-  FieldMode mode = FieldMode::LIGHT;
-  double interpolation = 0.0;       /**< k_i, at least 0 */
-  double falloff_exponent = 2.5;    /**< chi, above 0 */
-  double near = 0.0;                /**< L_1; 0: the mean source spacing */
-  double far = 0.0;                 /**< L_2; 0: `room` times the gap at each place */
-  double room = 2.5;                /**< gaps that L_2 spans, above 1 */
-  double free_point_near = 0.0;     /**< R_1; 0: mean free-point spacing */
-  double free_point_far = 0.0;      /**< R_2; 0: half the mean gap */
-  double free_point_exponent = 1.0; /**< gamma, above 0 */
-  double trust = 0.5;               /**< k_t of the free points, in [0, 1) */
-  /** \brief For the neighbourhoods of free points; null: search::KdTree. */
-  PointSearchPtr search;
-};
-
-/** \brief Everything about a survey that can be set. */
-struct SurveyParameters {
-  FieldParameters field;
-  OrientationParameters orientation;
-  ClassificationParameters classification;
-  TrackerParameters tracker;
-  JunctionParameters junction;
-  PerturbationParameters perturbation;          /**< its trust is that of the field */
-  std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
-  double hole_threshold = 0.25; /**< T of a hole (4.5), in lengths of its boundary */
-  double bridge_spacing = 0.5;  /**< least arc length between bridges, in lengths of the
-                                     bridge */
-  double line_spacing = 0.25;   /**< least arc length between origins, in gaps */
-  Extent greatest_bridge = {};  /**< longer bridges between islands are not built; 0: no
-                                     limit */
-  SmallIslands dropped = {};    /**< islands that are left out on reading */
-  std::shared_ptr<const Decisions> decisions = {}; /**< of the user, or null */
-  bool trace_between_islands = true; /**< lines and bridges of step ICM3 -> ICM2 */
-  bool trace_in_holes = true;        /**< lines within each complex hole */
-};
 
 /** \brief Force lines of one step of the method: between islands, or within one hole.
  */

@@ -1,19 +1,191 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: all parameters of a repair.
+// Part of PclSurfaceRepair: all options of a repair.
 
 #pragma once
 
-#include <pcl/surface_repair/darning/darning_method.h>
-#include <pcl/surface_repair/extent.h>
-#include <pcl/surface_repair/fairing/refinement.h>
-#include <pcl/surface_repair/fairing/relaxation.h>
-#include <pcl/surface_repair/model_survey.h>
+#include <pcl/surface_ccaa/mesh/side_hints.h>
+#include <pcl/memory.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace pcl {
+struct PointXYZ;
+namespace search {
+template <typename PointT>
+class Search;
+}
 namespace repair {
+
+/** \brief A limit in units of the cloud, or as a share of the diagonal of the bounding
+ * box of all triangles. */
+struct Extent {
+  Extent() = default;
+  /** \param[in] limit at least 0; 0: no limit
+   * \param[in] in_diagonals 0.05 is 5 % of the diagonal; else units of the cloud */
+  Extent(double limit, bool in_diagonals = false)
+  : value(limit), of_diagonal(in_diagonals)
+  {}
+
+  bool
+  limits() const
+  {
+    return value > 0.0;
+  }
+  /** \brief In units of the cloud. */
+  double
+  length(double diagonal) const
+  {
+    return of_diagonal ? value * diagonal : value;
+  }
+
+  double value = 0.0;
+  bool of_diagonal = false;
+};
+
+/** \brief Edges up to which a hole is simple for the thesis' darning method (4.7). */
+constexpr std::size_t SIMPLE_HOLE_EDGES = 12;
+
+/** \brief Which islands are too small: those below any of the limits. */
+struct SmallIslands {
+  std::size_t triangles = 0;      /**< fewer than so many */
+  double area = 0.0;              /**< less than that, squared units of the cloud */
+  double share_of_all_area = 0.0; /**< less than that of all islands' area, 0 to 1 */
+
+  bool
+  any() const
+  {
+    return triangles > 0 || area > 0.0 || share_of_all_area > 0.0;
+  }
+};
+
+/** \brief When a rule decides about the side of an island. */
+struct OrientationParameters {
+  /** \brief What is told about the outer side; goes before the other rules. */
+  ccaa::SideHints sides;
+  /** \brief Balance of the votes, 0 to 1, from which given normals agree with each
+   * other. Default 0.5: three of four. Viewpoints and up are clear from
+   * ccaa::VOTE_MARGIN on. */
+  double agreement = 0.5;
+  /** \brief Balance from which free sight makes a standard island. Default 0.3. */
+  double clear_sight = 0.3;
+  /** \brief Share of the ways of the better side that must be free for that, 0 to 1:
+   * what is seen through a gap errs easily. Default 0.5. */
+  double least_sight = 0.5;
+  /** \brief Balance of the field integral, 0 to 1, from which it decides alone.
+   * Default 0.5. */
+  double clear_field = 0.5;
+  /** \brief Balance from which field and sight together decide, 0 to 2. Default 0.2.
+   */
+  double decided_from = 0.2;
+  /** \brief k of r = k d (4.48): a way closer than this times the mean free-point
+   * spacing to a free point is not free. Default 1. */
+  double sight_clearance = 1.0;
+  /** \brief L_2 in gaps to the next island. Default 2.5. */
+  double room = 2.5;
+};
+
+/** \brief When a class of a boundary counts as decided. */
+struct ClassificationParameters {
+  /** \brief Least confidence of a class that is not UNDECIDED, 0 to 1. */
+  double decided_from = 0.4;
+  /** \brief Share of a rim that must be faced by other islands before it is an
+   * ISLAND_RIM and no OUTER_BORDER, 0 to 1. */
+  double faced_from = 0.25;
+};
+
+/** \brief Light (M1): distances as they are, nothing shields. Full (M2): free points
+ * shorten ways (4.424) and the surface shields (E4.43-6). */
+enum class FieldMode : std::uint8_t { LIGHT, FULL };
+
+/** \brief Any search of PCL. Its header takes long to compile, hence not here. */
+using PointSearchPtr = pcl::shared_ptr<pcl::search::Search<pcl::PointXYZ>>;
+
+/** \brief The method's parameters; 0 stands for "from the data" where it says so. */
+struct FieldParameters {
+  FieldMode mode = FieldMode::LIGHT;
+  double interpolation = 0.0;       /**< k_i, at least 0 */
+  double falloff_exponent = 2.5;    /**< chi, above 0 */
+  double near = 0.0;                /**< L_1; 0: the mean source spacing */
+  double far = 0.0;                 /**< L_2; 0: `room` times the gap at each place */
+  double room = 2.5;                /**< gaps that L_2 spans, above 1 */
+  double free_point_near = 0.0;     /**< R_1; 0: mean free-point spacing */
+  double free_point_far = 0.0;      /**< R_2; 0: half the mean gap */
+  double free_point_exponent = 1.0; /**< gamma, above 0 */
+  double trust = 0.5;               /**< k_t of the free points, in [0, 1) */
+  /** \brief For the neighbourhoods of free points; null: search::KdTree. */
+  PointSearchPtr search;
+};
+
+/** \brief How exactly a force line is followed, and how far. */
+struct TrackerParameters {
+  /** \brief Greatest error of one step, in L_1. Default 0.01. */
+  double tolerance = 0.01;
+  /** \brief Distance in L_1 at which a boundary captures a line, which then goes on
+   * straight. Nearer than that the single sources show. Default 2. */
+  double capture_distance = 2.0;
+  /** \brief L_2 along the line in gaps that are left to the nearest target, if that is
+   * less than the L_2 of the origin. 0: L_2 stays as it is (thesis), with which a line
+   * that comes to a closely sampled ring may turn away at the last moment, because the
+   * far side of the ring repels. Default 2.5. */
+  double room = 2.5;
+  /** \brief Greatest length of a line in L_2. Default 2. */
+  double greatest_length = 2.0;
+  /** \brief Clearness below which a normal counts as undetermined (4.44), 0 to 1.
+   * Default 0.05. */
+  double least_clearness = 0.05;
+};
+
+/** \brief How far free points pull a line. */
+struct PerturbationParameters {
+  /** \brief k_t of the free points, in [0, 1): 0 leaves the line where it is. */
+  double trust = 0.5;
+  /** \brief Half height of the cylinder around the normal line, in R_2, above 0: free
+   * points further off the line are those of another sheet. Default 1. */
+  double half_height = 1.0;
+  /** \brief k of E4.6-4: weight of the supporting points, at least 0. Default 1. */
+  double support_weight = 1.0;
+  /** \brief Weight of the pole that the unperturbed point itself is, at least 0.
+   * Default 1, the tension of a free point of trust 0.5. With 0 (E4.6-3 to the letter)
+   * one free point, however little trusted and however far aside within R_2, pulls the
+   * line all the way. */
+  double own_weight = 1.0;
+};
+
+/** \brief When a junction is believed. */
+struct JunctionParameters {
+  /** \brief false: every pair that a line connects is joined. */
+  bool judge = true;
+  /** \brief Least log odds of what is joined. Default 0.5: in doubt it is left open. */
+  double joined_from = 0.5;
+  /** \brief Log odds below which two boundaries are different objects for sure; of a
+   * junction that is joined a line by itself with less is not believed. */
+  double different_below = -2.0;
+};
+
+struct Decisions;
+
+/** \brief Everything about a survey that can be set. */
+struct SurveyParameters {
+  FieldParameters field;
+  OrientationParameters orientation;
+  ClassificationParameters classification;
+  TrackerParameters tracker;
+  JunctionParameters junction;
+  PerturbationParameters perturbation;          /**< its trust is that of the field */
+  std::size_t simple_edges = SIMPLE_HOLE_EDGES; /**< see countHoles() */
+  double hole_threshold = 0.25; /**< T of a hole (4.5), in lengths of its boundary */
+  double bridge_spacing = 0.5;  /**< least arc length between bridges, in lengths of the
+                                     bridge */
+  double line_spacing = 0.25;   /**< least arc length between origins, in gaps */
+  Extent greatest_bridge = {};  /**< longer bridges between islands are not built; 0: no
+                                     limit */
+  SmallIslands dropped = {};    /**< islands that are left out on reading */
+  std::shared_ptr<const Decisions> decisions = {}; /**< of the user, or null */
+  bool trace_between_islands = true; /**< lines and bridges of step ICM3 -> ICM2 */
+  bool trace_in_holes = true;        /**< lines within each complex hole */
+};
 
 /** \brief How holes are closed. */
 enum class DarningChoice : std::uint8_t {
@@ -32,6 +204,13 @@ enum class CloseChoice : std::uint8_t {
            once nothing more can be joined */
 };
 
+/** \brief The shape of a patch. */
+enum class Cap : std::uint8_t {
+  AUTO, /**< flat over a large plane rim that the surface meets steeply, else smooth */
+  SMOOTH, /**< goes on as the surface around does */
+  FLAT    /**< in the plane of its rim, at which a fold may stay */
+};
+
 /** \brief How simple holes are closed, and which. */
 struct DarningParameters {
   DarningChoice choice = DarningChoice::AUTOMATIC;
@@ -43,6 +222,29 @@ struct DarningParameters {
   Extent greatest_length = {};
   CloseChoice close = CloseChoice::HOLES;
   Cap cap = Cap::AUTO; /**< of patches about which no decision says more */
+};
+
+/** \brief How small new triangles become. */
+struct RefinementParameters {
+  /** \brief Edge length wanted, in those of the surface around: above 0. Default 1. */
+  double edge_length = 1.0;
+  /** \brief Greatest number of new vertices in a patch: beyond it triangles stay as
+   * large as they are then. Default 1 million. */
+  std::size_t greatest_number = 1000000;
+};
+
+/** \brief How new vertices move to a smooth surface. */
+struct RelaxationParameters {
+  /** \brief k_t of the free points, in [0, 1): 0 and they do not count.
+   * Default 0.5. */
+  double trust = 0.5;
+  /** \brief Free points count within so many edge lengths of the patch, above 0.
+   * Default 3. */
+  double reach = 3.0;
+  /** \brief Times that the surface is solved anew on what came out before, at least 1;
+   * fewer are done where one would make the surface worse, or has changed next to
+   * nothing. Default 6. */
+  std::size_t rounds = 6;
 };
 
 /** \brief Everything about a repair that can be set. */

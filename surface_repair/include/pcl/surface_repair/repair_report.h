@@ -4,11 +4,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/surface_topology.h>
-#include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/icadm/icm_class.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
-#include <pcl/surface_repair/junction/junction.h>
-#include <pcl/surface_repair/orientation/island_orientation.h>
+#include <pcl/surface_repair/model_findings.h>
+#include <pcl/types.h>
 
 #include <array>
 #include <cstddef>

@@ -4,25 +4,13 @@
 #pragma once
 
 #include <pcl/surface_repair/boundary/boundary_loop.h>
+#include <pcl/surface_repair/model_findings.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace pcl {
 namespace repair {
-
-/** \brief D = sum of cos(phi) db over a boundary (ED4.1-1). */
-struct BoundaryIntegral {
-  double value = 0.0;  /**< D, units of length: above 0 a hole, below 0 a rim */
-  double length = 0.0; /**< of the boundary */
-
-  /** \brief D / length, -1 (flat rim) to 1 (flat hole); 0 for no boundary. */
-  double
-  relative() const
-  {
-    return length > 0.0 ? value / length : 0.0;
-  }
-};
 
 /** \brief For each point of the curve the index of the point most distant from it, the
  * lowest of equals. Sub-quadratic: a tree over the points is searched with the distance

@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_repair/decision/decisions.h>
+#include <pcl/surface_repair/boundary/boundary_loop.h>
+#include <pcl/surface_repair/decisions.h>
 
 #include <cstddef>
 #include <map>
@@ -15,6 +16,10 @@
 
 namespace pcl {
 namespace repair {
+
+/** \brief By what a loop is known again. */
+LoopKey
+keyOf(const IncompleteModel& model, const BoundaryLoop& loop);
 
 /** \brief The loops of the input, what is wanted of them, and which must not be joined.
  *

@@ -4,18 +4,10 @@
 #pragma once
 
 #include <pcl/surface_repair/darning/patch.h>
+#include <pcl/surface_repair/repair_parameters.h>
 
 namespace pcl {
 namespace repair {
-
-/** \brief How small new triangles become. */
-struct RefinementParameters {
-  /** \brief Edge length wanted, in those of the surface around: above 0. Default 1. */
-  double edge_length = 1.0;
-  /** \brief Greatest number of new vertices in a patch: beyond it triangles stay as
-   * large as they are then. Default 1 million. */
-  std::size_t greatest_number = 1000000;
-};
 
 /** \brief Split and flip edges until their lengths follow those of the model around
  * (Liepa 2003): the wanted length at a vertex of the rim is the mean length of the

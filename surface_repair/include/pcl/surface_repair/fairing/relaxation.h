@@ -4,25 +4,12 @@
 #pragma once
 
 #include <pcl/surface_repair/darning/patch.h>
+#include <pcl/surface_repair/repair_parameters.h>
 
 #include <cstddef>
 
 namespace pcl {
 namespace repair {
-
-/** \brief How new vertices move to a smooth surface. */
-struct RelaxationParameters {
-  /** \brief k_t of the free points, in [0, 1): 0 and they do not count.
-   * Default 0.5. */
-  double trust = 0.5;
-  /** \brief Free points count within so many edge lengths of the patch, above 0.
-   * Default 3. */
-  double reach = 3.0;
-  /** \brief Times that the surface is solved anew on what came out before, at least 1;
-   * fewer are done where one would make the surface worse, or has changed next to
-   * nothing. Default 6. */
-  std::size_t rounds = 6;
-};
 
 /** \brief What relaxPatch() did. */
 struct RelaxationReport {

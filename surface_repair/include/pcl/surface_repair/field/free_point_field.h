@@ -5,6 +5,7 @@
 
 #include <pcl/surface_repair/field/falloff.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
+#include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/memory.h>
 
 #include <cstddef>
@@ -12,15 +13,7 @@
 #include <vector>
 
 namespace pcl {
-struct PointXYZ;
-namespace search {
-template <typename PointT>
-class Search;
-}
 namespace repair {
-
-/** \brief Any search of PCL. Its header takes long to compile, hence not here. */
-using PointSearchPtr = pcl::shared_ptr<pcl::search::Search<pcl::PointXYZ>>;
 
 /** \brief The scalar field G of the free points (4.424, 4.45) and lengths measured in
  * it. Built once; const methods may be called from several threads. */

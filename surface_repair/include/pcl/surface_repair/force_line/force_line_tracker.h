@@ -8,6 +8,7 @@
 #include <pcl/surface_repair/field/indicator_field.h>
 #include <pcl/surface_repair/force_line/boundary_edges.h>
 #include <pcl/surface_repair/force_line/force_line.h>
+#include <pcl/surface_repair/repair_parameters.h>
 
 #include <vector>
 
@@ -22,25 +23,6 @@ struct LineOrigin {
   Direction tangent; /**< tau of the boundary, positive direction */
   Direction normal;  /**< external normal of the island, perpendicular to tau */
   FieldQuery query; /**< L_1, L_2, chi and the charges; its position is not looked at */
-};
-
-/** \brief How exactly a force line is followed, and how far. */
-struct TrackerParameters {
-  /** \brief Greatest error of one step, in L_1. Default 0.01. */
-  double tolerance = 0.01;
-  /** \brief Distance in L_1 at which a boundary captures a line, which then goes on
-   * straight. Nearer than that the single sources show. Default 2. */
-  double capture_distance = 2.0;
-  /** \brief L_2 along the line in gaps that are left to the nearest target, if that is
-   * less than the L_2 of the origin. 0: L_2 stays as it is (thesis), with which a line
-   * that comes to a closely sampled ring may turn away at the last moment, because the
-   * far side of the ring repels. Default 2.5. */
-  double room = 2.5;
-  /** \brief Greatest length of a line in L_2. Default 2. */
-  double greatest_length = 2.0;
-  /** \brief Clearness below which a normal counts as undetermined (4.44), 0 to 1.
-   * Default 0.05. */
-  double least_clearness = 0.05;
 };
 
 /** \brief Traces lines dX/dl = f / |f|, f = H n, where n answers 4.44-1 at each point.

@@ -7,6 +7,7 @@
 #include <pcl/surface_ccaa/mesh/side_hints.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include <pcl/surface_repair/model_findings.h>
 #include <pcl/memory.h>
 #include <pcl/pcl_base.h>
 #include <pcl/PolygonMesh.h>
@@ -21,17 +22,8 @@
 namespace pcl {
 namespace repair {
 
-using ccaa::Position;
-using ccaa::Positions;
 using ccaa::Triangle;
 using ccaa::Triangles;
-
-/** \brief A unit vector; NaN where there is none. */
-using Direction = Eigen::Vector3d;
-using Directions = std::vector<Direction>;
-
-/** \brief Index of an island, loop or other part that is not there. */
-constexpr std::size_t NONE = static_cast<std::size_t>(-1);
 
 /** \brief One connected component of the reconstructed region A. */
 struct Island {

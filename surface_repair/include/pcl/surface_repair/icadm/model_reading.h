@@ -6,6 +6,7 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_repair/icadm/incomplete_model.h>
+#include <pcl/surface_repair/model_findings.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include <cstddef>
@@ -15,27 +16,6 @@
 
 namespace pcl {
 namespace repair {
-
-/** \brief What reading found, and what had to change before it was an ICADM. */
-struct ReadingReport {
-  std::size_t input_polygons = 0;
-  std::size_t invalid_polygons = 0;   /**< index out of range, repeated or not finite */
-  std::size_t repeated_triangles = 0; /**< left out: there already, either way round */
-  std::size_t overfull_edges = 0; /**< of three triangles and more, where the mesh was
-                                       cut into sheets */
-  std::size_t separated_fans = 0; /**< that got a vertex of their own: fans of one point
-                                       beside its first one */
-  std::size_t twist_triangles = 0; /**< left out: they made islands one-sided */
-  std::size_t reversed_triangles = 0;
-  std::size_t non_finite_points = 0;
-  std::size_t points_on_vertices = 0; /**< that are no free points for that reason */
-  Eigen::Vector3d global_shift = Eigen::Vector3d::Zero(); /**< taken off all positions
-                                       of the model: see pcl::GlobalShift */
-  std::size_t dropped_islands = 0; /**< smaller than the user wants them; see
-                                        dropIslands() */
-  std::size_t dropped_triangles = 0;
-  std::string problem; /**< why there is no model; empty: there is one */
-};
 
 /** \brief A model, and what reading had to change. */
 struct ReadModel {

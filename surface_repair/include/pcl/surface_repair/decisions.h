@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_repair/boundary/boundary_loop.h>
-#include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/junction/junction.h>
+#include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
+#include <pcl/PolygonMesh.h>
+#include <pcl/types.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,22 +22,12 @@ enum class LoopWish : std::uint8_t {
   LEAVE_OPEN /**< neither close it nor join it to another one */
 };
 
-/** \brief The shape of a patch. */
-enum class Cap : std::uint8_t {
-  AUTO, /**< flat over a large plane rim that the surface meets steeply, else smooth */
-  SMOOTH, /**< goes on as the surface around does */
-  FLAT    /**< in the plane of its rim, at which a fold may stay */
-};
-
 /** \brief By what a loop is known again: in a file, and from pass to pass. */
 struct LoopKey {
   pcl::index_t point = -1; /**< its lowest point of the cloud */
   std::size_t edges = 0;
   Position center = Position::Zero(); /**< mean of its points */
 };
-
-LoopKey
-keyOf(const IncompleteModel& model, const BoundaryLoop& loop);
 
 /** \brief A loop of the input with what was found about it, and what is to become of
  * it. Only key, wish and cap count when it is given back. */
