@@ -2,10 +2,12 @@
 // Part of PclSurfaceRepair: from islands and complex holes to one correct surface.
 
 #include <pcl/console/print.h>
+#include <pcl/search/search.h>
 #include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/threads.h>
+#include <pcl/surface_repair/decision_proposal.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include "new_vertices.h"
@@ -33,6 +35,50 @@ ForceLineHoleRepair::initCompute()
     reportOutOfMemory("initCompute");
     return false;
   }
+}
+
+repair::Decisions
+ForceLineHoleRepair::proposeDecisions() const
+{
+  if (!input_mesh_) {
+    PCL_ERROR("[pcl::%s::proposeDecisions] no input mesh\n", getClassName().c_str());
+    return {};
+  }
+  if (!checkParameters())
+    return {};
+  try {
+    return propose();
+  }
+  catch (const std::bad_alloc&) {
+    reportOutOfMemory("proposeDecisions");
+    return {};
+  }
+}
+
+repair::Decisions
+ForceLineHoleRepair::propose() const
+{
+  ccaa::RunControl control(progress_);
+  ccaa::LoopContext context;
+  context.threads = ccaa::resolveThreads(threads_);
+  context.control = &control;
+  repair::RepairParameters parameters = parameters_;
+  parameters.survey.trace_in_holes = false;
+  parameters.survey.trace_between_islands = parameters.join_islands;
+  if (parameters.watertight)
+    parameters.darning.close = repair::CloseChoice::ALL;
+  const repair::ModelSurvey survey =
+      surveyModel(input_mesh_, free_points_.get(), parameters.survey, context);
+  if (survey.cancelled || context.cancelled())
+    return {};
+  const std::string& problem = survey.reading.problem;
+  if (problem.empty())
+    return repair::proposeDecisions(survey, parameters);
+  PCL_ERROR("[pcl::%s::proposeDecisions] cannot survey the mesh: %s (%zu polygons)\n",
+            getClassName().c_str(),
+            problem.c_str(),
+            input_mesh_->polygons.size());
+  return {};
 }
 
 bool

@@ -93,6 +93,24 @@ TEST(Decisions, AreProposedForEachPairOfLoopsThatBridgesConnect)
   }
 }
 
+TEST(Decisions, OfTheFacadeAreThoseOfTheSurvey)
+{
+  ForceLineHoleRepair repair;
+  EXPECT_TRUE(repair.proposeDecisions().loops.empty()) << "no mesh";
+  for (const Shape& shape : {barrel(), threeSlices()}) {
+    const Decisions expected = proposed(shape);
+    repair.setInputMesh(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)));
+    const Decisions decisions = repair.proposeDecisions();
+    EXPECT_EQ(expected.mesh.checksum, decisions.mesh.checksum);
+    EXPECT_EQ(expected.junctions.size(), decisions.junctions.size());
+    ASSERT_EQ(expected.loops.size(), decisions.loops.size());
+    for (std::size_t k = 0; k < expected.loops.size(); ++k) {
+      EXPECT_EQ(expected.loops[k].key.point, decisions.loops[k].key.point);
+      EXPECT_EQ(expected.loops[k].wish, decisions.loops[k].wish);
+    }
+  }
+}
+
 TEST(Decisions, LeaveABorderOpenUnlessAllIsToBeClosed)
 {
   const Shape sheet = terrain(20, 20, 1.0);

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <pcl/search/search.h>
 #include <pcl/surface/processing.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/point_types.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <memory>
@@ -18,8 +18,9 @@
 
 namespace pcl {
 namespace repair {
+struct Decisions;
 struct RepairedModel;
-}
+} // namespace repair
 
 /** \brief Repairs an incomplete model: joins its islands by bridges along force lines
  * and closes the holes between them (thesis, Chapter 4).
@@ -37,7 +38,9 @@ struct RepairedModel;
  * A mesh of any number of islands comes in. Holes are told from the rims of islands and
  * from the outer border of an open surface, islands are turned to the same side,
  * bridges join them, and the holes that are left are closed, refined and faired.
- * Nothing has to be set: lengths follow from the mesh.
+ * Nothing has to be set: lengths follow from the mesh. All options are in
+ * repair::RepairParameters, with their defaults and ranges; the setters here write the
+ * everyday ones of them, and getParameters() reads them.
  *
  * What goes in stays: the points of the cloud in order and bit for bit, all triangles
  * with their order, only wound the other way round where their island was. New points
@@ -71,7 +74,7 @@ class ForceLineHoleRepair : public MeshProcessing, public ccaa::RunSettings {
 public:
   using Ptr = shared_ptr<ForceLineHoleRepair>;
   using ConstPtr = shared_ptr<const ForceLineHoleRepair>;
-  using SearchPtr = pcl::search::Search<pcl::PointXYZ>::Ptr;
+  using SearchPtr = repair::PointSearchPtr;
 
   /** \brief Samples of the missing regions, beside the points of the mesh that have no
    * triangle. Null (default): none. Such a point that becomes a vertex is appended. */
@@ -86,6 +89,18 @@ public:
     return free_points_;
   }
 
+  /** \brief All options at once. */
+  void
+  setParameters(const repair::RepairParameters& parameters)
+  {
+    parameters_ = parameters;
+  }
+  const repair::RepairParameters&
+  getParameters() const
+  {
+    return parameters_;
+  }
+
   /** \brief Search for the neighbourhoods of free points. Default: search::KdTree. */
   void
   setSearchMethod(const SearchPtr& search)
@@ -98,29 +113,12 @@ public:
     return parameters_.survey.field.search;
   }
 
-  /** \brief Any field of the parameters, also those without a setter of their own. */
-  void
-  setParameters(const repair::RepairParameters& parameters)
-  {
-    parameters_ = parameters;
-  }
-  const repair::RepairParameters&
-  getParameters() const
-  {
-    return parameters_;
-  }
-
   /** \brief Where the sensor of all points stood, units of the cloud: goes before
    * normals and sensor positions of the cloud. Default: none. */
   void
   setViewpoint(const std::optional<Eigen::Vector3d>& position)
   {
     parameters_.survey.orientation.sides.told_viewpoint = position;
-  }
-  const std::optional<Eigen::Vector3d>&
-  getViewpoint() const
-  {
-    return parameters_.survey.orientation.sides.told_viewpoint;
   }
 
   /** \brief Where the outer side looks, as that of a terrain does to the sky; of any
@@ -130,11 +128,6 @@ public:
   {
     parameters_.survey.orientation.sides.up = direction;
   }
-  const std::optional<Eigen::Vector3d>&
-  getUp() const
-  {
-    return parameters_.survey.orientation.sides.up;
-  }
 
   /** \brief Whether the origin counts as the sensor's place where nothing says where it
    * stood and the mesh lies before it (see ccaa::liesBeforeOrigin()). Default false. */
@@ -143,24 +136,13 @@ public:
   {
     parameters_.survey.orientation.sides.try_origin = allowed;
   }
-  bool
-  getOriginAsViewpoint() const
-  {
-    return parameters_.survey.orientation.sides.try_origin;
-  }
 
-  /** \brief Light (M1): distances as they are; full (M2): free points shorten ways
-   * (4.424) and the surface stands in the way (E4.43-6), which takes about 4 times as
-   * long for the field. Default LIGHT. */
+  /** \brief Light (M1) or full (M2), which takes about 4 times as long for the field.
+   * Default LIGHT. */
   void
   setMode(repair::FieldMode mode)
   {
     parameters_.survey.field.mode = mode;
-  }
-  repair::FieldMode
-  getMode() const
-  {
-    return parameters_.survey.field.mode;
   }
 
   /** \brief k_i: how much more a boundary counts for places straight ahead of it. At
@@ -170,89 +152,6 @@ public:
   {
     parameters_.survey.field.interpolation = interpolation;
   }
-  double
-  getInterpolation() const
-  {
-    return parameters_.survey.field.interpolation;
-  }
-
-  /** \brief chi: how fast the field falls off with distance (4.45). Above 0,
-   * default 2.5; 1.7 for long wide gaps. */
-  void
-  setFalloffExponent(double exponent)
-  {
-    parameters_.survey.field.falloff_exponent = exponent;
-  }
-  double
-  getFalloffExponent() const
-  {
-    return parameters_.survey.field.falloff_exponent;
-  }
-
-  /** \brief L_1: distance up to which the field does not fall off, units of the cloud.
-   * 0 (default): the mean spacing of boundary points. */
-  void
-  setNearDistance(double distance)
-  {
-    parameters_.survey.field.near = distance;
-  }
-  double
-  getNearDistance() const
-  {
-    return parameters_.survey.field.near;
-  }
-
-  /** \brief L_2: distance from which there is no field, units of the cloud. 0
-   * (default): 2.5 times the gap at each place. */
-  void
-  setFarDistance(double distance)
-  {
-    parameters_.survey.field.far = distance;
-  }
-  double
-  getFarDistance() const
-  {
-    return parameters_.survey.field.far;
-  }
-
-  /** \brief R_1: up to here a free point has its full tension, units of the cloud. 0
-   * (default): their mean spacing. */
-  void
-  setFreePointNearDistance(double distance)
-  {
-    parameters_.survey.field.free_point_near = distance;
-  }
-  double
-  getFreePointNearDistance() const
-  {
-    return parameters_.survey.field.free_point_near;
-  }
-
-  /** \brief R_2: from here a free point has no influence, units of the cloud. 0
-   * (default): half the mean gap. */
-  void
-  setFreePointFarDistance(double distance)
-  {
-    parameters_.survey.field.free_point_far = distance;
-  }
-  double
-  getFreePointFarDistance() const
-  {
-    return parameters_.survey.field.free_point_far;
-  }
-
-  /** \brief gamma: how fast the tension of a free point falls off. Above 0, default 1.
-   */
-  void
-  setFreePointExponent(double exponent)
-  {
-    parameters_.survey.field.free_point_exponent = exponent;
-  }
-  double
-  getFreePointExponent() const
-  {
-    return parameters_.survey.field.free_point_exponent;
-  }
 
   /** \brief k_t: how far free points are to be trusted. In [0, 1), default 0.5; 0: they
    * do not count. */
@@ -261,35 +160,12 @@ public:
   {
     parameters_.survey.field.trust = trust;
   }
-  double
-  getTrust() const
-  {
-    return parameters_.survey.field.trust;
-  }
-
-  /** \brief T: when a hole is divided, no line ends nearer to its origin than this
-   * share of the boundary's length (4.7). In (0, 0.5], default 0.25. */
-  void
-  setHoleThreshold(double share)
-  {
-    parameters_.survey.hole_threshold = share;
-  }
-  double
-  getHoleThreshold() const
-  {
-    return parameters_.survey.hole_threshold;
-  }
 
   /** \brief How simple holes are closed. Default AUTOMATIC. */
   void
   setDarningMethod(repair::DarningChoice method)
   {
     parameters_.darning.choice = method;
-  }
-  repair::DarningChoice
-  getDarningMethod() const
-  {
-    return parameters_.darning.choice;
   }
 
   /** \brief Edges up to which a hole is simple (D4.1-3) and is not divided. 0
@@ -311,11 +187,6 @@ public:
   {
     parameters_.darning.greatest_hole = edges;
   }
-  std::size_t
-  getGreatestHole() const
-  {
-    return parameters_.darning.greatest_hole;
-  }
 
   /** \brief Longer boundaries are left open: units of the cloud, or a share of the
    * bounding box' diagonal. 0 (default): no limit. */
@@ -323,11 +194,6 @@ public:
   setGreatestHoleLength(const repair::Extent& length)
   {
     parameters_.darning.greatest_length = length;
-  }
-  const repair::Extent&
-  getGreatestHoleLength() const
-  {
-    return parameters_.darning.greatest_length;
   }
 
   /** \brief Longer bridges between islands are not built: units of the cloud, or a
@@ -337,49 +203,12 @@ public:
   {
     parameters_.survey.greatest_bridge = length;
   }
-  const repair::Extent&
-  getGreatestBridge() const
-  {
-    return parameters_.survey.greatest_bridge;
-  }
 
   /** \brief Which boundaries are closed. Default HOLES. */
   void
   setClose(repair::CloseChoice choice)
   {
     parameters_.darning.close = choice;
-  }
-  repair::CloseChoice
-  getClose() const
-  {
-    return parameters_.darning.close;
-  }
-
-  /** \brief Islands that are too small to be kept: their triangles are not in the
-   * output, and their points, which stay, draw nothing. Default: none, all triangles
-   * stay. */
-  void
-  setDroppedIslands(const repair::SmallIslands& small)
-  {
-    parameters_.survey.dropped = small;
-  }
-  const repair::SmallIslands&
-  getDroppedIslands() const
-  {
-    return parameters_.survey.dropped;
-  }
-
-  /** \brief The shape of patches. Default AUTO: flat over a large plane rim that the
-   * surface meets steeply, such as the base of a bust; smooth elsewhere. */
-  void
-  setCap(repair::Cap cap)
-  {
-    parameters_.darning.cap = cap;
-  }
-  repair::Cap
-  getCap() const
-  {
-    return parameters_.darning.cap;
   }
 
   /** \brief Whether a surface without any boundary is wanted: all that can be closed
@@ -389,25 +218,6 @@ public:
   {
     parameters_.watertight = watertight;
   }
-  bool
-  getWatertight() const
-  {
-    return parameters_.watertight;
-  }
-
-  /** \brief What a user decided about boundaries and junctions of the input mesh; see
-   * proposeDecisions(). Null (default): nothing. Decisions about another mesh are an
-   * error. */
-  void
-  setDecisions(const std::shared_ptr<const repair::Decisions>& decisions)
-  {
-    parameters_.survey.decisions = decisions;
-  }
-  const std::shared_ptr<const repair::Decisions>&
-  getDecisions() const
-  {
-    return parameters_.survey.decisions;
-  }
 
   /** \brief Whether islands are joined. Default true; with false only holes are closed.
    */
@@ -415,11 +225,6 @@ public:
   setJoinIslands(bool join)
   {
     parameters_.join_islands = join;
-  }
-  bool
-  getJoinIslands() const
-  {
-    return parameters_.join_islands;
   }
 
   /** \brief Whether patches get new vertices until they are as dense as what is around.
@@ -429,11 +234,6 @@ public:
   {
     parameters_.refine = refine;
   }
-  bool
-  getRefinement() const
-  {
-    return parameters_.refine;
-  }
 
   /** \brief Whether new vertices move to a smooth surface that joins the old one with
    * its tangent planes. Default true. */
@@ -442,24 +242,30 @@ public:
   {
     parameters_.relax = fair;
   }
-  bool
-  getFairing() const
+
+  /** \brief What a user decided about boundaries and junctions of the input mesh. Null
+   * (default): nothing. Decisions about another mesh are an error. */
+  void
+  setDecisions(const std::shared_ptr<const repair::Decisions>& decisions)
   {
-    return parameters_.relax;
+    parameters_.survey.decisions = decisions;
   }
 
-  /** \brief Edge length of patches in those of the surface around. Above 0, default 1.
-   */
-  void
-  setEdgeLength(double length)
-  {
-    parameters_.refinement.edge_length = length;
-  }
-  double
-  getEdgeLength() const
-  {
-    return parameters_.refinement.edge_length;
-  }
+  /** \brief What a repair of the input mesh would do about its boundary loops and the
+   * junctions between them, for a user to change. Given back as they are, decisions
+   * change nothing.
+   *
+   * A loop that is to be joined to others, or of which it is not clear what it is, is
+   * AUTO: closing or leaving it open is for the user to say. \code
+   * auto decisions =
+   *     std::make_shared<pcl::repair::Decisions>(repair.proposeDecisions());
+   * decisions->loops[0].wish = pcl::repair::LoopWish::LEAVE_OPEN;
+   * repair.setDecisions(decisions);
+   * \endcode
+   * Needs `pcl/surface_repair/decisions.h`. Errors (PCL_ERROR, nothing is proposed) as
+   * for a repair, and no mesh. \return empty after an error and after cancelling */
+  repair::Decisions
+  proposeDecisions() const;
 
   /** \brief What the last run found and did. */
   const RepairReport&
@@ -486,6 +292,8 @@ private:
   checkParameters() const;
   bool
   run();
+  repair::Decisions
+  propose() const;
   void
   write(pcl::PolygonMesh& output);
   void
