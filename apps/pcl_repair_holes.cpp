@@ -2,7 +2,6 @@
 // Part of PclSurfaceRepair: program that repairs an incomplete model, or shows what it
 // lacks.
 #include <pcl/surface_ccaa/threads.h>
-#include <pcl/surface_repair/decision_proposal.h>
 
 #include "common/batch.h"
 #include "common/bridge_layer.h"
@@ -25,6 +24,7 @@
 #include "render/display.h"
 #include "render/inspection_pictures.h"
 #include "render/render_options.h"
+#include "repair/decision_proposal.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>

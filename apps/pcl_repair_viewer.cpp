@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that shows a repair stage by stage.
-#include <pcl/surface_repair/decision_proposal.h>
-
 #include "common/cli.h"
 #include "common/decisions_file.h"
 #include "common/hole_report.h"
@@ -14,6 +12,7 @@
 #include "render/display.h"
 #include "render/drawing.h"
 #include "render/view_choice.h"
+#include "repair/decision_proposal.h"
 #include "viewer/decision_desk.h"
 #include "viewer/stage_view.h"
 #include "viewer/stages.h"

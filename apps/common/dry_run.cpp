@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: what a repair would do, told without doing it.
 #include "dry_run.h"
 
-#include <pcl/surface_repair/decision_proposal.h>
-
+#include "repair/decision_proposal.h"
 #include "repair_details.h"
 #include "wording.h"
 #include <nlohmann/json.hpp>

@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: what a repair would do, told without doing it.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
-
 #include "repair_options.h"
+#include "survey/model_survey.h"
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: what a survey found, as coloured points, lines and faces.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/Vertices.h>
 
 #include "inspection_colors.h"
+#include "survey/model_survey.h"
 
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: the colours in which an incomplete model is shown.
 #pragma once
 
-#include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/force_line/force_line.h>
-#include <pcl/surface_repair/orientation/island_orientation.h>
+#include "boundary/classification.h"
+#include "force_line/force_line.h"
+#include "orientation/island_orientation.h"
 
 #include <array>
 #include <cstdint>

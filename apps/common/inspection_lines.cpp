@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: force lines of a survey and their origins, coloured.
-#include <pcl/surface_repair/force_line/force_line_tracker.h>
-
+#include "force_line/force_line_tracker.h"
 #include "layer_builder.h"
 
 #include <algorithm>

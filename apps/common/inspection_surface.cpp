@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: loops, islands and free points of a survey, coloured.
-#include <pcl/surface_repair/icadm/model_assembly.h>
-
+#include "icadm/model_assembly.h"
 #include "layer_builder.h"
 
 #include <map>

@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: what pcl_repair_holes tells about a model.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_report.h>
 
 #include "repair_options.h"
+#include "survey/model_survey.h"
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>

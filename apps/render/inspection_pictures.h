@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: pictures of what a survey found.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
-
 #include "common/inspection_files.h"
 #include "render/render_settings.h"
+#include "survey/model_survey.h"
 
 #include <optional>
 #include <vector>

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: from where the gaps of a model are seen best.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
+#include "survey/model_survey.h"
 
 #include <vector>
 

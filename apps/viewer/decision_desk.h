@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: shows decisions in the viewer, and makes them by its keys.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
-
+#include "survey/model_survey.h"
 #include "viewer/decision_editor.h"
 #include "viewer/stage_view.h"
 

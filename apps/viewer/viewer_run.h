@@ -2,13 +2,13 @@
 // Part of PclSurfaceRepair: the work whose stages the viewer shows.
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 #include <pcl/PolygonMesh.h>
 
 #include "common/model.h"
 #include "common/progress.h"
+#include "survey/model_survey.h"
 
 #include <string>
 #include <vector>

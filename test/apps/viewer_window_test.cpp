@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: keys of the viewer, with and without its window.
-#include <pcl/surface_repair/decision_proposal.h>
-
 #include <gtest/gtest.h>
 
 #include "pictures.h"
 #include "render/display.h"
+#include "repair/decision_proposal.h"
 #include "repair_fixture.h"
 #include "viewer/decision_desk.h"
 #include "viewer/stage_colors.h"

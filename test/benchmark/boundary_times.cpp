@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: what the boundary integral costs on long boundaries.
 #include "boundary_times.h"
 
-#include <pcl/surface_repair/boundary/boundary_integral.h>
-
+#include "boundary/boundary_integral.h"
 #include "common/random_numbers.h"
 #include "measuring.h"
 

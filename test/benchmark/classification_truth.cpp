@@ -2,13 +2,13 @@
 // Part of PclSurfaceRepair: boundary loops of which it is known what they bound.
 #include "classification_truth.h"
 
-#include <pcl/surface_repair/boundary/extraction.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/memory.h>
 
 #include <Eigen/Geometry>
 
+#include "boundary/extraction.h"
 #include "common/model_io.h"
+#include "icadm/model_reading.h"
 
 #include <algorithm>
 #include <stdexcept>

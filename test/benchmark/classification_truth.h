@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: boundary loops of which it is known what they bound.
 #pragma once
 
-#include <pcl/surface_repair/boundary/boundary_loop.h>
-#include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
-
+#include "boundary/boundary_loop.h"
+#include "boundary/classification.h"
+#include "icadm/incomplete_model.h"
 #include "seeded_damage.h"
 
 #include <cstdint>

@@ -2,12 +2,12 @@
 // Part of PclSurfaceRepair: closed surfaces to be damaged, from files or made to order.
 #include "closed_models.h"
 
-#include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/memory.h>
 
 #include <Eigen/Geometry>
 
 #include "common/model_io.h"
+#include "icadm/model_reading.h"
 
 #include <array>
 #include <cmath>

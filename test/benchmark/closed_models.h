@@ -3,8 +3,9 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
 #include <pcl/PolygonMesh.h>
+
+#include "icadm/incomplete_model.h"
 
 #include <string>
 #include <vector>

@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: how near refined and relaxed patches come to what was lost.
 #include "fairing_table.h"
 
-#include <pcl/surface_repair/fairing/refinement.h>
-#include <pcl/surface_repair/fairing/relaxation.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
-
+#include "fairing/refinement.h"
+#include "fairing/relaxation.h"
+#include "icadm/model_assembly.h"
 #include "measuring.h"
 #include "mesh_distance.h"
 #include "rival_hole_filling.h"

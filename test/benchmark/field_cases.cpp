@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what the speed of the indicator field is measured on.
 #include <pcl/io/ply_io.h>
-#include <pcl/surface_repair/boundary/extraction.h>
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/field/source_sampling.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "boundary/extraction.h"
+#include "field/reach.h"
+#include "field/source_sampling.h"
 #include "field_speed.h"
+#include "icadm/model_reading.h"
 
 #include <algorithm>
 #include <array>

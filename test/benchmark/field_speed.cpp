@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: how fast the indicator field is, and what full mode costs.
 #include "field_speed.h"
 
-#include <pcl/surface_repair/field/free_point_field.h>
-#include <pcl/surface_repair/field/indicator_field.h>
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/field/shielding.h>
+#include "field/free_point_field.h"
+#include "field/indicator_field.h"
+#include "field/reach.h"
+#include "field/shielding.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: how fast the indicator field is, and what full mode costs.
 #pragma once
 
-#include <pcl/surface_repair/field/field_source.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
+#include "field/field_source.h"
+#include "icadm/incomplete_model.h"
 
 #include <cstddef>
 #include <string>

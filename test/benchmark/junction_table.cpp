@@ -3,8 +3,6 @@
 
 #include "junction_table.h"
 
-#include <pcl/surface_repair/model_survey.h>
-
 #include <Eigen/Cholesky>
 
 #include "closed_models.h"
@@ -12,6 +10,7 @@
 #include "mesh_distance.h"
 #include "support/random_source.h"
 #include "support/scanned_scene.h"
+#include "survey/model_survey.h"
 
 #include <array>
 #include <cmath>

@@ -3,9 +3,8 @@
 
 #include "line_table.h"
 
-#include <pcl/surface_repair/field/source_sampling.h>
-#include <pcl/surface_repair/force_line/line_origins.h>
-
+#include "field/source_sampling.h"
+#include "force_line/line_origins.h"
 #include "measuring.h"
 
 #include <cmath>

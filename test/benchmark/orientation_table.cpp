@@ -4,12 +4,12 @@
 #include "orientation_table.h"
 
 #include <pcl/surface_ccaa/umbrella_filter.h>
-#include <pcl/surface_repair/boundary/extraction.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
-#include <pcl/surface_repair/orientation/island_orientation.h>
 
+#include "boundary/extraction.h"
 #include "closed_models.h"
 #include "common/random_numbers.h"
+#include "icadm/model_reading.h"
+#include "orientation/island_orientation.h"
 
 #include <cmath>
 #include <iomanip>

@@ -2,17 +2,16 @@
 // Part of PclSurfaceRepair: how near the repaired surface comes to the lost one.
 #include "repair_error_table.h"
 
-#include <pcl/surface_repair/boundary/extraction.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
-#include <pcl/surface_repair/model_survey.h>
-
 #include <Eigen/Geometry>
 
+#include "boundary/extraction.h"
+#include "icadm/model_reading.h"
 #include "measuring.h"
 #include "repair_trial.h"
 #include "rival_hole_filling.h"
 #include "support/completion_shapes.h"
 #include "support/random_source.h"
+#include "survey/model_survey.h"
 
 #include <algorithm>
 #include <array>

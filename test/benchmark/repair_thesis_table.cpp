@@ -2,7 +2,6 @@
 // Part of PclSurfaceRepair: table T4.8-1 of the thesis on today's data.
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_repair/model_survey.h>
 
 #include <Eigen/Geometry>
 
@@ -10,6 +9,7 @@
 #include "repair_time_table.h"
 #include "repair_trial.h"
 #include "support/completion_shapes.h"
+#include "survey/model_survey.h"
 
 #include <algorithm>
 #include <cmath>

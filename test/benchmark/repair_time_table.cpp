@@ -5,11 +5,11 @@
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
-#include <pcl/surface_repair/model_survey.h>
 
 #include "measuring.h"
 #include "repair_trial.h"
 #include "support/random_source.h"
+#include "survey/model_survey.h"
 
 #include <cmath>
 #include <iomanip>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what bridges between islands make of a model.
 
-#include <pcl/surface_repair/model_survey.h>
-
 #include <gtest/gtest.h>
 
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
+#include "survey/model_survey.h"
 
 #include <cmath>
 

@@ -2,7 +2,6 @@
 // Part of PclSurfaceRepair: tests of the survey of an incomplete model.
 
 #include <pcl/io/ply_io.h>
-#include <pcl/surface_repair/model_survey.h>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include "support/shapes.h"
 #include "support/shared_data.h"
 #include "surface_repair/boundary/boundary_models.h"
+#include "survey/model_survey.h"
 
 #include <algorithm>
 

@@ -3,11 +3,12 @@
 #include <pcl/console/print.h>
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/threads.h>
-#include <pcl/surface_repair/boundary/classification.h>
-#include <pcl/surface_repair/boundary/extraction.h>
 #include <pcl/surface_repair/boundary_classifier.h>
-#include <pcl/surface_repair/icadm/icm_class.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
+
+#include "boundary/classification.h"
+#include "boundary/extraction.h"
+#include "icadm/icm_class.h"
+#include "icadm/model_reading.h"
 
 #include <new>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the boundary integral D (D4.1-1).
-#include <pcl/surface_repair/boundary/boundary_integral.h>
+#include "boundary/boundary_integral.h"
 
-#include "farthest_tree.h"
-#include "smooth_conormals.h"
+#include "boundary/farthest_tree.h"
+#include "boundary/smooth_conormals.h"
 
 namespace pcl {
 namespace repair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a closed boundary of the reconstructed region A.
-#include <pcl/surface_repair/boundary/boundary_loop.h>
+#include "boundary/boundary_loop.h"
 
 namespace pcl {
 namespace repair {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: telling holes from rims and the outer border (4.1).
-#include <pcl/surface_repair/boundary/classification.h>
+#include "boundary/classification.h"
 
-#include "facing_search.h"
-#include "loop_evidence.h"
+#include "boundary/facing_search.h"
+#include "boundary/loop_evidence.h"
 
 #include <cmath>
 

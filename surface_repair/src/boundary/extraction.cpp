@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: walking the boundaries of a model (D4.1-2).
-#include <pcl/surface_repair/boundary/extraction.h>
+#include "boundary/extraction.h"
 
-#include "seams.h"
+#include "boundary/seams.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: whether a rim looks at the boundary of another island.
-#include "facing_search.h"
+#include "boundary/facing_search.h"
 
-#include "smooth_conormals.h"
+#include "boundary/smooth_conormals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the most distant of many points, found through a tree.
-#include "farthest_tree.h"
+#include "boundary/farthest_tree.h"
 
 #include <algorithm>
 #include <cmath>

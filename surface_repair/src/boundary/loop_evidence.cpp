@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what speaks for a hole and what for a rim.
-#include "loop_evidence.h"
+#include "boundary/loop_evidence.h"
 
-#include <pcl/surface_repair/boundary/extraction.h>
+#include "boundary/extraction.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/boundary/classification.h>
+#include "boundary/classification.h"
 
 #include <vector>
 

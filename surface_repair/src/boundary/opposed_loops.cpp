@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: loops that are the two ends of one gap.
 
-#include "opposed_loops.h"
+#include "boundary/opposed_loops.h"
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
 
-#include "smooth_conormals.h"
+#include "boundary/smooth_conormals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/icadm/incomplete_model.h>
+#include "icadm/incomplete_model.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: where the missing area lies, seen from a jagged boundary.
-#include "smooth_conormals.h"
+#include "boundary/smooth_conormals.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a bridge between two supporting points (4.32).
 
-#include <pcl/surface_repair/bridge/bridge.h>
+#include "bridge/bridge.h"
 
 #include <algorithm>
 #include <map>

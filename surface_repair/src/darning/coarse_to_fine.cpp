@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: long polygons triangulated at some of their points first.
 
-#include "coarse_to_fine.h"
+#include "darning/coarse_to_fine.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "triangulation_table.h"
+#include "darning/triangulation_table.h"
 
 namespace pcl {
 namespace repair {

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: the base algorithm within a hole of which only the rim is
 // known.
 
-#include "collared_completion.h"
+#include "darning/collared_completion.h"
 
 #include <pcl/surface_ccaa/projection/polygon_completion.h>
 
-#include "local_floats.h"
+#include "darning/local_floats.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a hole closed by the base algorithm with its free points.
 
-#include <pcl/surface_repair/darning/completion_darning.h>
-#include <pcl/surface_repair/darning/disc_check.h>
-#include <pcl/surface_repair/darning/minimum_weight_darning.h>
+#include "darning/completion_darning.h"
 
-#include "collared_completion.h"
-#include "partial_darn.h"
-#include "sample_choice.h"
+#include "darning/collared_completion.h"
+#include "darning/disc_check.h"
+#include "darning/minimum_weight_darning.h"
+#include "darning/partial_darn.h"
+#include "darning/sample_choice.h"
 
 #include <algorithm>
 #include <set>

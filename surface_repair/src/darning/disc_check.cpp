@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: whether triangles are what a darn promises to be.
 
-#include <pcl/surface_repair/darning/disc_check.h>
+#include "darning/disc_check.h"
 
 #include <algorithm>
 #include <array>

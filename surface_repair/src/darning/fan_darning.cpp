@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a hole closed by a fan around its centre (4.7).
 
-#include <pcl/surface_repair/darning/fan_darning.h>
+#include "darning/fan_darning.h"
 
 namespace pcl {
 namespace repair {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a hole closed by the triangulation of least weight.
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_repair/darning/minimum_weight_darning.h>
+#include "darning/minimum_weight_darning.h"
 
-#include "coarse_to_fine.h"
+#include <pcl/surface_ccaa/mesh/intersection.h>
+
+#include "darning/coarse_to_fine.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a hole of which a part has been closed.
 
-#include "partial_darn.h"
+#include "darning/partial_darn.h"
 
 #include <pcl/surface_ccaa/mesh/intersection.h>
 

@@ -4,7 +4,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_repair/darning/darning_method.h>
+
+#include "darning/darning_method.h"
 
 #include <array>
 #include <cstddef>

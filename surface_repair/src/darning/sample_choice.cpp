@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which free points may become vertices of a darn.
 
-#include "sample_choice.h"
+#include "darning/sample_choice.h"
 
 #include <pcl/surface_ccaa/search/point_blocks.h>
 
-#include "local_floats.h"
+#include "darning/local_floats.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the dynamic programme behind the least-weight darn.
 
-#include "triangulation_table.h"
+#include "darning/triangulation_table.h"
 
 #include <algorithm>
 #include <cmath>

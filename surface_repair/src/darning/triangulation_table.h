@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/darning/darning_method.h>
+#include "darning/darning_method.h"
 
 #include <cstddef>
 #include <functional>

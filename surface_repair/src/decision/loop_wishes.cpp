@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: decisions about loops, found again in each pass.
 
-#include <pcl/surface_repair/decision/loop_wishes.h>
+#include "decision/loop_wishes.h"
 
 #include <algorithm>
 

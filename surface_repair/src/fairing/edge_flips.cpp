@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: flips until the triangles of a patch are Delaunay-like.
 
-#include "edge_flips.h"
+#include "fairing/edge_flips.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 

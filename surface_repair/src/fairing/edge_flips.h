@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "patch_edges.h"
+#include "fairing/patch_edges.h"
 
 namespace pcl {
 namespace repair {

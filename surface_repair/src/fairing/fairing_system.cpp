@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the linear system of a fair surface.
 
-#include "fairing_system.h"
+#include "fairing/fairing_system.h"
 
 #include <Eigen/SparseCholesky>
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "joined_surface.h"
-#include "surface_laplacian.h"
+#include "fairing/joined_surface.h"
+#include "fairing/surface_laplacian.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: patches that lie in the plane of their rim.
 
-#include "flat_cap.h"
+#include "fairing/flat_cap.h"
 
 #include <Eigen/Eigenvalues>
 
-#include "../boundary/smooth_conormals.h"
-#include "fairing_system.h"
-#include "joined_surface.h"
+#include "boundary/smooth_conormals.h"
+#include "fairing/fairing_system.h"
+#include "fairing/joined_surface.h"
 
 #include <algorithm>
 #include <cmath>

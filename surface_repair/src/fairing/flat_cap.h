@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_repair/boundary/boundary_loop.h>
-#include <pcl/surface_repair/darning/patch.h>
+#include "boundary/boundary_loop.h"
+#include "darning/patch.h"
 
 namespace pcl {
 namespace repair {

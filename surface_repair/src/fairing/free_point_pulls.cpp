@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which free points draw a patch, where and how strongly.
 
-#include "free_point_pulls.h"
+#include "fairing/free_point_pulls.h"
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
 #include <pcl/surface_ccaa/mesh/corners.h>
@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "triangle_search.h"
+#include "fairing/triangle_search.h"
 
 #include <algorithm>
 #include <cmath>

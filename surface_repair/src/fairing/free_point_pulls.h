@@ -4,10 +4,10 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_repair/fairing/relaxation.h>
 
-#include "fairing_system.h"
-#include "joined_surface.h"
+#include "fairing/fairing_system.h"
+#include "fairing/joined_surface.h"
+#include "fairing/relaxation.h"
 
 #include <cstddef>
 #include <vector>

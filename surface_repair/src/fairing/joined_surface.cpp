@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a patch together with the model's triangles around it.
 
-#include "joined_surface.h"
+#include "fairing/joined_surface.h"
 
 #include <Eigen/Geometry>
 

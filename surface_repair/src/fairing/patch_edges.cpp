@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a patch whose edges can be split and flipped.
 
-#include "patch_edges.h"
+#include "fairing/patch_edges.h"
 
-#include <pcl/surface_repair/icadm/model_assembly.h>
+#include "icadm/model_assembly.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: new vertices until a patch is as dense as what is around.
 
-#include <pcl/surface_repair/fairing/refinement.h>
+#include "fairing/refinement.h"
 
-#include "edge_flips.h"
-#include "patch_edges.h"
-#include "vertex_spacing.h"
-#include "wanted_length.h"
+#include "fairing/edge_flips.h"
+#include "fairing/patch_edges.h"
+#include "fairing/vertex_spacing.h"
+#include "fairing/wanted_length.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: moves the new vertices of a patch to a smooth surface.
 
-#include <pcl/surface_repair/fairing/relaxation.h>
+#include "fairing/relaxation.h"
 
-#include "fairing_system.h"
-#include "free_point_pulls.h"
-#include "joined_surface.h"
-#include "rim_curvature.h"
+#include "fairing/fairing_system.h"
+#include "fairing/free_point_pulls.h"
+#include "fairing/joined_surface.h"
+#include "fairing/rim_curvature.h"
 
 #include <algorithm>
 

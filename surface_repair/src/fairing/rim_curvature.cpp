@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how strongly the model is bent where a patch joins it.
 
-#include "rim_curvature.h"
+#include "fairing/rim_curvature.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 

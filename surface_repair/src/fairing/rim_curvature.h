@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "joined_surface.h"
+#include "fairing/joined_surface.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the Laplacian of a triangle mesh.
 
-#include "surface_laplacian.h"
+#include "fairing/surface_laplacian.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the nearest of many triangles.
 
-#include "triangle_search.h"
+#include "fairing/triangle_search.h"
 
 #include <Eigen/Geometry>
 

@@ -4,7 +4,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
+
+#include "icadm/incomplete_model.h"
 
 #include <cstddef>
 #include <vector>

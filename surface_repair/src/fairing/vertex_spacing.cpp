@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: new vertices spread evenly within the surface of a patch.
 
-#include "vertex_spacing.h"
+#include "fairing/vertex_spacing.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 
 #include <Eigen/Geometry>
 
-#include "vertex_triangles.h"
+#include "fairing/vertex_triangles.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how long the edges of a patch should be.
 
-#include "wanted_length.h"
+#include "fairing/wanted_length.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/darning/patch.h>
+#include "darning/patch.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: places and directions along a closed curve by arc length.
-#include "curve_walk.h"
+#include "field/curve_walk.h"
 
 #include <algorithm>
 #include <cmath>

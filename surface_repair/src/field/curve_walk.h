@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: places and directions along a closed curve by arc length.
 #pragma once
 
-#include <pcl/surface_repair/boundary/boundary_loop.h>
+#include "boundary/boundary_loop.h"
 
 #include <cstddef>
 #include <vector>

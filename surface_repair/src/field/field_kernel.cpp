@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which field kernel a processor gets.
-#include "field_kernel.h"
+#include "field/field_kernel.h"
 
 namespace pcl {
 namespace repair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the field kernel for processors with AVX2.
-#include "field_kernel.h"
+#include "field/field_kernel.h"
 
 #ifdef PCL_REPAIR_HAS_X86_KERNELS
 
@@ -16,7 +16,7 @@
 #define PCL_REPAIR_KERNEL avx2
 #define PCL_REPAIR_REGISTER_BYTES 32
 #define PCL_REPAIR_CHAINS 2
-#include "field_kernel_impl.h"
+#include "field/field_kernel_impl.h"
 
 #ifdef __clang__
 #pragma clang attribute pop

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the field kernel for any processor.
-#include "field_kernel.h"
+#include "field/field_kernel.h"
 
 #define PCL_REPAIR_KERNEL baseline
 #define PCL_REPAIR_REGISTER_BYTES 16
 #define PCL_REPAIR_CHAINS 1
-#include "field_kernel_impl.h"
+#include "field/field_kernel_impl.h"
 
 namespace pcl {
 namespace repair {

@@ -9,8 +9,8 @@
 // gets the same bits: no contraction, sums in fixed lanes.
 #pragma once
 
-#include "field_kernel.h"
-#include "field_kernel_math.h"
+#include "field/field_kernel.h"
+#include "field/field_kernel_math.h"
 
 namespace pcl {
 namespace repair {

@@ -7,7 +7,7 @@
 // divisions and IEEE square roots only.
 #pragma once
 
-#include "field_kernel.h"
+#include "field/field_kernel.h"
 
 namespace pcl {
 namespace repair {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the elementary sources of the indicator field (4.43, 4.46).
-#include <pcl/surface_repair/field/field_source.h>
+#include "field/field_source.h"
 
 namespace pcl {
 namespace repair {

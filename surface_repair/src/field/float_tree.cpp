@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: PCL's KdTree of floats over positions anywhere, of any
 // size.
-#include "float_tree.h"
+#include "field/float_tree.h"
 
 #include <pcl/search/kdtree.h>
 #include <pcl/memory.h>

@@ -4,8 +4,9 @@
 #pragma once
 
 #include <pcl/search/search.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
 #include <pcl/point_types.h>
+
+#include "icadm/incomplete_model.h"
 
 #include <memory>
 #include <vector>

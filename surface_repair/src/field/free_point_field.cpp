@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how free points shorten what passes near them (4.424).
-#include <pcl/surface_repair/field/free_point_field.h>
+#include "field/free_point_field.h"
 
-#include "float_tree.h"
-#include "tension_grid.h"
+#include "field/float_tree.h"
+#include "field/tension_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the tensor field whose force lines are the bridges (4.43).
-#include <pcl/surface_repair/field/indicator_field.h>
+#include "field/indicator_field.h"
 
-#include "field_kernel.h"
-#include "passages.h"
-#include "query_bunch.h"
-#include "source_blocks.h"
+#include "field/field_kernel.h"
+#include "field/passages.h"
+#include "field/query_bunch.h"
+#include "field/source_blocks.h"
 
 #include <algorithm>
 #include <cmath>

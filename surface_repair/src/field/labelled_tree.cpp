@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the nearest position of another kind.
-#include "labelled_tree.h"
+#include "field/labelled_tree.h"
 
 #include <algorithm>
 #include <cmath>

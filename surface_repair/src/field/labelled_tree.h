@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: the nearest position of another kind.
 #pragma once
 
-#include <pcl/surface_repair/icadm/incomplete_model.h>
-
 #include <Eigen/Geometry>
+
+#include "icadm/incomplete_model.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the way from a point to each of its sources, in full mode.
-#include "passages.h"
+#include "field/passages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,10 @@
 // Part of PclSurfaceRepair: the way from a point to each of its sources, in full mode.
 #pragma once
 
-#include <pcl/surface_repair/field/free_point_field.h>
-#include <pcl/surface_repair/field/indicator_field.h>
-#include <pcl/surface_repair/field/shielding.h>
-
-#include "source_blocks.h"
+#include "field/free_point_field.h"
+#include "field/indicator_field.h"
+#include "field/shielding.h"
+#include "field/source_blocks.h"
 
 #include <cstddef>
 #include <cstdint>

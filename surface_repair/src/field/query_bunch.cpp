@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: neighbouring field queries that share a search.
-#include "query_bunch.h"
+#include "field/query_bunch.h"
 
 #include <Eigen/Geometry>
 

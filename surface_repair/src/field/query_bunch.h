@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: neighbouring field queries that share a search.
 #pragma once
 
-#include <pcl/surface_repair/field/indicator_field.h>
-
-#include "field_kernel.h"
-#include "source_blocks.h"
+#include "field/field_kernel.h"
+#include "field/indicator_field.h"
+#include "field/source_blocks.h"
 
 #include <array>
 #include <cstddef>

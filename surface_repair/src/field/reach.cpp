@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how far field and trust reach, derived from the data
 // (4.45).
-#include <pcl/surface_repair/field/reach.h>
+#include "field/reach.h"
 
-#include "labelled_tree.h"
+#include "field/labelled_tree.h"
 
 #include <algorithm>
 #include <cmath>

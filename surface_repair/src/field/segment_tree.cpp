@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which of many boxes a segment passes.
-#include "segment_tree.h"
+#include "field/segment_tree.h"
 
 #include <algorithm>
 #include <cmath>

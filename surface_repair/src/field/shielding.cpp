@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: whether the surface stands between two points (E4.43-6).
-#include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_repair/field/shielding.h>
+#include "field/shielding.h"
 
-#include "segment_tree.h"
+#include <pcl/surface_ccaa/mesh/intersection.h>
+
+#include "field/segment_tree.h"
 
 #include <vector>
 

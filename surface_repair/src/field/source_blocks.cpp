@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the sources in flat arrays, and which are near a place.
-#include "source_blocks.h"
+#include "field/source_blocks.h"
 
 #include <algorithm>
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/surface_repair/field/field_source.h>
 #include <pcl/point_types.h>
 
-#include "field_kernel.h"
-#include "float_tree.h"
+#include "field/field_kernel.h"
+#include "field/field_source.h"
+#include "field/float_tree.h"
 
 #include <cstddef>
 #include <cstdint>

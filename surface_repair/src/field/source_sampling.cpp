@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: resampling boundaries to field sources (4.46).
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_repair/field/source_sampling.h>
+#include "field/source_sampling.h"
 
-#include "curve_walk.h"
+#include <pcl/surface_ccaa/mesh/box_tree.h>
+
+#include "field/curve_walk.h"
 
 #include <algorithm>
 #include <cmath>

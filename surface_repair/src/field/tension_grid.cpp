@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the tension of many free points on a sparse grid.
-#include "tension_grid.h"
+#include "field/tension_grid.h"
 
 #include <Eigen/Geometry>
 

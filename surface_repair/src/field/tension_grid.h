@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the tension of many free points on a sparse grid.
 #pragma once
 
-#include <pcl/surface_repair/field/falloff.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
+#include "field/falloff.h"
+#include "icadm/incomplete_model.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the boundary edges at which a force line can end.
 
-#include <pcl/surface_repair/force_line/boundary_edges.h>
+#include "force_line/boundary_edges.h"
 
 #include <algorithm>
 #include <cmath>

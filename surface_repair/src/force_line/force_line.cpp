@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a force line of the indicator field (4.41).
 
-#include <pcl/surface_repair/force_line/force_line.h>
+#include "force_line/force_line.h"
 
 namespace pcl {
 namespace repair {

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: tracing force lines through the indicator field
 // (4.41, 4.44).
 
-#include <pcl/surface_repair/field/shielding.h>
-#include <pcl/surface_repair/force_line/force_line_tracker.h>
+#include "force_line/force_line_tracker.h"
 
-#include "line_shape.h"
-#include "line_state.h"
+#include "field/shielding.h"
+#include "force_line/line_shape.h"
+#include "force_line/line_state.h"
 
 #include <algorithm>
 #include <cmath>

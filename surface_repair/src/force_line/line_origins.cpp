@@ -2,8 +2,9 @@
 // Part of PclSurfaceRepair: from which places of the boundaries lines begin
 // (4.41, 4.5).
 
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/force_line/line_origins.h>
+#include "force_line/line_origins.h"
+
+#include "field/reach.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what is done to a force line once it has been traced.
 
-#include "line_shape.h"
+#include "force_line/line_shape.h"
 
-#include <pcl/surface_repair/force_line/force_line_tracker.h>
-
-#include "line_state.h"
+#include "force_line/force_line_tracker.h"
+#include "force_line/line_state.h"
 
 #include <algorithm>
 #include <cmath>

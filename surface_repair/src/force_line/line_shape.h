@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/force_line/force_line.h>
+#include "force_line/force_line.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: direction and normal of a force line at a point (4.44).
 
-#include "line_state.h"
+#include "force_line/line_state.h"
 
 namespace pcl {
 namespace repair {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/force_line/normal_search.h>
+#include "force_line/normal_search.h"
 
 namespace pcl {
 namespace repair {

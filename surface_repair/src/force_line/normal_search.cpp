@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the normal that a force line has at a point (4.44).
 
-#include <pcl/surface_repair/force_line/normal_search.h>
+#include "force_line/normal_search.h"
 
 #include <algorithm>
 #include <cmath>

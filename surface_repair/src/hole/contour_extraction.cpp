@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the contours of all holes from boundaries and bridges
 // (4.47).
 
-#include <pcl/surface_repair/hole/hole_contour.h>
+#include "hole/hole_contour.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a hole as a closed polygon of vertices, ready to be darned.
 
-#include <pcl/surface_repair/hole/hole_polygon.h>
+#include "hole/hole_polygon.h"
 
 #include <utility>
 

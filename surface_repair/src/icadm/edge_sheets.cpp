@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: surfaces that meet in an edge, taken apart.
 
-#include "edge_sheets.h"
+#include "icadm/edge_sheets.h"
 
-#include <pcl/surface_repair/icadm/model_assembly.h>
+#include "icadm/model_assembly.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_repair/icadm/incomplete_model.h>
-
-#include "point_fans.h"
+#include "icadm/incomplete_model.h"
+#include "icadm/point_fans.h"
 
 namespace pcl {
 namespace repair {

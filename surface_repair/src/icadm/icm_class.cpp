@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the classes of incomplete models (D4.1-4).
-#include <pcl/surface_repair/icadm/icm_class.h>
+#include "icadm/icm_class.h"
 
 namespace pcl {
 namespace repair {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: leaves out islands that are too small to be wanted.
 
-#include <pcl/surface_repair/icadm/island_dropping.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
+#include "icadm/island_dropping.h"
+
+#include "icadm/model_assembly.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: brings a mesh that is no ICADM there, cut at its faults.
-#include "manifold_reading.h"
+#include "icadm/manifold_reading.h"
 
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/islands.h>
 #include <pcl/surface_ccaa/mesh/orientation.h>
 #include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/umbrella/twist_cut.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
 
-#include "edge_sheets.h"
-#include "vertex_numbers.h"
+#include "icadm/edge_sheets.h"
+#include "icadm/model_assembly.h"
+#include "icadm/vertex_numbers.h"
 
 #include <algorithm>
 #include <utility>

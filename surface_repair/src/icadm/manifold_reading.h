@@ -5,8 +5,9 @@
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/PCLPointCloud2.h>
+
+#include "icadm/model_reading.h"
 
 namespace pcl {
 namespace repair {

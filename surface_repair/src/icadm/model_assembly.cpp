@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what follows from the triangles of an incomplete model.
+#include "icadm/model_assembly.h"
+
 #include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/surface_ccaa/mesh/vertex_normals.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include <algorithm>
 #include <numeric>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: from any polygon mesh to an incomplete model.
+#include "icadm/model_reading.h"
+
 #include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
 
-#include "manifold_reading.h"
+#include "icadm/manifold_reading.h"
+#include "icadm/model_assembly.h"
 
 #include <algorithm>
 #include <cmath>

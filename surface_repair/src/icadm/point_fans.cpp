@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: fans that touch in one point, taken apart.
 
-#include "point_fans.h"
+#include "icadm/point_fans.h"
 
 #include <algorithm>
 #include <cstddef>

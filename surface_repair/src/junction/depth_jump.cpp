@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: whether a boundary is a jump in depth of one sensor's view.
 
-#include "depth_jump.h"
+#include "junction/depth_jump.h"
 
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/junction/junction.h>
+#include "field/reach.h"
+#include "junction/junction.h"
 
 #include <algorithm>
 #include <cmath>

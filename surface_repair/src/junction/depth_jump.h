@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/boundary/boundary_loop.h>
+#include "boundary/boundary_loop.h"
 
 #include <vector>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: whether two boundaries belong to one surface.
 
+#include "junction/junction.h"
+
 #include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/junction/junction.h>
+
+#include "field/reach.h"
 
 #include <cmath>
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what sensors have seen to be empty.
 
-#include <pcl/surface_repair/junction/sight_lines.h>
+#include "junction/sight_lines.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,8 @@
 // Part of PclSurfaceRepair: how the surface goes on beyond a boundary vertex.
 
 #include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_repair/junction/junction.h>
+
+#include "junction/junction.h"
 
 #include <algorithm>
 #include <limits>

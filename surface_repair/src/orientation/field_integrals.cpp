@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how the islands' boundaries attract each other (E4.48-1).
 
-#include "field_integrals.h"
+#include "orientation/field_integrals.h"
 
-#include <pcl/surface_repair/field/indicator_field.h>
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/field/source_sampling.h>
+#include "field/indicator_field.h"
+#include "field/reach.h"
+#include "field/source_sampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_repair/boundary/boundary_loop.h>
+
+#include "boundary/boundary_loop.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which side of an island the enclosing sphere sees (4.48).
 
-#include "free_sight.h"
+#include "orientation/free_sight.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_repair/field/shielding.h>
+
+#include "field/shielding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
 
-#include "side_votes.h"
+#include "icadm/incomplete_model.h"
+#include "orientation/side_votes.h"
 
 #include <algorithm>
 #include <vector>

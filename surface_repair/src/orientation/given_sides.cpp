@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what given normals and sensor positions say about sides.
 
-#include "given_sides.h"
+#include "orientation/given_sides.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 

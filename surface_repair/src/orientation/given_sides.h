@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_repair/icadm/incomplete_model.h>
-
-#include "side_votes.h"
+#include "icadm/incomplete_model.h"
+#include "orientation/side_votes.h"
 
 #include <vector>
 

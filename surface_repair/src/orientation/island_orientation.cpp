@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which side of an island is outside (4.48).
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/orientation/island_orientation.h>
+#include "orientation/island_orientation.h"
 
-#include "field_integrals.h"
-#include "free_sight.h"
-#include "given_sides.h"
-#include "side_decision.h"
+#include <pcl/surface_ccaa/mesh/corners.h>
+
+#include "field/reach.h"
+#include "orientation/field_integrals.h"
+#include "orientation/free_sight.h"
+#include "orientation/given_sides.h"
+#include "orientation/side_decision.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: from votes and field integrals to sides (4.48).
 
-#include "side_decision.h"
+#include "orientation/side_decision.h"
 
 #include <algorithm>
 #include <cmath>

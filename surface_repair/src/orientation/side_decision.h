@@ -3,10 +3,9 @@
 
 #pragma once
 
-#include <pcl/surface_repair/orientation/island_orientation.h>
-
-#include "field_integrals.h"
-#include "free_sight.h"
+#include "orientation/field_integrals.h"
+#include "orientation/free_sight.h"
+#include "orientation/island_orientation.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: free points pull a traced line to themselves (4.6).
 
-#include <pcl/surface_repair/perturbation/free_point_perturbation.h>
+#include "perturbation/free_point_perturbation.h"
 
 #include <algorithm>
 #include <cmath>

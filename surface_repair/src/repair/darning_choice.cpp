@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which darning method closes a hole.
 
-#include "darning_choice.h"
+#include "repair/darning_choice.h"
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_repair/darning/completion_darning.h>
-#include <pcl/surface_repair/darning/fan_darning.h>
-#include <pcl/surface_repair/darning/minimum_weight_darning.h>
+
+#include "darning/completion_darning.h"
+#include "darning/fan_darning.h"
+#include "darning/minimum_weight_darning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_repair/darning/darning_method.h>
-#include <pcl/surface_repair/field/free_point_field.h>
 #include <pcl/surface_repair/repair_parameters.h>
+
+#include "darning/darning_method.h"
+#include "field/free_point_field.h"
 
 #include <cstddef>
 #include <memory>

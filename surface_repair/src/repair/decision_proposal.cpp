@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what a repair would decide, for a user to change.
 
-#include <pcl/surface_repair/decision_proposal.h>
+#include "repair/decision_proposal.h"
 
-#include "hole_list.h"
+#include "repair/hole_list.h"
 
 #include <algorithm>
 #include <map>

@@ -7,11 +7,12 @@
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_ccaa/threads.h>
-#include <pcl/surface_repair/decision_proposal.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
-#include "new_vertices.h"
-#include "repair_method.h"
+#include "repair/decision_proposal.h"
+#include "repair/new_vertices.h"
+#include "repair/repair_method.h"
+#include "repair/repair_run.h"
 
 #include <chrono>
 #include <new>

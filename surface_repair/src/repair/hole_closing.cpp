@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: one pass over all holes that are to be closed.
 
-#include "hole_closing.h"
+#include "repair/hole_closing.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "hole_list.h"
-#include "repair_log.h"
+#include "repair/hole_list.h"
+#include "repair/repair_log.h"
 
 #include <cstddef>
 #include <unordered_map>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which boundaries are to be closed, and which together.
 
-#include "hole_list.h"
+#include "repair/hole_list.h"
 
-#include <pcl/surface_repair/boundary/extraction.h>
-
-#include "../boundary/loop_evidence.h"
-#include "loop_reasons.h"
+#include "boundary/extraction.h"
+#include "boundary/loop_evidence.h"
+#include "repair/loop_reasons.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,12 +3,12 @@
 
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "pinched_points.h"
-#include "region_closing.h"
+#include "repair/pinched_points.h"
+#include "repair/region_closing.h"
+#include "survey/model_survey.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the proof that what is written is a manifold.
 
-#include "last_check.h"
+#include "repair/last_check.h"
 
-#include <pcl/surface_repair/icadm/model_assembly.h>
-
-#include "pinched_points.h"
+#include "icadm/model_assembly.h"
+#include "repair/pinched_points.h"
 
 #include <algorithm>
 #include <set>

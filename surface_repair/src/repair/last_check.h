@@ -6,7 +6,8 @@
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "repaired_model.h"
+#include "repair/repair_run.h"
+#include "repair/repaired_model.h"
 
 namespace pcl {
 namespace repair {

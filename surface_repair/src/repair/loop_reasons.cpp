@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: why a loop that no bridge touches is not to be closed.
 
-#include "loop_reasons.h"
+#include "repair/loop_reasons.h"
 
-#include "../junction/depth_jump.h"
+#include "junction/depth_jump.h"
 
 #include <algorithm>
 #include <optional>

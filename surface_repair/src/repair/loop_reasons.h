@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
+
+#include "survey/model_survey.h"
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what new vertices inherit.
 
-#include "new_vertices.h"
+#include "repair/new_vertices.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/surface_ccaa/mesh/sort_unique.h>

@@ -5,7 +5,8 @@
 
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 
-#include "repaired_model.h"
+#include "repair/repair_run.h"
+#include "repair/repaired_model.h"
 
 #include <vector>
 

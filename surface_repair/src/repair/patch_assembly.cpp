@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: darns of neighbouring holes as one patch.
 
-#include "patch_assembly.h"
+#include "repair/patch_assembly.h"
 
 #include <pcl/surface_ccaa/mesh/corners.h>
 #include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
+
+#include "icadm/model_assembly.h"
 
 #include <algorithm>
 #include <map>

@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_repair/darning/darning_method.h>
-#include <pcl/surface_repair/darning/patch.h>
-#include <pcl/surface_repair/hole/hole_polygon.h>
-
-#include "../junction/depth_jump.h"
+#include "darning/darning_method.h"
+#include "darning/patch.h"
+#include "hole/hole_polygon.h"
+#include "junction/depth_jump.h"
 
 #include <cstddef>
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: takes back relaxation where it runs into something.
 
-#include "patch_calming.h"
+#include "repair/patch_calming.h"
 
 #include <algorithm>
 

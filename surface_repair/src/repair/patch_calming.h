@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "surface_obstacle.h"
+#include "repair/surface_obstacle.h"
 
 #include <vector>
 

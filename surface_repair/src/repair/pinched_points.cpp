@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: points at which holes meet, as one vertex while these holes
 // are closed.
 
-#include "pinched_points.h"
+#include "repair/pinched_points.h"
 
-#include "../icadm/point_fans.h"
-#include "../icadm/vertex_numbers.h"
+#include "icadm/point_fans.h"
+#include "icadm/vertex_numbers.h"
 
 #include <algorithm>
 #include <utility>

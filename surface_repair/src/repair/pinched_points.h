@@ -5,7 +5,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
+
+#include "icadm/incomplete_model.h"
 
 #include <map>
 #include <vector>

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: holes that bridges connect are closed together.
 
-#include "region_closing.h"
+#include "repair/region_closing.h"
 
-#include <pcl/surface_repair/darning/completion_darning.h>
-#include <pcl/surface_repair/fairing/refinement.h>
-#include <pcl/surface_repair/fairing/relaxation.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
-
-#include "../fairing/flat_cap.h"
-#include "../junction/depth_jump.h"
-#include "darning_choice.h"
-#include "fill_strategy.h"
-#include "patch_assembly.h"
-#include "patch_calming.h"
-#include "taken_edges.h"
+#include "darning/completion_darning.h"
+#include "fairing/flat_cap.h"
+#include "fairing/refinement.h"
+#include "fairing/relaxation.h"
+#include "icadm/model_assembly.h"
+#include "junction/depth_jump.h"
+#include "repair/darning_choice.h"
+#include "repair/fill_strategy.h"
+#include "repair/patch_assembly.h"
+#include "repair/patch_calming.h"
+#include "repair/taken_edges.h"
 
 #include <algorithm>
 #include <array>

@@ -3,12 +3,12 @@
 
 #pragma once
 
-#include <pcl/surface_repair/hole/hole_polygon.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
-#include <pcl/surface_repair/subdivision/hole_subdivision.h>
 
-#include "surface_obstacle.h"
+#include "hole/hole_polygon.h"
+#include "repair/surface_obstacle.h"
+#include "subdivision/hole_subdivision.h"
 
 #include <cstddef>
 #include <vector>

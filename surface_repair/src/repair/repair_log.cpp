@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: writes down what a repair finds and does.
 
-#include "repair_log.h"
+#include "repair/repair_log.h"
 
 #include <algorithm>
 #include <utility>

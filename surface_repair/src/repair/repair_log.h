@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "hole_list.h"
+#include "repair/hole_list.h"
+#include "survey/model_survey.h"
 
 #include <chrono>
 #include <cstddef>

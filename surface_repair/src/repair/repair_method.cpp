@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the repair, stage by stage.
 
-#include "repair_method.h"
+#include "repair/repair_method.h"
 
-#include "../survey/survey_stages.h"
-#include "darning_choice.h"
-#include "hole_closing.h"
-#include "last_check.h"
-#include "loop_reasons.h"
+#include "repair/darning_choice.h"
+#include "repair/hole_closing.h"
+#include "repair/last_check.h"
+#include "repair/loop_reasons.h"
+#include "survey/survey_stages.h"
 
 #include <algorithm>
 #include <string>

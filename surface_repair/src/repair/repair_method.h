@@ -6,7 +6,7 @@
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "repaired_model.h"
+#include "repair/repaired_model.h"
 
 namespace pcl {
 namespace repair {

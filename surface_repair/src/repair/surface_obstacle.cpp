@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what new triangles must not run through.
 
-#include "surface_obstacle.h"
+#include "repair/surface_obstacle.h"
 
 #include <pcl/surface_ccaa/mesh/intersection.h>
 

@@ -4,7 +4,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_repair/darning/patch.h>
+
+#include "darning/patch.h"
 
 #include <cstddef>
 #include <vector>

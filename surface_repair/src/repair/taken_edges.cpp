@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: edges that a fill must not have once more.
 
-#include "taken_edges.h"
+#include "repair/taken_edges.h"
 
-#include <pcl/surface_repair/icadm/model_assembly.h>
+#include "icadm/model_assembly.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "patch_assembly.h"
-#include "surface_obstacle.h"
+#include "repair/patch_assembly.h"
+#include "repair/surface_obstacle.h"
 
 #include <set>
 #include <utility>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a force line made to fit between two vertices of a hole.
 
-#include "bisecting_line.h"
+#include "subdivision/bisecting_line.h"
 
-#include <pcl/surface_repair/field/shielding.h>
-#include <pcl/surface_repair/force_line/force_line_tracker.h>
+#include "field/shielding.h"
+#include "force_line/force_line_tracker.h"
 
 #include <algorithm>
 #include <cmath>

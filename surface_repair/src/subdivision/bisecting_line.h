@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/surface_repair/force_line/boundary_edges.h>
-#include <pcl/surface_repair/hole/hole_polygon.h>
-#include <pcl/surface_repair/subdivision/hole_subdivision.h>
+#include "force_line/boundary_edges.h"
+#include "hole/hole_polygon.h"
+#include "subdivision/hole_subdivision.h"
 
 #include <cstddef>
 #include <optional>

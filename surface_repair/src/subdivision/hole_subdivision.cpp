@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: complex holes divided until each is simple (4.5).
 
-#include <pcl/surface_repair/field/source_sampling.h>
-#include <pcl/surface_repair/force_line/line_origins.h>
-#include <pcl/surface_repair/subdivision/hole_subdivision.h>
+#include "subdivision/hole_subdivision.h"
 
-#include "bisecting_line.h"
+#include "field/source_sampling.h"
+#include "force_line/line_origins.h"
+#include "subdivision/bisecting_line.h"
 
 #include <algorithm>
 #include <array>

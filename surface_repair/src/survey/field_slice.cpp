@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the field on a plane through a model.
 
-#include <pcl/surface_repair/model_survey.h>
-
 #include <Eigen/SVD>
 
-#include "survey_fields.h"
+#include "survey/model_survey.h"
+#include "survey/survey_fields.h"
 
 #include <algorithm>
 

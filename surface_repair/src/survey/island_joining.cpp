@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: lines and bridges between islands, until each that can be
 // reached is reached (4.47).
 
-#include "survey_fields.h"
-#include "wanted_lines.h"
+#include "survey/survey_fields.h"
+#include "survey/wanted_lines.h"
 
 #include <algorithm>
 #include <cmath>

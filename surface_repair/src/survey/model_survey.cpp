@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: all that can be told about an incomplete model.
 
-#include <pcl/surface_repair/boundary/extraction.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
-#include <pcl/surface_repair/model_survey.h>
+#include "survey/model_survey.h"
 
-#include "survey_fields.h"
-#include "survey_stages.h"
+#include "boundary/extraction.h"
+#include "icadm/model_assembly.h"
+#include "survey/survey_fields.h"
+#include "survey/survey_stages.h"
 
 #include <algorithm>
 #include <chrono>

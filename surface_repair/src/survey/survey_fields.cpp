@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the fields of a survey, and what they are made of.
 
-#include "survey_fields.h"
+#include "survey/survey_fields.h"
 
-#include <pcl/surface_repair/field/reach.h>
-#include <pcl/surface_repair/field/source_sampling.h>
-
-#include "../boundary/opposed_loops.h"
+#include "boundary/opposed_loops.h"
+#include "field/reach.h"
+#include "field/source_sampling.h"
 
 #include <algorithm>
 #include <cmath>

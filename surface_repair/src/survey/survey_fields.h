@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
+#include "survey/model_survey.h"
 
 #include <memory>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/model_survey.h>
+#include "survey/model_survey.h"
 
 namespace pcl {
 namespace repair {

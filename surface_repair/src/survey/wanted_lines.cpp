@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which force lines may become bridges between islands.
 
-#include "wanted_lines.h"
+#include "survey/wanted_lines.h"
 
 #include <limits>
 #include <set>

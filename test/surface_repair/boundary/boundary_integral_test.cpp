@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the boundary integral D.
-#include <pcl/surface_repair/boundary/boundary_integral.h>
-
 #include <gtest/gtest.h>
 
+#include "boundary/boundary_integral.h"
 #include "boundary_models.h"
 #include "support/random_source.h"
 #include "support/shapes.h"

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: models and their boundaries for the tests of this room.
 #pragma once
 
-#include <pcl/surface_repair/boundary/extraction.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
-#include <pcl/surface_repair/icadm/model_reading.h>
 #include <pcl/memory.h>
 
+#include "boundary/extraction.h"
+#include "icadm/model_assembly.h"
+#include "icadm/model_reading.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

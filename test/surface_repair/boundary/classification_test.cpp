@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of telling holes from rims and the outer border.
-#include <pcl/surface_repair/boundary/classification.h>
-
 #include <gtest/gtest.h>
 
+#include "boundary/classification.h"
 #include "boundary_models.h"
 #include "support/random_source.h"
 #include "support/shapes.h"

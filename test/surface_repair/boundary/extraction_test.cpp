@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of walking boundaries.
-#include <pcl/surface_repair/boundary/extraction.h>
-
 #include <gtest/gtest.h>
 
+#include "boundary/extraction.h"
 #include "boundary_models.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"

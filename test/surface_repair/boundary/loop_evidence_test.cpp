@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/boundary/loop_evidence.h"
+#include "boundary/loop_evidence.h"
 #include "surface_repair/boundary/boundary_models.h"
 #include "surface_repair/force_line/sphere_rims.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/boundary/opposed_loops.h"
+#include "boundary/opposed_loops.h"
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of choosing bridges among force lines.
 
-#include <pcl/surface_repair/bridge/bridge.h>
-
 #include <gtest/gtest.h>
 
+#include "bridge/bridge.h"
 #include "surface_repair/force_line/sphere_rims.h"
 
 #include <algorithm>

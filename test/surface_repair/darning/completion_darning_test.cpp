@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of closing holes by the base algorithm.
 
-#include <pcl/surface_repair/darning/completion_darning.h>
-#include <pcl/surface_repair/darning/disc_check.h>
-#include <pcl/surface_repair/darning/minimum_weight_darning.h>
-
 #include <gtest/gtest.h>
 
+#include "darning/completion_darning.h"
+#include "darning/disc_check.h"
+#include "darning/minimum_weight_darning.h"
 #include "darning_samples.h"
 
 #include <algorithm>

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/darning/darning_method.h>
-
+#include "darning/darning_method.h"
 #include "support/random_source.h"
 #include "support/shapes.h"
 

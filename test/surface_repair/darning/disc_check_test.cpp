@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the check that triangles are a disc.
 
-#include <pcl/surface_repair/darning/disc_check.h>
-
 #include <gtest/gtest.h>
 
+#include "darning/disc_check.h"
 #include "support/shapes.h"
 
 namespace pcl {

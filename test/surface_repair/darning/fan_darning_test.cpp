@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the fan around the centre of a hole.
 
-#include <pcl/surface_repair/darning/disc_check.h>
-#include <pcl/surface_repair/darning/fan_darning.h>
-
 #include <gtest/gtest.h>
 
+#include "darning/disc_check.h"
+#include "darning/fan_darning.h"
 #include "darning_samples.h"
 
 namespace pcl {

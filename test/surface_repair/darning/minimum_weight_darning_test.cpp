@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: tests of the triangulation of least weight.
 
 #include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_repair/darning/disc_check.h>
-#include <pcl/surface_repair/darning/minimum_weight_darning.h>
 
 #include <gtest/gtest.h>
 
+#include "darning/disc_check.h"
+#include "darning/minimum_weight_darning.h"
 #include "darning_samples.h"
 
 #include <algorithm>

@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: shapes with a hole and a patch in it, for tests.
 #include "fairing_samples.h"
 
-#include <pcl/surface_repair/icadm/model_assembly.h>
-
+#include "icadm/model_assembly.h"
 #include "support/mesh_asserts.h"
 
 #include <algorithm>

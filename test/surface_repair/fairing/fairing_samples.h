@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: shapes with a hole and a patch in it, for tests.
 #pragma once
 
-#include <pcl/surface_repair/darning/patch.h>
-
 #include <gtest/gtest.h>
 
+#include "darning/patch.h"
 #include "support/shapes.h"
 
 #include <functional>

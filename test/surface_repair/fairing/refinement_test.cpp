@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the refinement of patches.
-#include <pcl/surface_repair/fairing/refinement.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
-
 #include <gtest/gtest.h>
 
+#include "fairing/refinement.h"
 #include "fairing_samples.h"
+#include "icadm/model_assembly.h"
 
 #include <cmath>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the relaxation of patches.
-#include <pcl/surface_repair/fairing/refinement.h>
-#include <pcl/surface_repair/fairing/relaxation.h>
-
 #include <gtest/gtest.h>
 
+#include "fairing/refinement.h"
+#include "fairing/relaxation.h"
 #include "fairing_samples.h"
 #include "support/random_source.h"
 

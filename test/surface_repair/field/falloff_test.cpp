@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the falloffs (4.45).
-#include <pcl/surface_repair/field/falloff.h>
-
 #include <gtest/gtest.h>
+
+#include "field/falloff.h"
 
 namespace pcl {
 namespace repair {

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: tests that all instruction sets give the same bits.
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/field/field_kernel.h"
+#include "field/field_kernel.h"
 #include "support/random_source.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 // field.
 #include "field_samples.h"
 
-#include <pcl/surface_repair/field/source_sampling.h>
+#include "field/source_sampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,9 @@
 // field.
 #pragma once
 
-#include <pcl/surface_repair/field/free_point_field.h>
-#include <pcl/surface_repair/field/indicator_field.h>
-#include <pcl/surface_repair/field/shielding.h>
-
+#include "field/free_point_field.h"
+#include "field/indicator_field.h"
+#include "field/shielding.h"
 #include "support/random_source.h"
 #include "support/shapes.h"
 

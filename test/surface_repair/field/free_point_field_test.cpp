@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of free points as sources of the scalar field G
 // (4.424).
-#include <pcl/surface_repair/field/free_point_field.h>
-
 #include <gtest/gtest.h>
 
+#include "field/free_point_field.h"
 #include "field_samples.h"
 
 #include <algorithm>

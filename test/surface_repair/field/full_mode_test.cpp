@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the indicator field in full mode (E4.424-2,
 // E4.43-6).
-#include <pcl/surface_repair/field/indicator_field.h>
-
 #include <gtest/gtest.h>
 
+#include "field/indicator_field.h"
 #include "field_samples.h"
 
 namespace pcl {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the indicator field in light mode (4.43).
-#include <pcl/surface_repair/field/indicator_field.h>
-
 #include <gtest/gtest.h>
 
+#include "field/indicator_field.h"
 #include "field_samples.h"
 
 namespace pcl {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the reaches derived from the data (4.45).
-#include <pcl/surface_repair/field/reach.h>
-
 #include <gtest/gtest.h>
 
+#include "field/reach.h"
 #include "field_samples.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the surface as an obstacle (E4.43-6).
 #include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_repair/field/shielding.h>
 
 #include <gtest/gtest.h>
 
+#include "field/shielding.h"
 #include "field_samples.h"
 
 namespace pcl {

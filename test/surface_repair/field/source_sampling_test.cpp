@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of source sampling (4.46).
-#include <pcl/surface_repair/field/source_sampling.h>
-
 #include <gtest/gtest.h>
 
+#include "field/source_sampling.h"
 #include "field_samples.h"
 
 namespace pcl {

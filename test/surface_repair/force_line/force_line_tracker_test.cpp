@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of tracing force lines.
 
-#include <pcl/surface_repair/field/shielding.h>
-
 #include <gtest/gtest.h>
 
+#include "field/shielding.h"
 #include "sphere_rims.h"
 
 #include <cmath>

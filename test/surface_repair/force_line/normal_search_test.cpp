@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the normal that a force line has at a point.
 
-#include <pcl/surface_repair/force_line/normal_search.h>
-
 #include <gtest/gtest.h>
+
+#include "force_line/normal_search.h"
 
 #include <cmath>
 #include <random>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_repair/field/source_sampling.h>
-#include <pcl/surface_repair/force_line/line_origins.h>
+#include "field/source_sampling.h"
+#include "force_line/line_origins.h"
 
 #include <cmath>
 #include <utility>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of extracting the contours of holes.
 
-#include <pcl/surface_repair/hole/hole_contour.h>
-
 #include <gtest/gtest.h>
 
+#include "hole/hole_contour.h"
 #include "surface_repair/force_line/sphere_rims.h"
 
 #include <algorithm>

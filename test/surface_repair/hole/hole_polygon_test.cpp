@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of holes as polygons of vertices.
 
-#include <pcl/surface_repair/hole/hole_polygon.h>
-
 #include <gtest/gtest.h>
 
+#include "hole/hole_polygon.h"
 #include "surface_repair/force_line/sphere_rims.h"
 
 #include <algorithm>

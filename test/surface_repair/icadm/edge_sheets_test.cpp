@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of cutting a mesh where it is no manifold.
 
-#include <pcl/surface_repair/boundary/extraction.h>
-
 #include <gtest/gtest.h>
 
+#include "boundary/extraction.h"
 #include "read_shapes.h"
 #include "support/random_source.h"
 

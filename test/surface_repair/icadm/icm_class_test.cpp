@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the classes of incomplete models.
-#include <pcl/surface_repair/icadm/icm_class.h>
-
 #include <gtest/gtest.h>
+
+#include "icadm/icm_class.h"
 
 namespace pcl {
 namespace repair {

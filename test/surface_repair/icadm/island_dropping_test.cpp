@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of islands that are left out.
 
-#include <pcl/surface_repair/icadm/island_dropping.h>
-
 #include <gtest/gtest.h>
 
+#include "icadm/island_dropping.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of reading any mesh as an incomplete model.
 #include <pcl/io/ply_io.h>
-#include <pcl/surface_repair/icadm/model_assembly.h>
 
 #include <gtest/gtest.h>
 
+#include "icadm/model_assembly.h"
 #include "read_shapes.h"
 #include "support/clouds.h"
 #include "support/raw_clouds.h"

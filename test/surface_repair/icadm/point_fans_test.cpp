@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/icadm/point_fans.h"
+#include "icadm/point_fans.h"
 #include "read_shapes.h"
 
 #include <algorithm>

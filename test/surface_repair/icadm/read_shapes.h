@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: models read from shapes, for the tests of this room.
 #pragma once
 
-#include <pcl/surface_repair/icadm/model_reading.h>
-
+#include "icadm/model_reading.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what counts as a jump in depth of a sensor's view.
 
-#include <pcl/surface_repair/boundary/extraction.h>
-
 #include <gtest/gtest.h>
 
-#include "../../../surface_repair/src/junction/depth_jump.h"
+#include "boundary/extraction.h"
+#include "junction/depth_jump.h"
 #include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the evidence for junctions and of sight lines.
 
-#include <pcl/surface_repair/model_survey.h>
-
 #include <gtest/gtest.h>
 
 #include "support/mesh_asserts.h"
 #include "support/scanned_scene.h"
 #include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
+#include "survey/model_survey.h"
 
 #include <algorithm>
 #include <limits>

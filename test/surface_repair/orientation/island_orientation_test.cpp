@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of finding the outer side of islands.
 
-#include <pcl/surface_repair/orientation/island_orientation.h>
-
 #include <gtest/gtest.h>
 
+#include "orientation/island_orientation.h"
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <random>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of free points that pull a line.
 
-#include <pcl/surface_repair/perturbation/free_point_perturbation.h>
-
 #include <gtest/gtest.h>
+
+#include "perturbation/free_point_perturbation.h"
 
 #include <cmath>
 

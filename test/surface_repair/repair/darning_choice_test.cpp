@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/repair/darning_choice.h"
+#include "repair/darning_choice.h"
 #include "surface_repair/darning/darning_samples.h"
 
 #include <algorithm>

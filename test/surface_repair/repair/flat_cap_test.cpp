@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: tests of patches that lie in the plane of their rim.
 
 #include <pcl/surface_repair/decisions.h>
-#include <pcl/surface_repair/model_survey.h>
 
 #include "repair_fixture.h"
+#include "survey/model_survey.h"
 
 #include <cmath>
 

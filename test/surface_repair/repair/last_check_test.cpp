@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/repair/last_check.h"
+#include "repair/last_check.h"
 #include "repair_fixture.h"
 #include "surface_repair/boundary/boundary_models.h"
 

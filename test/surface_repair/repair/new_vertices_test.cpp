@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/repair/new_vertices.h"
+#include "repair/new_vertices.h"
 #include "support/shapes.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/repair/patch_assembly.h"
+#include "repair/patch_assembly.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../../surface_repair/src/repair/patch_calming.h"
+#include "repair/patch_calming.h"
 #include "support/shapes.h"
 
 #include <cmath>

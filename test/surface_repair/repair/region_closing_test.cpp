@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/repair/darning_choice.h"
-#include "../surface_repair/src/repair/hole_list.h"
-#include "../surface_repair/src/repair/patch_assembly.h"
-#include "../surface_repair/src/repair/region_closing.h"
+#include "repair/darning_choice.h"
+#include "repair/hole_list.h"
+#include "repair/patch_assembly.h"
+#include "repair/region_closing.h"
 #include "support/mesh_asserts.h"
 #include "support/random_source.h"
 #include "support/shapes.h"

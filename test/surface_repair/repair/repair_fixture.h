@@ -5,10 +5,10 @@
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
-#include <pcl/surface_repair/icadm/incomplete_model.h>
 
 #include <gtest/gtest.h>
 
+#include "icadm/incomplete_model.h"
 #include "support/mesh_asserts.h"
 #include "support/repair_shapes.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../surface_repair/src/repair/surface_obstacle.h"
+#include "repair/surface_obstacle.h"
 #include "support/random_source.h"
 #include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of dividing complex holes.
 
-#include <pcl/surface_repair/field/shielding.h>
-#include <pcl/surface_repair/subdivision/hole_subdivision.h>
-
 #include <gtest/gtest.h>
 
+#include "field/shielding.h"
+#include "subdivision/hole_subdivision.h"
 #include "subdivision_samples.h"
 
 #include <algorithm>

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_repair/subdivision/hole_subdivision.h>
-
+#include "subdivision/hole_subdivision.h"
 #include "support/random_source.h"
 
 #include <cmath>

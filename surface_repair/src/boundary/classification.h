@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: telling holes from rims and the outer border (4.1).
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_repair/model_findings.h>
+#include <pcl/surface_repair/repair_parameters.h>
+
+#include "boundary/boundary_integral.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Classify all loops of a model.
+ *
+ * D decides together with two witnesses that know what D cannot: how the loop turns on
+ * the surface, and how large its island is. On a sphere with one round opening all
+ * three agree; the stump of a limb, where D is about 0 or below, is known for a hole by
+ * its island's size. Loops of one-sided islands are UNDECIDED.
+ *
+ * Cost: about 3 us a boundary edge (see farthestPoints()), 0.1 us a triangle.
+ * The result is the same for any number of threads.
+ * \param[in] loops of this model, all of them: others of the same island matter
+ * \param[in] context a thread takes whole loops \return empty after cancelling */
+std::vector<LoopClass>
+classifyBoundaries(const IncompleteModel& model,
+                   const BoundaryLoops& loops,
+                   const ClassificationParameters& parameters = {},
+                   const ccaa::LoopContext& context = {});
+
+} // namespace repair
+} // namespace pcl

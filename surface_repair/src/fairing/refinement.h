@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: new vertices until a patch is as dense as what is around.
+
+#pragma once
+
+#include <pcl/surface_repair/repair_parameters.h>
+
+#include "darning/patch.h"
+
+namespace pcl {
+namespace repair {
+
+/** \brief Split and flip edges until their lengths follow those of the model around
+ * (Liepa 2003): the wanted length at a vertex of the rim is the mean length of the
+ * model's edges there, within the patch it is interpolated.
+ *
+ * Edges on the border of the patch stay. No edge between two vertices of the rim is
+ * left within the patch if the model has that edge too. New vertices are appended;
+ * those that were there keep their numbers and places; a triangle keeps its hole (one
+ * of a flipped pair, either of theirs). */
+void
+refinePatch(const IncompleteModel& model,
+            const RefinementParameters& parameters,
+            Patch& patch);
+
+} // namespace repair
+} // namespace pcl

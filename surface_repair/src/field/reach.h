@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how far field and trust reach, derived from the data
+// (4.45).
+
+#pragma once
+
+#include "field/falloff.h"
+#include "field/field_source.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Default of k_t: free points are as trustworthy as not (4.424): one of them
+ * halves the length of what passes close by. */
+constexpr double DEFAULT_TRUST = 0.5;
+
+/** \brief Default of L_2 by the gap to be crossed: the sources straight ahead keep
+ * (1 - 1 / 2.5)^2.5 = 0.28 of their strength, and a good arc of the other boundary is
+ * within reach. */
+constexpr double DEFAULT_ROOM = 2.5;
+
+/** \brief Distances across gaps: from places to the sources of other islands.
+ *
+ * Built once, log-linear, some 0.3 us a source; a question costs two to four
+ * microseconds, with two islands as with ten thousand. Const methods may be called from
+ * several threads. */
+class GapFinder {
+public:
+  explicit GapFinder(const SourceSet& sources);
+  ~GapFinder();
+  GapFinder(GapFinder&&) noexcept;
+
+  /** \brief Distance to the nearest source that is not of the silent island, units of
+   * the cloud; infinite when there is none. */
+  double
+  gapAt(const Position& position, std::size_t silent_island) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/** \brief The gaps at all sources of a curve, its own island silent. */
+std::vector<double>
+gapsAlong(const SourceCurve& curve, const GapFinder& gaps);
+
+/** \brief The value that a share (0 to below 1) of all values stays below; infinite
+ * without values. */
+double
+quantile(std::vector<double> values, double share);
+
+/** \brief q_1 for a place with a gap to cross (4.45): L_1 is the source spacing, L_2
+ * the gap with room, at least 4 spacings. Nothing reaches anywhere across an infinite
+ * gap. \param[in] spacing of the sources \param[in] gap see GapFinder::gapAt()
+ * \param[in] exponent chi: 2.5, 1.7 for long wide gaps \param[in] room L_2 / gap */
+Falloff
+sourceFalloff(double spacing,
+              double gap,
+              double exponent = 2.5,
+              double room = DEFAULT_ROOM);
+
+/** \brief G for free points (4.45): R_1 is their spacing, R_2 half the distance between
+ * the islands there, but no less than R_1. \param[in] exponent gamma */
+Falloff
+freePointFalloff(double spacing, double gap, double exponent = 1.0);
+
+/** \brief Mean distance of points to their nearest neighbours; 0 for less than two. */
+double
+meanSpacing(const Positions& points);
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the normal that a force line has at a point (4.44).
+
+#pragma once
+
+#include "field/indicator_field.h"
+
+namespace pcl {
+namespace repair {
+
+/** \brief The normal n in the plane across p that the field answers most to. */
+struct FieldNormal {
+  Direction normal;       /**< unit; its sign is open: -n gives the opposite force */
+  double tension = 0.0;   /**< |H n| */
+  double clearness = 0.0; /**< 1 - (lesser / greater |H n| over the plane), 0 to 1: near
+                               0 the normal is not determined (4.44) */
+};
+
+/** \brief Solve max |H n|, |n| = 1, n . p = 0 (4.44-1) in closed form: the symmetric
+ * 2 x 2 eigenproblem of (H E)^T (H E) in a basis E of the plane across p.
+ * \param[in] across p, unit
+ * \return tension 0 where the field is zero on the whole plane; then any normal */
+FieldNormal
+searchNormal(const Tension& tension, const Direction& across);
+
+} // namespace repair
+} // namespace pcl

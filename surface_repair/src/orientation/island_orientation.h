@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which side of an island is outside (4.48).
+
+#pragma once
+
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/orientation.h>
+#include <pcl/surface_repair/model_findings.h>
+#include <pcl/surface_repair/repair_parameters.h>
+
+#include "field/indicator_field.h"
+#include "icadm/incomplete_model.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Find the outer side of every island. Changes nothing: see turnIslands(). */
+std::vector<IslandSide>
+orientIslands(const IncompleteModel& model,
+              const BoundaryLoops& loops,
+              const OrientationParameters& parameters,
+              const ccaa::LoopContext& context);
+
+/** \brief Wind the islands that are flipped the other way round; their normals follow.
+ * Boundary loops have to be extracted anew. */
+void
+turnIslands(IncompleteModel& model, const std::vector<IslandSide>& sides);
+
+} // namespace repair
+} // namespace pcl
