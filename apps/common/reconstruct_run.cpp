@@ -5,6 +5,7 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
 #include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include <pcl/surface_ccaa/threads.h>
 
 #include "cloud_normals.h"
 #include "point_columns.h"

@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: the work of pcl_ccaa_reconstruct.
 #pragma once
 
-#include <pcl/surface_ccaa/consecutive/consecutive_report.h>
-#include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/mesh/surface_topology.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the number types a point field can have.
 #pragma once
 
-#include <pcl/surface_ccaa/compat.h>
+#include <pcl/surface_ccaa/impl/compat.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -23,8 +23,8 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/surface/mls.h>
+#include <pcl/surface_ccaa/block_search.h>
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
-#include <pcl/surface_ccaa/search/block_search.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/conversions.h>
 

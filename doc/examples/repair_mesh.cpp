@@ -8,7 +8,7 @@
 // printed. Exit code 2: something that should be closed was left open.
 #include <pcl/console/print.h>
 #include <pcl/io/ply_io.h>
-#include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/block_search.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 #include <pcl/conversions.h>
 

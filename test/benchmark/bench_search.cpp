@@ -8,8 +8,9 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 #include <pcl/search/kdtree.h>
-#include <pcl/surface_ccaa/search/cloud_points.h>
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/impl/point_array.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
+#include <pcl/surface_ccaa/search/curve_order.h>
 
 #if __has_include(<nanoflann.hpp>)
 #include <nanoflann.hpp>

@@ -8,8 +8,8 @@
 // of R interleaved runs. Nothing passes or fails.
 #include <pcl/console/print.h>
 #include <pcl/search/kdtree.h>
+#include <pcl/surface_ccaa/block_search.h>
 #include <pcl/surface_ccaa/greedy_start.h>
-#include <pcl/surface_ccaa/search/block_search.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include "input_clouds.h"

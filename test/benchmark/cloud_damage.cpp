@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: noise, gaps in density and outliers for benchmark clouds.
 #include "cloud_damage.h"
 
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
 
 #include <Eigen/Geometry>
 

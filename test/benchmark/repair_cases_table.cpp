@@ -3,6 +3,7 @@
 #include "repair_cases_table.h"
 
 #include <pcl/surface_ccaa/mesh/mesh_facts.h>
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
 
 #include "repair_trial.h"
 #include "support/completion_shapes.h"

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: how near the repaired surface comes to the lost one.
 #include "repair_error_table.h"
 
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
+
 #include <Eigen/Geometry>
 
 #include "boundary/extraction.h"

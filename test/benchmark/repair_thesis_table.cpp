@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: table T4.8-1 of the thesis on today's data.
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
 
 #include <Eigen/Geometry>
 

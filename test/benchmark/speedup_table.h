@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: table T3.5-1 of the thesis on our data.
 #pragma once
 
-#include <pcl/surface_ccaa/consecutive/consecutive_report.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 
 #include "input_clouds.h"
 

@@ -35,6 +35,19 @@ StageProgress::reportWithin(const std::string& stage, double fraction)
   return control_.report((name_ + ": " + stage).c_str(), reached_);
 }
 
+LentSettings::LentSettings(RunSettings* settings,
+                           unsigned int threads,
+                           StageProgress& progress)
+: settings_(settings)
+{
+  if (settings_ == nullptr)
+    return;
+  own_threads_ = settings_->getNumberOfThreads();
+  own_progress_ = settings_->getProgressCallback();
+  settings_->setNumberOfThreads(threads);
+  settings_->setProgressCallback(progress.callback());
+}
+
 LentSettings::~LentSettings()
 {
   if (settings_ == nullptr)
@@ -43,26 +56,19 @@ LentSettings::~LentSettings()
   settings_->setProgressCallback(std::move(own_progress_));
 }
 
-void
-LentSettings::lend(unsigned int threads, StageProgress& progress)
+LentSides::LentSides(SideSettings* settings, const SideHints& hints)
+: settings_(settings)
 {
-  own_threads_ = settings_->getNumberOfThreads();
-  own_progress_ = settings_->getProgressCallback();
-  settings_->setNumberOfThreads(threads);
-  settings_->setProgressCallback(progress.callback());
+  if (settings_ == nullptr)
+    return;
+  own_hints_ = settings_->getSideHints();
+  settings_->setSideHints(hints);
 }
 
 LentSides::~LentSides()
 {
   if (settings_ != nullptr)
     settings_->setSideHints(own_hints_);
-}
-
-void
-LentSides::lend(const SideHints& hints)
-{
-  own_hints_ = settings_->getSideHints();
-  settings_->setSideHints(hints);
 }
 
 } // namespace ccaa

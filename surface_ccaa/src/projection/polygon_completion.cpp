@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: between the clouds and polygons of PCL and the base
 // algorithm.
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
+#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/projection/polygon_completion.h>
 #include <pcl/surface_ccaa/projection/surface_completion.h>
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/search/curve_order.h>
+#include <pcl/surface_ccaa/search/tree_rows.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <set>
 
 namespace pcl {
@@ -55,11 +59,10 @@ class PolygonCompletion {
 public:
   PolygonCompletion(const CompletionInput& input,
                     const CompletionParameters& parameters,
-                    int threads,
                     RunControl& control)
   : input_(input)
   , parameters_(parameters)
-  , context_{threads, &control, "partial mesh"}
+  , context_{resolveThreads(input.threads), &control, "partial mesh"}
   , control_(control)
   {}
 
@@ -132,9 +135,9 @@ PolygonCompletion::run(CompletionReport& report)
 bool
 PolygonCompletion::readGiven(CompletionOutput& output)
 {
-  if (input_.given == nullptr || input_.given->empty())
+  if (input_.partial_mesh == nullptr || input_.partial_mesh->polygons.empty())
     return true;
-  given_ = readPolygons(*input_.given, viewOf(input_.points), context_);
+  given_ = readPolygons(input_.partial_mesh->polygons, viewOf(input_.points), context_);
   if (control_.cancelled())
     return false;
   if (given_.invalid_polygons > 0)
@@ -200,13 +203,13 @@ PolygonCompletion::searchOpen(std::vector<index_t>& open,
                               unsigned int k,
                               std::vector<index_t>& table)
 {
-  if (!input_.search)
+  if (input_.search == nullptr)
     return searchBlocks(open, k, table);
   open = curveOrder(vertexArray(), open, context_.threads);
-  Indices in_cloud;
+  const auto in_cloud = std::make_shared<Indices>();
   for (const index_t vertex : open)
-    in_cloud.push_back(given_.point_of_vertex[static_cast<std::size_t>(vertex)]);
-  return input_.search(in_cloud, k, table);
+    in_cloud->push_back(given_.point_of_vertex[static_cast<std::size_t>(vertex)]);
+  return searchRows(*input_.search, in_cloud, input_.points.size, k, context_, table);
 }
 
 bool
@@ -227,8 +230,7 @@ PolygonCompletion::searchBlocks(std::vector<index_t>& open,
   return true;
 }
 
-} // namespace
-
+/** The name of the first parameter that is out of range, or null. */
 const char*
 outOfRange(const CompletionParameters& parameters)
 {
@@ -246,17 +248,39 @@ outOfRange(const CompletionParameters& parameters)
   return nullptr;
 }
 
+std::string
+faultOf(const CompletionInput& input, const CompletionParameters& parameters)
+{
+  if (const char* wrong = outOfRange(parameters))
+    return std::string(wrong) + " is out of range";
+  const auto outside = findIndexOutside(*input.selection, input.points.size);
+  if (outside != input.selection->end())
+    return "index " + std::to_string(*outside) + " is outside the cloud of " +
+           std::to_string(input.points.size) + " points";
+  const std::size_t points =
+      input.partial_mesh == nullptr ? 0 : pointCount(input.partial_mesh->cloud);
+  if (points != 0 && points != input.points.size)
+    return "the partial mesh has " + std::to_string(points) + " points, the cloud " +
+           std::to_string(input.points.size);
+  return {};
+}
+
+} // namespace
+
 CompletionOutput
-completePolygons(const CompletionInput& input,
-                 const CompletionParameters& parameters,
-                 int threads,
-                 RunControl& control,
-                 CompletionReport& report)
+runCompletion(const CompletionInput& input,
+              const CompletionParameters& parameters,
+              CompletionReport& report)
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  CompletionOutput output =
-      PolygonCompletion(input, parameters, threads, control).run(report);
+  report = {};
+  CompletionOutput output;
+  output.error = faultOf(input, parameters);
+  if (!output.error.empty())
+    return output;
+  RunControl control(input.progress);
+  output = PolygonCompletion(input, parameters, control).run(report);
   report.cancelled = control.cancelled();
   if (report.cancelled)
     output = {};

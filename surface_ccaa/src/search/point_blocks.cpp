@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: points packed in blocks under a tree of boxes.
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
+#include <pcl/surface_ccaa/run_control.h>
+#include <pcl/surface_ccaa/search/curve_order.h>
+#include <pcl/surface_ccaa/threads.h>
 
 #include "block_kernel.h"
 
@@ -46,13 +49,15 @@ NeighborTable::NeighborTable(std::size_t rows, unsigned int k, bool with_distanc
 void
 PointBlocks::build(const PointArray& points, int threads)
 {
-  buildFromOrder(points, curveOrder(points, threads), threads);
+  const int used = resolveThreads(static_cast<unsigned int>(threads));
+  buildFromOrder(points, curveOrder(points, used), used);
 }
 
 void
 PointBlocks::build(const PointArray& points, const Indices& selection, int threads)
 {
-  buildFromOrder(points, curveOrder(points, selection, threads), threads);
+  const int used = resolveThreads(static_cast<unsigned int>(threads));
+  buildFromOrder(points, curveOrder(points, selection, used), used);
 }
 
 void

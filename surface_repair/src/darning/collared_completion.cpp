@@ -4,11 +4,13 @@
 
 #include "darning/collared_completion.h"
 
-#include <pcl/surface_ccaa/projection/polygon_completion.h>
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
+#include <pcl/surface_ccaa/run_control.h>
 
 #include "darning/local_floats.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -119,18 +121,18 @@ completeWithin(const DarningTask& task, const std::vector<std::size_t>& samples)
   for (const std::size_t i : samples)
     points.push_back(task.free_points[i]);
   const auto floats = localFloats(points);
-  const auto given = toPolygons(collar.triangles());
-  pcl::Indices all(points.size());
-  std::iota(all.begin(), all.end(), 0);
+  pcl::PolygonMesh given;
+  given.polygons = toPolygons(collar.triangles());
+  const auto all = std::make_shared<pcl::Indices>(points.size());
+  std::iota(all->begin(), all->end(), 0);
   ccaa::CompletionInput input;
   input.points = {floats.front().data(), 3, floats.size()};
-  input.selection = &all;
-  input.given = &given;
-  ccaa::RunControl control;
+  input.selection = all;
+  input.threads = 1;
+  input.partial_mesh = &given;
   ccaa::CompletionReport report;
-  const ccaa::CompletionOutput output =
-      ccaa::completePolygons(input, {}, 1, control, report);
-  if (output.polygons.size() < given.size())
+  const ccaa::CompletionOutput output = ccaa::runCompletion(input, {}, report);
+  if (output.polygons.size() < given.polygons.size())
     return {};
   return insideOf(output.polygons, static_cast<pcl::index_t>(n));
 }

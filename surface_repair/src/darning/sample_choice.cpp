@@ -3,7 +3,7 @@
 
 #include "darning/sample_choice.h"
 
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
 
 #include "darning/local_floats.h"
 

@@ -3,6 +3,8 @@
 
 #include "repair/repair_log.h"
 
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
+
 #include <algorithm>
 #include <utility>
 

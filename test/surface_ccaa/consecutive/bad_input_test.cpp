@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: chains with bad clouds, bad parts and cancelling.
+#include <pcl/surface_ccaa/umbrella_filter.h>
+
 #include "chain_fixture.h"
 
 #include <limits>

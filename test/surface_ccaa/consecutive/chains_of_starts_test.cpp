@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: tests of chains with more than one start algorithm
 // (D3.1-1).
 #include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include "chain_fixture.h"
 

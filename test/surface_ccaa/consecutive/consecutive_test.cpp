@@ -3,8 +3,9 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
 #include <pcl/surface/organized_fast_mesh.h>
+#include <pcl/surface_ccaa/block_search.h>
 #include <pcl/surface_ccaa/greedy_start.h>
-#include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include "chain_fixture.h"
 #include "support/shared_data.h"

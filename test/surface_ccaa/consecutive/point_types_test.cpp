@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the libraries hold the templates for all types of points.
 #include <pcl/common/io.h>
+#include <pcl/surface_ccaa/block_search.h>
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 #include <pcl/surface_ccaa/greedy_start.h>
 #include <pcl/surface_ccaa/projection_completion.h>
-#include <pcl/surface_ccaa/search/block_search.h>
 #include <pcl/point_types.h>
 
 #include <gtest/gtest.h>

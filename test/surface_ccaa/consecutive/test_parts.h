@@ -4,6 +4,7 @@
 
 #include <pcl/surface/processing.h>
 #include <pcl/surface_ccaa/mesh_completion.h>
+#include <pcl/surface_ccaa/run_control.h>
 #include <pcl/point_types.h>
 
 #include <functional>

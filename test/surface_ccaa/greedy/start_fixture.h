@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/surface_ccaa/block_search.h>
 #include <pcl/surface_ccaa/greedy_start.h>
-#include <pcl/surface_ccaa/search/block_search.h>
 
 #include <gtest/gtest.h>
 

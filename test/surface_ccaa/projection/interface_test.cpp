@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: ProjectionCompletion as a PCL class.
 #include <pcl/search/kdtree.h>
-#include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/block_search.h>
 
 #include "completion_helpers.h"
 

@@ -4,7 +4,7 @@
 #include <pcl/features/normal_3d.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
-#include <pcl/surface_ccaa/search/block_search.h>
+#include <pcl/surface_ccaa/block_search.h>
 
 #include <gtest/gtest.h>
 

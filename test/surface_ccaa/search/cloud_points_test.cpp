@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of search/cloud_points.h.
-#include <pcl/surface_ccaa/search/cloud_points.h>
+#include <pcl/surface_ccaa/impl/point_array.h>
+#include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the exact neighbor search over blocks.
+#include <pcl/surface_ccaa/run_control.h>
+#include <pcl/surface_ccaa/search/curve_order.h>
+
 #include <gtest/gtest.h>
 
 #include "search_inputs.h"

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: inputs and brute-force answers for the search tests.
 #pragma once
 
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
 
 #include "support/clouds.h"
 #include "support/random_source.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of damaged surfaces that must come out right.
 
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
+
 #include "repair_fixture.h"
 
 namespace pcl {

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: tests of what ForceLineHoleRepair promises for any input.
 
 #include <pcl/console/print.h>
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what users allow a repair to close and to join.
 
+#include <pcl/surface_ccaa/mesh/surface_topology.h>
+
 #include "repair_fixture.h"
 
 #include <cmath>

@@ -4,10 +4,8 @@
 
 #include <pcl/surface/processing.h>
 #include <pcl/surface_ccaa/checked_construction.h>
-#include <pcl/surface_ccaa/consecutive/chain_run.h>
-#include <pcl/surface_ccaa/consecutive/consecutive_report.h>
-#include <pcl/surface_ccaa/consecutive/point_stages.h>
 #include <pcl/surface_ccaa/mesh_completion.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_ccaa/side_settings.h>
 #include <pcl/point_cloud.h>
@@ -18,6 +16,11 @@
 #include <vector>
 
 namespace pcl {
+
+namespace ccaa {
+struct ChainInput;
+struct ChainOutput;
+} // namespace ccaa
 
 /** \brief The concept of consecutive application of surface reconstruction algorithms
  * (CCAA, D3.1-1): a cheap start algorithm joins most of the cloud, with mistakes; a
@@ -86,6 +89,7 @@ public:
   using MeshConstruction<PointT>::tree_;
 
   ConsecutiveReconstruction();
+  ~ConsecutiveReconstruction() override;
 
   /** \brief Start with this algorithm alone. Default: GreedyStart with a
    * search::BlockSearch. */
@@ -190,65 +194,17 @@ protected:
   }
 
 private:
-  using Algorithm = MeshConstruction<PointT>;
+  ccaa::ChainInput
+  chainInput() const;
 
   void
-  clearResult(pcl::PolygonMesh& output);
-
-  template <typename Body>
-  bool
-  guarded(const ccaa::ChainRun& run, const Body& body) const;
-
-  void
-  reconstructInto(pcl::PolygonMesh& output, bool has_cloud);
-
-  bool
-  applyChain(ccaa::ChainRun& run);
-
-  bool
-  hasValidParts() const;
-
-  bool
-  selectPoints(ccaa::ChainRun& run);
-
-  bool
-  applyStart(std::size_t number, ccaa::ChainRun& run);
-
-  bool
-  construct(std::size_t number, ccaa::ChainRun& run, std::vector<Vertices>& made);
-
-  bool
-  filterTriangles(ccaa::ChainMesh& given, ccaa::ChainRun& run, ccaa::ChainMesh& left);
-
-  bool
-  applyBase(ccaa::ChainRun& run);
-
-  bool
-  runBase(const PolygonMeshConstPtr& partial_mesh,
-          double weight,
-          ccaa::ChainRun& run,
-          std::vector<Vertices>& polygons);
-
-  bool
-  completeFrom(const PolygonMeshConstPtr& partial_mesh,
-               MeshCompletion<PointT>& completion,
-               const ccaa::ChainRun& run,
-               std::vector<Vertices>& polygons) const;
-
-  void
-  computeNormals(const pcl::PolygonMesh& mesh, ccaa::ChainRun& run);
-
-  ccaa::ChainInput<PointT>
-  chainInput() const
-  {
-    return {input_, tree_};
-  }
+  take(ccaa::ChainOutput result);
 
   std::vector<StartPtr> starts_;
   FilterPtr filter_;
   BasePtr base_;
   bool compute_normals_ = false;
-  ccaa::TriangleLabels labels_;
+  std::vector<std::uint8_t> labels_;
   PointCloud<Normal>::Ptr normals_;
   ConsecutiveReport report_;
 };

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <pcl/surface_ccaa/checked_construction.h>
-#include <pcl/surface_ccaa/greedy/greedy_parameters.h>
-#include <pcl/surface_ccaa/greedy/ranked_points.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_settings.h>
-#include <pcl/surface_ccaa/search/point_blocks.h>
 
 #include <string>
 #include <vector>
@@ -45,6 +44,9 @@ public:
   using MeshConstruction<PointT>::indices_;
   using MeshConstruction<PointT>::input_;
   using MeshConstruction<PointT>::tree_;
+
+  GreedyStart();
+  ~GreedyStart() override;
 
   /** \brief k: neighbors of a point between which edges are considered, 3 to 64.
    * Default
@@ -152,26 +154,6 @@ protected:
   }
 
 private:
-  /** The usable points and who is near whom; the rows live in either of two stores. */
-  struct Neighborhoods {
-    ccaa::RankedPoints points;
-    ccaa::NeighborTable table;
-    std::vector<index_t> searched;
-    ccaa::NeighborRows rows;
-  };
-
-  bool
-  hasValidInput() const;
-
-  bool
-  findNeighborhoods(int threads, ccaa::RunControl& control, Neighborhoods& found);
-
-  bool
-  searchBlocks(int threads, ccaa::RunControl& control, Neighborhoods& found);
-
-  bool
-  searchTree(int threads, ccaa::RunControl& control, Neighborhoods& found);
-
   ccaa::GreedyParameters parameters_;
   ccaa::GreedyReport report_;
 };

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh_completion.h>
-#include <pcl/surface_ccaa/projection/completion_parameters.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 
 #include <string>
 #include <vector>
@@ -52,6 +52,9 @@ public:
   using MeshCompletion<PointT>::side_tally_;
   using MeshCompletion<PointT>::threads_;
   using MeshCompletion<PointT>::tree_;
+
+  ProjectionCompletion();
+  ~ProjectionCompletion() override;
 
   /** \brief Whether every given triangle stays (default), or those that look wrong or
    * stand in the way may be replaced (see ccaa::doubtfulTriangles()).
@@ -159,15 +162,6 @@ protected:
   }
 
 private:
-  std::string
-  faultOfInput() const;
-
-  bool
-  searchTree(const Indices& points,
-             unsigned int k,
-             ccaa::RunControl& control,
-             std::vector<index_t>& table);
-
   ccaa::CompletionParameters parameters_;
   ccaa::CompletionReport report_;
   std::vector<index_t> kept_;

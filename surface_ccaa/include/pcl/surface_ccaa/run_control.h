@@ -2,19 +2,13 @@
 // Part of PclSurfaceRepair: progress out of a run, cancellation into it.
 #pragma once
 
+#include <pcl/surface_ccaa/run_settings.h>
+
 #include <atomic>
-#include <functional>
-#include <string>
 #include <utility>
 
 namespace pcl {
 namespace ccaa {
-
-/** \brief Called from the thread that started the run with the name of the stage and
- * the share of that stage that is done, 0 to 1. Return false to cancel the run: it
- * stops within 100 ms of work and leaves an empty result. An exception counts as false:
- * it may not cross the parallel loops of a run. */
-using ProgressCallback = std::function<bool(const std::string& stage, double fraction)>;
 
 /** \brief One run's view of its progress callback.
  *

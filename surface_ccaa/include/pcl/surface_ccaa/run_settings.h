@@ -2,12 +2,18 @@
 // Part of PclSurfaceRepair: the settings that every algorithm's run has.
 #pragma once
 
-#include <pcl/surface_ccaa/run_control.h>
-
+#include <functional>
+#include <string>
 #include <utility>
 
 namespace pcl {
 namespace ccaa {
+
+/** \brief Called from the thread that started the run with the name of the stage and
+ * the share of that stage that is done, 0 to 1. Return false to cancel the run: it
+ * stops within 100 ms of work and leaves an empty result. An exception counts as false:
+ * it may not cross the parallel loops of a run. */
+using ProgressCallback = std::function<bool(const std::string& stage, double fraction)>;
 
 /** \brief Base of every class of this library that computes: how many threads it uses,
  * and whom it tells about its progress.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <pcl/surface/processing.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_ccaa/side_settings.h>
 

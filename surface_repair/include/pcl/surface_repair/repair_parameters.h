@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/side_hints.h>
+#include <pcl/surface_ccaa/side_settings.h>
 #include <pcl/memory.h>
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
+#include <pcl/surface_ccaa/surface_topology.h>
 #include <pcl/surface_repair/model_findings.h>
 #include <pcl/types.h>
 

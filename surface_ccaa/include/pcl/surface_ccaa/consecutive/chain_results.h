@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: what is made of a chain's mesh and times at the end.
 #pragma once
 
-#include <pcl/surface_ccaa/consecutive/consecutive_report.h>
 #include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/PolygonMesh.h>

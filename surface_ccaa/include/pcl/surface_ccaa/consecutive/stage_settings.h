@@ -46,42 +46,29 @@ private:
   double reached_;   /**< told last */
 };
 
-/** \brief Gives a part the threads and the progress of the chain, if it is a
- * RunSettings, and its own ones back at the end. */
+/** \brief Gives a part the threads and the progress of the chain, and its own ones back
+ * at the end. */
 class LentSettings {
 public:
-  template <typename Part>
-  LentSettings(Part* part, unsigned int threads, StageProgress& progress)
-  : settings_(dynamic_cast<RunSettings*>(part))
-  {
-    if (settings_ != nullptr)
-      lend(threads, progress);
-  }
+  /** \param[in] settings of the part, or null */
+  LentSettings(RunSettings* settings, unsigned int threads, StageProgress& progress);
   ~LentSettings();
   LentSettings(const LentSettings&) = delete;
   LentSettings&
   operator=(const LentSettings&) = delete;
 
 private:
-  void
-  lend(unsigned int threads, StageProgress& progress);
-
   RunSettings* settings_;
   unsigned int own_threads_ = 0;
   ProgressCallback own_progress_;
 };
 
-/** \brief Gives a part what the chain knows about the outer side, if it is a
- * SideSettings, and its own hints back at the end. */
+/** \brief Gives a part what the chain knows about the outer side, and its own hints
+ * back at the end. */
 class LentSides {
 public:
-  template <typename Part>
-  LentSides(Part* part, const SideHints& hints)
-  : settings_(dynamic_cast<SideSettings*>(part))
-  {
-    if (settings_ != nullptr)
-      lend(hints);
-  }
+  /** \param[in] settings of the part, or null */
+  LentSides(SideSettings* settings, const SideHints& hints);
   ~LentSides();
   LentSides(const LentSides&) = delete;
   LentSides&
@@ -95,9 +82,6 @@ public:
   }
 
 private:
-  void
-  lend(const SideHints& hints);
-
   SideSettings* settings_;
   SideHints own_hints_;
 };

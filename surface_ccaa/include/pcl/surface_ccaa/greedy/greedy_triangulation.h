@@ -2,9 +2,10 @@
 // Part of PclSurfaceRepair: the greedy start on ranked points (thesis 3.3).
 #pragma once
 
-#include <pcl/surface_ccaa/greedy/greedy_parameters.h>
 #include <pcl/surface_ccaa/greedy/ranked_points.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_control.h>
 
 namespace pcl {

@@ -4,9 +4,8 @@
 
 #include <pcl/console/print.h>
 #include <pcl/search/impl/search.hpp>
-#include <pcl/surface_ccaa/search/block_search.h>
-#include <pcl/surface_ccaa/search/cloud_points.h>
-#include <pcl/surface_ccaa/threads.h>
+#include <pcl/surface_ccaa/block_search.h>
+#include <pcl/surface_ccaa/impl/point_array.h>
 
 #include <algorithm>
 #include <limits>
@@ -45,6 +44,13 @@ sqrRadius(double radius)
 } // namespace detail
 
 template <typename PointT>
+BlockSearch<PointT>::BlockSearch() : Search<PointT>("BlockSearch", true)
+{}
+
+template <typename PointT>
+BlockSearch<PointT>::~BlockSearch() = default;
+
+template <typename PointT>
 ccaa::SetInputResult<PointT>
 BlockSearch<PointT>::setInputCloud(const PointCloudConstPtr& cloud,
                                    const IndicesConstPtr& indices)
@@ -52,7 +58,7 @@ BlockSearch<PointT>::setInputCloud(const PointCloudConstPtr& cloud,
   input_ = cloud;
   indices_ = indices;
   const auto points = input_ ? ccaa::pointArrayOf(*input_) : ccaa::PointArray();
-  const int threads = ccaa::resolveThreads(threads_);
+  const auto threads = static_cast<int>(threads_);
   const bool in_range =
       !indices_ ||
       (input_ && ccaa::findIndexOutside(*indices_, points.size) == indices_->end());

@@ -3,22 +3,114 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/consecutive/chain_results.h>
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
-#include <pcl/surface_ccaa/impl/consecutive_stages.hpp>
-#include <pcl/surface_ccaa/impl/greedy_start.hpp>
-#include <pcl/surface_ccaa/impl/projection_completion.hpp>
-#include <pcl/surface_ccaa/search/block_search.h>
-#include <pcl/surface_ccaa/search/cloud_points.h>
-#include <pcl/surface_ccaa/search/cloud_sides.h>
+#include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/surface_ccaa/impl/cloud_view.h>
+#include <pcl/surface_ccaa/projection_completion.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/conversions.h>
 
-#include <algorithm>
-#include <exception>
 #include <memory>
 #include <utility>
 
 namespace pcl {
+
+namespace ccaa {
+
+/** \brief An algorithm of a chain on a cloud of this point type. */
+template <typename PointT>
+class CloudPart : public ChainPart {
+public:
+  using CloudConstPtr = typename PointCloud<PointT>::ConstPtr;
+  using TreePtr = typename search::Search<PointT>::Ptr;
+
+  /** \param[in] tree null: the algorithm keeps its own */
+  CloudPart(MeshConstruction<PointT>& algorithm, CloudConstPtr cloud, TreePtr tree)
+  : algorithm_(algorithm)
+  , completion_(dynamic_cast<MeshCompletion<PointT>*>(&algorithm))
+  , cloud_(std::move(cloud))
+  , tree_(std::move(tree))
+  {}
+
+  RunSettings*
+  runSettings() const override
+  {
+    return dynamic_cast<RunSettings*>(&algorithm_);
+  }
+  SideSettings*
+  sideSettings() const override
+  {
+    return dynamic_cast<SideSettings*>(&algorithm_);
+  }
+  bool
+  completes() const override
+  {
+    return completion_ != nullptr;
+  }
+  const std::vector<index_t>*
+  keptTriangles() const override
+  {
+    return completion_ == nullptr ? nullptr : completion_->keptTriangles();
+  }
+
+  /** A cloud of some of the points is no longer organised: an algorithm whose search
+   * method needs that loses it. */
+  bool
+  construct(const ChainSelection& points, std::vector<Vertices>& made) override
+  {
+    if (tree_)
+      algorithm_.setSearchMethod(tree_);
+    const bool honours_indices = runSettings() != nullptr;
+    if (honours_indices || !needsCloudOfItsOwn(points)) {
+      algorithm_.setInputCloud(cloud_);
+      algorithm_.setIndices(honours_indices ? points.chosen : IndicesPtr());
+      algorithm_.reconstruct(made);
+      return false;
+    }
+    const auto part = std::make_shared<PointCloud<PointT>>(*cloud_, *points.chosen);
+    part->is_dense = true;
+    if (!canSearch(algorithm_.getSearchMethod().get(), *part))
+      algorithm_.setSearchMethod(nullptr); // it chooses one that can
+    algorithm_.setInputCloud(part);
+    algorithm_.setIndices(IndicesPtr());
+    algorithm_.reconstruct(made);
+    return true;
+  }
+
+  void
+  complete(const PolygonMeshConstPtr& partial_mesh,
+           const IndicesPtr& usable,
+           std::vector<Vertices>& polygons) override
+  {
+    if (tree_)
+      completion_->setSearchMethod(tree_);
+    const std::shared_ptr<void> restore(
+        nullptr, [this, own_mesh = completion_->getPartialMesh()](void*) {
+          completion_->setPartialMesh(own_mesh);
+        });
+    completion_->setInputCloud(cloud_);
+    completion_->setIndices(usable);
+    completion_->setPartialMesh(partial_mesh);
+    completion_->reconstruct(polygons);
+  }
+
+private:
+  /** A class of PCL may mix up indices and positions among them (gp3 does), and need
+   * not expect points that are not finite. Of organised clouds it does. */
+  bool
+  needsCloudOfItsOwn(const ChainSelection& points) const
+  {
+    const bool knows_gaps = cloud_->isOrganized() && !cloud_->is_dense;
+    return points.is_part || (points.has_gaps && !knows_gaps);
+  }
+
+  MeshConstruction<PointT>& algorithm_;
+  MeshCompletion<PointT>* completion_;
+  CloudConstPtr cloud_;
+  TreePtr tree_;
+};
+
+} // namespace ccaa
 
 template <typename PointT>
 ConsecutiveReconstruction<PointT>::ConsecutiveReconstruction()
@@ -35,10 +127,15 @@ ConsecutiveReconstruction<PointT>::ConsecutiveReconstruction()
 }
 
 template <typename PointT>
+ConsecutiveReconstruction<PointT>::~ConsecutiveReconstruction() = default;
+
+template <typename PointT>
 void
 ConsecutiveReconstruction<PointT>::performReconstruction(pcl::PolygonMesh& output)
 {
-  reconstructInto(output, true);
+  ccaa::ChainOutput result;
+  ccaa::runChain(chainInput(), true, output, result);
+  take(std::move(result));
 }
 
 template <typename PointT>
@@ -47,170 +144,62 @@ ConsecutiveReconstruction<PointT>::performReconstruction(
     std::vector<pcl::Vertices>& polygons)
 {
   pcl::PolygonMesh output;
-  reconstructInto(output, false);
+  ccaa::ChainOutput result;
+  ccaa::runChain(chainInput(), false, output, result);
+  take(std::move(result));
   polygons = std::move(output.polygons);
-}
-
-template <typename PointT>
-void
-ConsecutiveReconstruction<PointT>::clearResult(pcl::PolygonMesh& output)
-{
-  output.polygons.clear();
-  labels_.clear();
-  normals_.reset();
-  report_ = {};
-  side_tally_ = {};
-}
-
-/** No exception leaves a run: neither our own lack of memory nor what a part throws. */
-template <typename PointT>
-template <typename Body>
-bool
-ConsecutiveReconstruction<PointT>::guarded(const ccaa::ChainRun& run,
-                                           const Body& body) const
-{
-  try {
-    return body();
-  }
-  catch (const std::exception& problem) {
-    PCL_ERROR("[pcl::%s::performReconstruction] %s (stage '%s', %zu points)\n",
-              getClassName().c_str(),
-              problem.what(),
-              run.stage.c_str(),
-              input_->size());
-  }
-  catch (...) {
-    PCL_ERROR("[pcl::%s::performReconstruction] unknown exception (stage '%s')\n",
-              getClassName().c_str(),
-              run.stage.c_str());
-  }
-  return false;
-}
-
-/** The cloud of the output travels through the run and back: it is never copied. */
-template <typename PointT>
-void
-ConsecutiveReconstruction<PointT>::reconstructInto(pcl::PolygonMesh& output,
-                                                   bool has_cloud)
-{
-  clearResult(output);
-  const ccaa::StageClock clock;
-  ccaa::ChainRun run(progress_, ccaa::resolveThreads(threads_));
-  const bool done = guarded(run, [&] {
-    run.current.mesh = std::make_shared<pcl::PolygonMesh>();
-    if (has_cloud)
-      std::swap(run.current.mesh->cloud, output.cloud);
-    else
-      pcl::toPCLPointCloud2(*input_, run.current.mesh->cloud);
-    if (!applyChain(run))
-      return false;
-    report_.total_seconds = clock.seconds();
-    if (compute_normals_)
-      computeNormals(*run.current.mesh, run);
-    return !run.control.cancelled();
-  });
-  if (has_cloud && run.current.mesh)
-    std::swap(run.current.mesh->cloud, output.cloud);
-  if (done) {
-    output.polygons = std::move(run.current.mesh->polygons);
-    labels_ = std::move(run.current.labels);
-    return;
-  }
-  clearResult(output);
-  report_.cancelled = run.control.cancelled();
-}
-
-/** Scheme S2 of the thesis: start, filter, base. */
-template <typename PointT>
-bool
-ConsecutiveReconstruction<PointT>::applyChain(ccaa::ChainRun& run)
-{
-  if (!hasValidParts() || !selectPoints(run))
-    return false;
-  run.total_weight =
-      double(starts_.size()) * (ccaa::START_WEIGHT + ccaa::FILTER_WEIGHT) +
-      (base_ ? ccaa::BASE_WEIGHT : 0) + (compute_normals_ ? ccaa::NORMALS_WEIGHT : 0);
-  for (std::size_t number = 0; number < starts_.size(); ++number)
-    if (!applyStart(number, run))
-      return false;
-  if (!applyBase(run))
-    return false;
-  for (const std::uint8_t label : run.current.labels)
-    ++report_.stages[label].triangles;
-  return true;
-}
-
-template <typename PointT>
-bool
-ConsecutiveReconstruction<PointT>::hasValidParts() const
-{
-  const bool is_valid =
-      !starts_.empty() && starts_.size() <= 255 &&
-      std::find(starts_.begin(), starts_.end(), nullptr) == starts_.end();
-  if (!is_valid)
-    PCL_ERROR("[pcl::%s::performReconstruction] 1 to 255 start algorithms are needed, "
-              "none of them null (%zu given)\n",
-              getClassName().c_str(),
-              starts_.size());
-  return is_valid;
-}
-
-template <typename PointT>
-bool
-ConsecutiveReconstruction<PointT>::selectPoints(ccaa::ChainRun& run)
-{
-  const std::string name = getClassName();
-  run.point_count = input_->size();
-  const auto outside = ccaa::findIndexOutside(*indices_, run.point_count);
-  if (outside != indices_->end()) {
-    PCL_ERROR("[pcl::%s::performReconstruction] index %d is outside the cloud of %zu "
-              "points\n",
-              name.c_str(),
-              static_cast<int>(*outside),
-              run.point_count);
-    return false;
-  }
-  run.points =
-      ccaa::selectUsablePoints(ccaa::pointArrayOf(*input_), indices_, run.loop());
-  run.sides = ccaa::sidesOf(*input_, side_hints_);
-  if (ccaa::viewpointArrayOf(*input_).size == 0)
-    ccaa::takeOrigin(
-        run.sides, ccaa::viewOf(ccaa::pointArrayOf(*input_)), run.points.usable.get());
-  run.sides.try_origin = false; // the parts look at fewer points
-  report_.points = indices_->size();
-  report_.skipped_points = run.points.skipped;
-  if (run.points.usable->size() >= 3)
-    return true;
-  PCL_ERROR("[pcl::%s::performReconstruction] %zu usable points, at least 3 are "
-            "needed\n",
-            name.c_str(),
-            run.points.usable->size());
-  return false;
 }
 
 template <typename PointT>
 SpeedupReport
 ConsecutiveReconstruction<PointT>::measureSpeedup()
 {
-  pcl::PolygonMesh output;
-  clearResult(output);
+  take({});
   if (!base_)
     PCL_ERROR("[pcl::%s::measureSpeedup] no base algorithm to compare with\n",
               getClassName().c_str());
   if (!base_ || !this->hasUsableCloud("measureSpeedup") || !this->initCompute())
     return {};
-  ccaa::ChainRun alone(progress_, ccaa::resolveThreads(threads_));
-  std::vector<Vertices> polygons;
-  const bool done = guarded(alone, [&] {
-    return selectPoints(alone) && runBase(nullptr, 1, alone, polygons);
-  });
-  const double base_seconds = report_.base_seconds;
-  clearResult(output);
-  report_.cancelled = alone.control.cancelled();
-  if (done)
-    reconstructInto(output, false);
+  ccaa::ChainOutput result;
+  const SpeedupReport measured = ccaa::measureChain(chainInput(), result);
+  take(std::move(result));
   this->deinitCompute();
-  return ccaa::compareSpeed(base_seconds, report_);
+  return measured;
+}
+
+template <typename PointT>
+ccaa::ChainInput
+ConsecutiveReconstruction<PointT>::chainInput() const
+{
+  using Part = ccaa::CloudPart<PointT>;
+  ccaa::ChainInput input;
+  input.points = ccaa::pointArrayOf(*input_);
+  input.selection = indices_;
+  input.threads = threads_;
+  input.progress = progress_;
+  input.has_viewpoints = ccaa::viewpointArrayOf(*input_).size > 0;
+  input.sides = ccaa::sidesOf(*input_, side_hints_);
+  for (const StartPtr& start : starts_)
+    input.starts.push_back(start ? std::make_shared<Part>(*start, input_, tree_)
+                                 : nullptr);
+  input.filter = filter_.get();
+  if (base_)
+    input.base = std::make_shared<Part>(*base_, input_, tree_);
+  input.compute_normals = compute_normals_;
+  input.write_cloud = [this](PCLPointCloud2& cloud) {
+    pcl::toPCLPointCloud2(*input_, cloud);
+  };
+  return input;
+}
+
+template <typename PointT>
+void
+ConsecutiveReconstruction<PointT>::take(ccaa::ChainOutput result)
+{
+  labels_ = std::move(result.labels);
+  normals_ = std::move(result.normals);
+  report_ = std::move(result.report);
+  side_tally_ = result.sides;
 }
 
 } // namespace pcl

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: reading triples of coordinates wherever they lie.
 #pragma once
 
+#include <pcl/surface_ccaa/impl/point_array.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
 
 #include <array>
@@ -112,6 +113,17 @@ private:
   TripleLayout layout_;
   Position origin_ = Position::Zero();
 };
+
+/** \brief An array of points as a view. */
+inline PointView
+viewOf(const PointArray& array)
+{
+  if (array.size == 0)
+    return {};
+  return {array.xyz,
+          array.size,
+          {array.stride * sizeof(float), {0, sizeof(float), 2 * sizeof(float)}}};
+}
 
 } // namespace ccaa
 } // namespace pcl

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/projection/nearby_triangles.h>
 #include <pcl/surface_ccaa/projection/new_islands.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
 #include <pcl/surface_ccaa/projection/partial_surface.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
 
 #include <cstddef>
 #include <vector>

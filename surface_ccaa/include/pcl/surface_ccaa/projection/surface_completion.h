@@ -5,8 +5,9 @@
 #include <pcl/surface_ccaa/mesh/point_view.h>
 #include <pcl/surface_ccaa/mesh/side_hints.h>
 #include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/projection/partial_mesh_check.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_control.h>
 
 #include <cstddef>

@@ -2,12 +2,12 @@
 // Part of PclSurfaceRepair: triangle by triangle, the best supported one first.
 #pragma once
 
-#include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/projection/empty_ball.h>
 #include <pcl/surface_ccaa/projection/growing_surface.h>
 #include <pcl/surface_ccaa/projection/nearby_triangles.h>
 #include <pcl/surface_ccaa/projection/open_surface.h>
 #include <pcl/surface_ccaa/projection/triangle_trial.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/run_control.h>
 
 #include <cstdint>

@@ -4,8 +4,9 @@
 
 #include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-#include <pcl/surface_ccaa/projection/completion_parameters.h>
 #include <pcl/surface_ccaa/projection/surface_completion.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 
 #include <functional>
 #include <vector>

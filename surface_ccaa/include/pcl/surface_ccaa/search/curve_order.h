@@ -2,42 +2,13 @@
 // Part of PclSurfaceRepair: points in the order of a space-filling curve.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/point_view.h>
+#include <pcl/surface_ccaa/impl/point_array.h>
 #include <pcl/types.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
-
-/** \brief A view of coordinates that lie anywhere: point i starts at xyz + i * stride.
- * Three floats in a row, then whatever the owner keeps there. */
-struct PointArray {
-  /** \brief First coordinate of the first point; may be null when size is 0. */
-  const float* xyz = nullptr;
-  /** \brief Floats from one point to the next, at least 3. */
-  std::size_t stride = 3;
-  /** \brief Number of points. */
-  std::size_t size = 0;
-
-  const float*
-  operator[](index_t point_index) const
-  {
-    return xyz + static_cast<std::size_t>(point_index) * stride;
-  }
-};
-
-/** \brief The same as the rooms that know of no clouds see it. */
-inline PointView
-viewOf(const PointArray& array)
-{
-  if (array.size == 0)
-    return {};
-  return {array.xyz,
-          array.size,
-          {array.stride * sizeof(float), {0, sizeof(float), 2 * sizeof(float)}}};
-}
 
 /** \brief Indices of the finite points, ordered along a Hilbert curve.
  *

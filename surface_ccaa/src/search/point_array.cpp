@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the points of a PCL cloud, and indices that are none of
-// them.
-#include <pcl/surface_ccaa/search/cloud_points.h>
+// Part of PclSurfaceRepair: indices that are none of an array's points.
+#include <pcl/surface_ccaa/impl/point_array.h>
 
 #include <algorithm>
 

@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: exact neighbor search over blocks of eight points.
 #pragma once
 
-#include <pcl/surface_ccaa/run_control.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
+#include <pcl/surface_ccaa/impl/point_array.h>
 
 #include <array>
 #include <cstddef>
@@ -14,6 +13,8 @@
 
 namespace pcl {
 namespace ccaa {
+
+class RunControl;
 
 namespace block_kernel {
 struct BlockView;
@@ -116,14 +117,14 @@ public:
    *
    * Points with a NaN or infinite coordinate are left out. Cost O(N); keeps 20 bytes
    * per point and needs 36 more while it runs. \param[in] points the coordinates
-   * \param[in] threads number of threads, at least 1 */
+   * \param[in] threads number of threads, 0: all */
   void
   build(const PointArray& points, int threads);
 
   /** \brief The same for chosen points only.
    * \param[in] points the coordinates
    * \param[in] selection indices into \a points
-   * \param[in] threads number of threads, at least 1 */
+   * \param[in] threads number of threads, 0: all */
   void
   build(const PointArray& points, const Indices& selection, int threads);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: settings and report of the greedy start.
+// Part of PclSurfaceRepair: all options of the algorithms that reconstruct.
 #pragma once
 
 #include <cstddef>
@@ -30,21 +30,26 @@ struct GreedyParameters {
   bool second_pass = true;
 };
 
-/** \brief What one run of the greedy start did. Times are wall-clock seconds. */
-struct GreedyReport {
-  std::size_t points = 0; /**< usable points: finite, selected, places counted once */
-  std::size_t skipped_points =
-      0; /**< selected points with a NaN or infinite coordinate */
-  std::size_t duplicate_points = 0; /**< further points at a place that is taken */
-  std::size_t candidate_edges = 0;  /**< edges examined, over both passes */
-  std::size_t joined_edges = 0;     /**< edges accepted */
-  std::size_t refused_overfull = 0; /**< rule 1: an edge would get a third triangle */
-  std::size_t refused_tetrahedron = 0; /**< rule 2 */
-  std::size_t refused_angle = 0;       /**< rule 3: an angle under A_T */
-  std::size_t triangles = 0;
-  double search_seconds = 0; /**< ordering, building the search index, k-NN */
-  double greedy_seconds = 0; /**< certificates, ordering by length, insertion */
-  bool cancelled = false;
+/** \brief Settings of the base algorithm; the defaults need no knowledge of the cloud.
+ */
+struct CompletionParameters {
+  /** \brief Open points around an open point among which its triangles are sought, 6 to
+   * 64. */
+  unsigned int neighbors = 20;
+  /** \brief Largest circumradius of a new triangle as a multiple of the local spacing:
+   * wider gaps have no samples to support a surface and stay open. */
+  double support = 2.0;
+  /** \brief Angle in radians between the normals of neighboring triangles up to which
+   * the surface counts as smooth; 30 degrees. Folds beyond wait until last. */
+  double smooth_fold = 0.5235987755982988;
+  /** \brief Largest angle between the normals of neighboring triangles; 150 degrees. */
+  double largest_fold = 2.6179938779914944;
+  /** \brief A region that grew by itself stays only with so many internal points. */
+  std::size_t minimum_internal_points = 10;
+  /** \brief Keep every given triangle, whatever it looks like. With false the given
+   * ones that are doubtful (see doubtfulTriangles()) or that obstruct the completion
+   * may be replaced. */
+  bool keep_given = true;
 };
 
 } // namespace ccaa

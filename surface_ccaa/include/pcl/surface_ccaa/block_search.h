@@ -3,8 +3,8 @@
 #pragma once
 
 #include <pcl/search/search.h>
-#include <pcl/surface_ccaa/compat.h>
-#include <pcl/surface_ccaa/search/point_blocks.h>
+#include <pcl/surface_ccaa/impl/compat.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
 
 namespace pcl {
 namespace search {
@@ -15,7 +15,7 @@ namespace search {
  * normal_estimation.setSearchMethod(std::make_shared<pcl::search::BlockSearch<PointT>>());
  * \endcode
  * Who needs the neighbors of all points gets them several times faster from
- * getPointBlocks() than by one call per point.
+ * getPointBlocks() (`pcl/surface_ccaa/impl/point_blocks.h`) than by one call per point.
  *
  * Results always ascend by distance, then by point index. Points with a NaN or infinite
  * coordinate are never found, and nothing is found around them. The query is found too
@@ -37,7 +37,8 @@ public:
   using Search<PointT>::nearestKSearch;
   using Search<PointT>::radiusSearch;
 
-  BlockSearch() : Search<PointT>("BlockSearch", true) {}
+  BlockSearch();
+  ~BlockSearch() override;
 
   /** \brief Threads for setInputCloud(), 0 (the default) = all. */
   void

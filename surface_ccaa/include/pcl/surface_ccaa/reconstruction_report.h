@@ -1,12 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: what a chain of algorithms did and what it cost.
+// Part of PclSurfaceRepair: what the algorithms that reconstruct did and what it cost.
 #pragma once
+
+#include <pcl/surface_ccaa/side_settings.h>
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace pcl {
+namespace ccaa {
+
+/** \brief What one run of the greedy start did. Times are wall-clock seconds. */
+struct GreedyReport {
+  std::size_t points = 0; /**< usable points: finite, selected, places counted once */
+  std::size_t skipped_points =
+      0; /**< selected points with a NaN or infinite coordinate */
+  std::size_t duplicate_points = 0; /**< further points at a place that is taken */
+  std::size_t candidate_edges = 0;  /**< edges examined, over both passes */
+  std::size_t joined_edges = 0;     /**< edges accepted */
+  std::size_t refused_overfull = 0; /**< rule 1: an edge would get a third triangle */
+  std::size_t refused_tetrahedron = 0; /**< rule 2 */
+  std::size_t refused_angle = 0;       /**< rule 3: an angle under A_T */
+  std::size_t triangles = 0;
+  double search_seconds = 0; /**< ordering, building the search index, k-NN */
+  double greedy_seconds = 0; /**< certificates, ordering by length, insertion */
+  bool cancelled = false;
+};
+
+/** \brief What one run of the base algorithm did. */
+struct CompletionReport {
+  std::size_t given_triangles = 0;
+  std::size_t kept_triangles = 0; /**< given ones in the result */
+  std::size_t new_triangles = 0;
+  std::size_t open_points = 0; /**< boundary points and free points before */
+  std::size_t free_points = 0; /**< points without a triangle after */
+  SideTally sides;             /**< what told the outer side of the result */
+  double seconds = 0;
+  bool cancelled = false;
+};
+
+} // namespace ccaa
 
 /** \brief One algorithm of a chain. Times are wall-clock seconds. */
 struct ChainStageReport {

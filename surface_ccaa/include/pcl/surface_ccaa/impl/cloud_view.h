@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: what a cloud says about the outer side of its surface.
+// Part of PclSurfaceRepair: a PCL cloud and its search method, as compiled code sees
+// them.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/side_hints.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
+#include <pcl/surface_ccaa/block_search.h>
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_struct_traits.h>
 #include <pcl/point_types.h>
 #include <pcl/type_traits.h>
+
+#include <memory>
+#include <vector>
 
 namespace pcl {
 namespace ccaa {
@@ -51,6 +55,38 @@ sidesOf(const PointCloud<PointT>& cloud, SideHints told)
   if (!told.viewpoint && origin.allFinite() && !origin.isZero(0.0f))
     told.viewpoint = origin.cast<double>();
   return told;
+}
+
+/** \brief A search method and the cloud that it searches. A search::BlockSearch takes
+ * points in with as many threads as the run has. */
+template <typename PointT>
+TreeSearch
+treeSearchOf(const typename search::Search<PointT>::Ptr& tree,
+             const typename PointCloud<PointT>::ConstPtr& cloud,
+             unsigned int threads)
+{
+  TreeSearch search;
+  search.nearest =
+      [tree,
+       cloud](index_t point, int k, Indices& near, std::vector<float>& sqr_distances) {
+        tree->nearestKSearch(
+            (*cloud)[static_cast<std::size_t>(point)], k, near, sqr_distances);
+      };
+  const auto blocks = std::dynamic_pointer_cast<search::BlockSearch<PointT>>(tree);
+  if (!blocks) {
+    search.hold = [tree, cloud](const IndicesPtr& chosen) {
+      tree->setInputCloud(cloud, chosen);
+    };
+    return search;
+  }
+  search.blocks = &blocks->getPointBlocks();
+  search.hold = [blocks, cloud, threads](const IndicesPtr& chosen) {
+    const unsigned int own_threads = blocks->getNumberOfThreads();
+    blocks->setNumberOfThreads(threads);
+    blocks->setInputCloud(cloud, chosen);
+    blocks->setNumberOfThreads(own_threads);
+  };
+  return search;
 }
 
 } // namespace ccaa

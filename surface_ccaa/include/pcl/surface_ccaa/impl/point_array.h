@@ -1,16 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the points of a PCL cloud, and indices that are none of
-// them.
+// Part of PclSurfaceRepair: coordinates that lie anywhere, and indices that are none of
+// theirs.
 #pragma once
 
-#include <pcl/surface_ccaa/search/curve_order.h>
-#include <pcl/point_cloud.h>
 #include <pcl/types.h>
 
 #include <cstddef>
 
 namespace pcl {
+
+template <typename PointT>
+class PointCloud;
+
 namespace ccaa {
+
+/** \brief A view of coordinates that lie anywhere: point i starts at xyz + i * stride.
+ * Three floats in a row, then whatever the owner keeps there. */
+struct PointArray {
+  /** \brief First coordinate of the first point; may be null when size is 0. */
+  const float* xyz = nullptr;
+  /** \brief Floats from one point to the next, at least 3. */
+  std::size_t stride = 3;
+  /** \brief Number of points. */
+  std::size_t size = 0;
+
+  const float*
+  operator[](index_t point_index) const
+  {
+    return xyz + static_cast<std::size_t>(point_index) * stride;
+  }
+};
 
 /** \brief The coordinates of a cloud, which must outlive the view. */
 template <typename PointT>

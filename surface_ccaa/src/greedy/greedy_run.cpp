@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: GreedyStart on the points of a cloud, whatever their type.
+#include <pcl/surface_ccaa/greedy/greedy_triangulation.h>
+#include <pcl/surface_ccaa/greedy/usable_points.h>
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
+#include <pcl/surface_ccaa/impl/point_blocks.h>
+#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include <pcl/surface_ccaa/mesh/polygon_access.h>
+#include <pcl/surface_ccaa/search/curve_order.h>
+#include <pcl/surface_ccaa/search/tree_rows.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** The name of the first parameter that is out of range, or null. */
+const char*
+outOfRange(const GreedyParameters& parameters)
+{
+  const auto is_angle = [](double angle) { return angle >= 0 && angle <= M_PI / 3; };
+  if (parameters.neighbors < 3 || parameters.neighbors > 64)
+    return "number of neighbors (3 to 64)";
+  if (!is_angle(parameters.minimum_angle))
+    return "minimum angle (0 to pi/3 radians)";
+  if (!is_angle(parameters.certified_minimum_angle))
+    return "certified minimum angle (0 to pi/3 radians)";
+  if (!(parameters.length_factor >= 1 && std::isfinite(parameters.length_factor)))
+    return "length factor (1 or more)";
+  return nullptr;
+}
+
+std::string
+faultOf(const CloudInput& input, const GreedyParameters& parameters)
+{
+  if (const char* wrong = outOfRange(parameters))
+    return std::string(wrong) + " is out of range";
+  const auto outside = findIndexOutside(*input.selection, input.points.size);
+  if (outside != input.selection->end())
+    return "index " + std::to_string(*outside) + " is outside the cloud of " +
+           std::to_string(input.points.size) + " points";
+  return {};
+}
+
+/** The usable points and who is near whom; the rows live in either of two stores. */
+struct Neighborhoods {
+  RankedPoints points;
+  NeighborTable table;
+  std::vector<index_t> searched;
+  NeighborRows rows;
+};
+
+class NeighborhoodSearch {
+public:
+  NeighborhoodSearch(const CloudInput& input,
+                     const TreeSearch& search,
+                     unsigned int neighbors,
+                     const LoopContext& context,
+                     GreedyReport& report)
+  : input_(input)
+  , search_(search)
+  , neighbors_(neighbors)
+  , context_(context)
+  , report_(report)
+  {}
+
+  /** \return false when cancelled */
+  bool
+  find(Neighborhoods& found)
+  {
+    if (!context_.control->report(context_.stage, 0))
+      return false;
+    const bool done =
+        search_.blocks != nullptr ? searchBlocks(found) : searchTree(found);
+    report_.points = found.points.size();
+    return done;
+  }
+
+private:
+  IndicesPtr
+  uniqueOf(const std::vector<index_t>& order)
+  {
+    auto unique = std::make_shared<Indices>(removeDuplicates(input_.points, order));
+    report_.skipped_points = input_.selection->size() - order.size();
+    report_.duplicate_points = order.size() - unique->size();
+    return unique;
+  }
+
+  /** All rows at once from the blocks. */
+  bool
+  searchBlocks(Neighborhoods& found)
+  {
+    const PointBlocks& blocks = *search_.blocks;
+    search_.hold(input_.selection);
+    const IndicesPtr unique = uniqueOf(blocks.order());
+    if (report_.duplicate_points > 0)
+      search_.hold(unique);
+    found.points = rankPoints(input_.points, blocks.order(), context_.threads);
+    auto table = blocks.allNearest(
+        neighbors_, PointBlocks::Distances::OMIT, context_.threads, context_.control);
+    if (!table)
+      return false;
+    found.table = std::move(*table);
+    found.rows = {found.table.rows() > 0 ? found.table.row(0) : nullptr,
+                  found.table.k()};
+    return true;
+  }
+
+  /** Point by point, with any search method. */
+  bool
+  searchTree(Neighborhoods& found)
+  {
+    const IndicesPtr unique =
+        uniqueOf(curveOrder(input_.points, *input_.selection, context_.threads));
+    found.points = rankPoints(input_.points, *unique, context_.threads);
+    const bool done = searchRows(
+        search_, unique, input_.points.size, neighbors_, context_, found.searched);
+    found.rows = {found.searched.data(), neighbors_};
+    return done;
+  }
+
+  const CloudInput& input_;
+  const TreeSearch& search_;
+  unsigned int neighbors_;
+  LoopContext context_;
+  GreedyReport& report_;
+};
+
+} // namespace
+
+std::string
+runGreedyStart(const CloudInput& input,
+               const TreeSearch& search,
+               const GreedyParameters& parameters,
+               GreedyReport& report,
+               std::vector<pcl::Vertices>& polygons)
+{
+  using Clock = std::chrono::steady_clock;
+  polygons.clear();
+  report = {};
+  std::string fault = faultOf(input, parameters);
+  if (!fault.empty())
+    return fault;
+  RunControl control(input.progress);
+  const LoopContext context{resolveThreads(input.threads), &control, "neighbors"};
+  const auto start = Clock::now();
+  Neighborhoods found;
+  const bool searched =
+      NeighborhoodSearch(input, search, parameters.neighbors, context, report)
+          .find(found);
+  const auto between = Clock::now();
+  report.search_seconds = std::chrono::duration<double>(between - start).count();
+  if (searched && report.points < 3)
+    fault = std::to_string(report.points) + " usable points, at least 3 are needed";
+  if (searched && fault.empty()) {
+    const Triangles triangles = greedyTriangulation(
+        found.points, found.rows, parameters, context.threads, control, report);
+    writePolygons(triangles,
+                  found.points.point_indices,
+                  LoopContext{context.threads, &control, "polygons"},
+                  polygons);
+  }
+  report.greedy_seconds = std::chrono::duration<double>(Clock::now() - between).count();
+  report.cancelled = control.cancelled();
+  if (report.cancelled)
+    polygons.clear();
+  return fault;
+}
+
+} // namespace ccaa
+} // namespace pcl
