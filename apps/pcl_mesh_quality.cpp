@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that tells all there is to know about a mesh.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/threads.h>
-
 #include "common/cli.h"
 #include "common/model_io.h"
 #include "common/position_check.h"
@@ -11,6 +7,9 @@
 #include "common/quality_report.h"
 #include "common/report.h"
 #include "common/verdict.h"
+#include "mesh/cloud_access.h"
+#include "mesh/polygon_access.h"
+#include "run/threads.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that repairs an incomplete model, or shows what it
 // lacks.
-#include <pcl/surface_ccaa/threads.h>
-
 #include "common/batch.h"
 #include "common/bridge_layer.h"
 #include "common/cli.h"
@@ -25,6 +23,7 @@
 #include "render/inspection_pictures.h"
 #include "render/render_options.h"
 #include "repair/decision_proposal.h"
+#include "run/threads.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>

@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: what is told about a repair.
 #include "hole_report.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
 #include "layer_builder.h"
+#include "mesh/cloud_access.h"
 #include "point_columns.h"
 #include "position_check.h"
 #include "repair_details.h"

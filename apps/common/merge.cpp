@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: several views of one object as one cloud.
 #include "merge.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/side_hints.h>
-
 #include "cloud_normals.h"
+#include "mesh/cloud_access.h"
+#include "mesh/side_hints.h"
 #include "point_columns.h"
 #include "point_table.h"
 #include "remarks.h"

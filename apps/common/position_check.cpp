@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: are the positions of a cloud fit for work?
 #include "position_check.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/cloud_extent.h>
-
+#include "mesh/cloud_access.h"
+#include "mesh/cloud_extent.h"
 #include "point_columns.h"
 
 #include <algorithm>

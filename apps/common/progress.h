@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: a progress bar on the terminal.
 #pragma once
 
-#include <pcl/surface_ccaa/run_control.h>
-
+#include "run/run_control.h"
 #include "time_left.h"
 
 #include <chrono>

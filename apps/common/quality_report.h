@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: the facts about a mesh as a table and as JSON.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
-
+#include "mesh/mesh_facts.h"
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>

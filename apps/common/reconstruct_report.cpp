@@ -2,12 +2,11 @@
 // Part of PclSurfaceRepair: what pcl_ccaa_reconstruct tells about a run.
 #include "reconstruct_report.h"
 
-#include <pcl/surface_ccaa/threads.h>
-
 #include "hole_report.h"
 #include "point_columns.h"
 #include "remarks.h"
 #include "repair_details.h"
+#include "run/threads.h"
 #include "side_options.h"
 #include "topology_report.h"
 #include <nlohmann/json.hpp>

@@ -4,13 +4,13 @@
 
 #include <pcl/search/kdtree.h>
 #include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/threads.h>
 
 #include "cloud_normals.h"
+#include "mesh/cloud_access.h"
 #include "point_columns.h"
 #include "repair_details.h"
 #include "repair_run.h"
+#include "run/threads.h"
 #include "side_options.h"
 #include "topology_report.h"
 

@@ -2,7 +2,6 @@
 // Part of PclSurfaceRepair: the work of pcl_ccaa_reconstruct.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
@@ -11,6 +10,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "mesh/surface_topology.h"
 #include "model.h"
 #include "output_format.h"
 #include "progress.h"

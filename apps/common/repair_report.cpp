@@ -2,12 +2,11 @@
 // Part of PclSurfaceRepair: what pcl_repair_holes tells about a model.
 #include "repair_report.h"
 
-#include <pcl/surface_ccaa/threads.h>
-
 #include "hole_report.h"
 #include "layer_builder.h"
 #include "repair_details.h"
 #include "report.h"
+#include "run/threads.h"
 #include "wording.h"
 #include <nlohmann/json.hpp>
 

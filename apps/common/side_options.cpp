@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: what user and file tell about the outer side.
 #include "side_options.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
+#include "mesh/cloud_access.h"
 #include "number_list.h"
 
 namespace app {

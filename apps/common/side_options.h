@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: what user and file tell about the outer side.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/side_hints.h>
-
 #include "cli.h"
+#include "mesh/side_hints.h"
 #include "model.h"
 
 #include <string>

@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: pieces, openings and handles of a mesh, for reports.
 #include "topology_report.h"
 
-#include <pcl/surface_ccaa/consecutive/stage_polygons.h>
-
+#include "consecutive/stage_polygons.h"
 #include <nlohmann/json.hpp>
 
 namespace app {

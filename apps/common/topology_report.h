@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: pieces, openings and handles of a mesh, for reports.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/Vertices.h>
 
+#include "mesh/surface_topology.h"
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>

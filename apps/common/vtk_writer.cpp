@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: writes legacy binary VTK with all fields.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
+#include "mesh/cloud_access.h"
 #include "mesh_writers.h"
 #include "point_columns.h"
 #include "remarks.h"

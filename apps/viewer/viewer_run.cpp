@@ -2,14 +2,13 @@
 // Part of PclSurfaceRepair: the work whose stages the viewer shows.
 #include "viewer/viewer_run.h"
 
-#include <pcl/surface_ccaa/threads.h>
-
 #include "common/interrupt.h"
 #include "common/model_io.h"
 #include "common/position_check.h"
 #include "common/reconstruct_run.h"
 #include "common/repair_run.h"
 #include "common/side_options.h"
+#include "run/threads.h"
 
 #include <utility>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: positions in double precision in each format.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
 #include "common/model_io.h"
 #include "common/point_columns.h"
+#include "mesh/cloud_access.h"
 #include "model_samples.h"
 #include "support/clouds.h"
 

@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: coordinates with more digits than floats hold go through
 // all programs.
 #include <pcl/surface_ccaa/global_shift.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 
 #include "common/model_io.h"
 #include "common/point_columns.h"
+#include "mesh/cloud_access.h"
 #include "repair_fixture.h"
 #include "support/clouds.h"
 

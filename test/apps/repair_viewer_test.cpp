@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: pcl_repair_viewer as a user runs it, without a screen.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
+#include "mesh/cloud_access.h"
 #include "model_samples.h"
 #include "pictures.h"
 #include "repair_fixture.h"

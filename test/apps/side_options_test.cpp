@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what user and file tell about the outer side, through the
 // programs.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
 #include "common/model_io.h"
 #include "common/output_file.h"
+#include "mesh/cloud_access.h"
 #include "repair_fixture.h"
 #include "support/clouds.h"
 #include "support/single_view.h"

@@ -10,7 +10,8 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface_ccaa/impl/point_array.h>
 #include <pcl/surface_ccaa/impl/point_blocks.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
+
+#include "search/curve_order.h"
 
 #if __has_include(<nanoflann.hpp>)
 #include <nanoflann.hpp>

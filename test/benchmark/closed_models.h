@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: closed surfaces to be damaged, from files or made to order.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/PolygonMesh.h>
 
 #include "icadm/incomplete_model.h"
+#include "mesh/triangle_adjacency.h"
 
 #include <string>
 #include <vector>

@@ -3,9 +3,10 @@
 #include "judgement.h"
 
 #include <pcl/io/ply_io.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/threads.h>
+
+#include "mesh/cloud_access.h"
+#include "mesh/polygon_access.h"
+#include "run/threads.h"
 
 #include <cstddef>
 #include <stdexcept>

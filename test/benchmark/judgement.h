@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: what there is to say about a result, whoever made it.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
-
+#include "mesh/mesh_facts.h"
 #include "mesh_distance.h"
 #include "reconstruction.h"
 

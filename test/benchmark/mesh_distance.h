@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: how far a mesh is from another one.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_ccaa/mesh/point_view.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "mesh/box_tree.h"
+#include "mesh/intersection.h"
+#include "mesh/point_view.h"
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <vector>

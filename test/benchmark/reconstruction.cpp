@@ -3,9 +3,9 @@
 #include "reconstruction.h"
 
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
 
 #include "measuring.h"
+#include "mesh/polygon_access.h"
 
 namespace bench {
 namespace {

@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: what every method that is compared gives back.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/PolygonMesh.h>
 
 #include "input_clouds.h"
+#include "mesh/triangle.h"
 
 #include <functional>
 #include <string>

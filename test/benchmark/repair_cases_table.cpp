@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: how many repairs come out right.
 #include "repair_cases_table.h"
 
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
+#include "mesh/mesh_facts.h"
+#include "mesh/surface_topology.h"
 #include "repair_trial.h"
 #include "support/completion_shapes.h"
 

@@ -2,13 +2,12 @@
 // Part of PclSurfaceRepair: how near the repaired surface comes to the lost one.
 #include "repair_error_table.h"
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
 #include <Eigen/Geometry>
 
 #include "boundary/extraction.h"
 #include "icadm/model_reading.h"
 #include "measuring.h"
+#include "mesh/surface_topology.h"
 #include "repair_trial.h"
 #include "rival_hole_filling.h"
 #include "support/completion_shapes.h"

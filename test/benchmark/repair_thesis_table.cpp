@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: table T4.8-1 of the thesis on today's data.
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
 
 #include <Eigen/Geometry>
 
 #include "input_clouds.h"
+#include "mesh/polygon_access.h"
+#include "mesh/surface_topology.h"
 #include "repair_time_table.h"
 #include "repair_trial.h"
 #include "support/completion_shapes.h"

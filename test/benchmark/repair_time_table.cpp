@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: how the time of a repair grows.
 #include "repair_time_table.h"
 
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include "measuring.h"
+#include "mesh/polygon_access.h"
+#include "mesh/triangle_adjacency.h"
 #include "repair_trial.h"
 #include "support/random_source.h"
 #include "survey/model_survey.h"

@@ -2,9 +2,6 @@
 // Part of PclSurfaceRepair: a damaged model, its repair and how good it is.
 #include "repair_trial.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 #include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
@@ -15,6 +12,9 @@
 #include "closed_models.h"
 #include "common/model_io.h"
 #include "measuring.h"
+#include "mesh/cloud_access.h"
+#include "mesh/intersection.h"
+#include "mesh/polygon_access.h"
 #include "mesh_distance.h"
 
 #include <algorithm>

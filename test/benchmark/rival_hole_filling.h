@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: CGAL's hole filling as a rival, where CGAL is installed.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "mesh/triangle.h"
 
 #include <vector>
 

@@ -5,9 +5,9 @@
 #include <pcl/features/impl/normal_3d.hpp>
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
 
 #include "measuring.h"
+#include "mesh/polygon_access.h"
 
 #include <algorithm>
 #include <cmath>

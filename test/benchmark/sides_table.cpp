@@ -3,11 +3,11 @@
 #include "sides_table.h"
 
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 #include <pcl/conversions.h>
 
 #include "input_clouds.h"
+#include "mesh/cloud_access.h"
 #include "support/single_view.h"
 
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: fuzz target, repair of a damaged mesh.
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include "damaged_mesh.h"
+#include "mesh/cloud_access.h"
+#include "mesh/intersection.h"
 #include "requirement.h"
 #include "support/mesh_asserts.h"
 

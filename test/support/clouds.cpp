@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: seeded point sets for tests and benchmarks.
 #include "clouds.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/conversions.h>
 
+#include "mesh/cloud_access.h"
 #include "random_source.h"
 #include "shapes.h"
 

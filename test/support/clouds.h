@@ -2,10 +2,11 @@
 // Part of PclSurfaceRepair: seeded point sets for tests and benchmarks.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,9 @@
 // Part of PclSurfaceRepair: raw clouds of any layout for tests.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/PCLPointCloud2.h>
+
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <cstdint>

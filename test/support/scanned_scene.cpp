@@ -3,8 +3,7 @@
 // of them.
 #include "scanned_scene.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
+#include "mesh/corners.h"
 #include "random_source.h"
 #include "repair_shapes.h"
 

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: small named meshes with known facts, for tests.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <cstdint>

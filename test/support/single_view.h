@@ -2,8 +2,9 @@
 // Part of PclSurfaceRepair: seeded scenes of several objects as one sensor sees them.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/Vertices.h>
+
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a chain of algorithms, applied to a cloud (thesis 3.1).
+#include "consecutive/chain.h"
+
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/consecutive/chain.h>
-#include <pcl/surface_ccaa/consecutive/chain_results.h>
-#include <pcl/surface_ccaa/mesh/side_hints.h>
+
+#include "consecutive/chain_results.h"
+#include "mesh/side_hints.h"
 
 #include <algorithm>
 #include <exception>

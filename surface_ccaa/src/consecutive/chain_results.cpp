@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what is made of a chain's mesh and times at the end.
-#include <pcl/surface_ccaa/consecutive/chain_results.h>
-#include <pcl/surface_ccaa/consecutive/stage_polygons.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/vertex_normals.h>
+#include "consecutive/chain_results.h"
+
+#include "consecutive/stage_polygons.h"
+#include "mesh/cloud_access.h"
+#include "mesh/vertex_normals.h"
 
 namespace pcl {
 namespace ccaa {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the working data of one run of a chain.
-#include <pcl/surface_ccaa/consecutive/chain_run.h>
+#include "consecutive/chain_run.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the stages of a chain: starts, filters, base.
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/consecutive/chain.h>
-#include <pcl/surface_ccaa/consecutive/filter_stage.h>
-#include <pcl/surface_ccaa/consecutive/stage_polygons.h>
+
+#include "consecutive/chain.h"
+#include "consecutive/filter_stage.h"
+#include "consecutive/stage_polygons.h"
 
 #include <algorithm>
 #include <memory>

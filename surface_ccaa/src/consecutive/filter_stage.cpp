@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: running the filter of a chain.
-#include <pcl/surface_ccaa/consecutive/filter_stage.h>
-#include <pcl/surface_ccaa/consecutive/stage_polygons.h>
+#include "consecutive/filter_stage.h"
+
+#include "consecutive/stage_polygons.h"
 
 #include <utility>
 

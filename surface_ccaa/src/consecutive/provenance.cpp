@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which algorithm of a chain has made which triangle.
-#include <pcl/surface_ccaa/consecutive/provenance.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "consecutive/provenance.h"
+
+#include "mesh/triangle.h"
 
 #include <algorithm>
 #include <unordered_map>

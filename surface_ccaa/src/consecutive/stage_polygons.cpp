@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: taking over the polygons that any algorithm hands out.
-#include <pcl/surface_ccaa/consecutive/stage_polygons.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include "consecutive/stage_polygons.h"
+
+#include "mesh/triangle_adjacency.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a chain's threads and progress, passed on to its parts.
-#include <pcl/surface_ccaa/consecutive/stage_settings.h>
+#include "consecutive/stage_settings.h"
 
 #include <algorithm>
 

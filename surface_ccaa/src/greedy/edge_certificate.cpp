@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which candidate edges no other point speaks against.
-#include <pcl/surface_ccaa/greedy/edge_certificate.h>
+#include "greedy/edge_certificate.h"
 
-#include "edge_certificate_kernel.h"
+#include "greedy/edge_certificate_kernel.h"
 
 #include <type_traits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the empty-circle test for processors with AVX2.
-#include "edge_certificate_kernel.h"
+#include "greedy/edge_certificate_kernel.h"
 
 #ifdef PCL_CCAA_HAS_AVX2_CERTIFICATE
 
@@ -13,7 +13,7 @@
 
 #define PCL_CCAA_KERNEL avx2
 #define PCL_CCAA_REGISTER_BYTES 32
-#include "edge_certificate_kernel_impl.h"
+#include "greedy/edge_certificate_kernel_impl.h"
 
 #ifdef __clang__
 #pragma clang attribute pop

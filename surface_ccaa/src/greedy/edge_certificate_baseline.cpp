@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the empty-circle test for any processor.
-#include "edge_certificate_kernel.h"
+#include "greedy/edge_certificate_kernel.h"
 
 #define PCL_CCAA_KERNEL baseline
 #define PCL_CCAA_REGISTER_BYTES 16
-#include "edge_certificate_kernel_impl.h"
+#include "greedy/edge_certificate_kernel_impl.h"
 
 namespace pcl {
 namespace ccaa {

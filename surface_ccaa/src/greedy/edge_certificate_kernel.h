@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the border between edge certificates and their kernels.
 #pragma once
 
-#include <pcl/surface_ccaa/greedy/edge_votes.h>
+#include "greedy/edge_votes.h"
 
 #include <cstddef>
 #include <cstdint>

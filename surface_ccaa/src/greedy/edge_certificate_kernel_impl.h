@@ -7,8 +7,8 @@
 // the same bits: no contraction, sums in fixed lanes.
 #pragma once
 
-#include "edge_certificate_kernel.h"
-#include "edge_certificate_neighborhood.h"
+#include "greedy/edge_certificate_kernel.h"
+#include "greedy/edge_certificate_neighborhood.h"
 
 namespace pcl {
 namespace ccaa {

@@ -4,7 +4,7 @@
 // Part of the kernel text, see edge_certificate_kernel_impl.h.
 #pragma once
 
-#include "edge_certificate_kernel.h"
+#include "greedy/edge_certificate_kernel.h"
 
 namespace pcl {
 namespace ccaa {

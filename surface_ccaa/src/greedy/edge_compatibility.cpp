@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the growing greedy mesh and its three-part test
 // (thesis 3.3).
-#include <pcl/surface_ccaa/greedy/edge_compatibility.h>
-#include <pcl/surface_ccaa/greedy/slot_match.h>
+#include "greedy/edge_compatibility.h"
+
+#include "greedy/slot_match.h"
 
 #include <cassert>
 #include <cmath>

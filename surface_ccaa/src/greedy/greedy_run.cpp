@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: GreedyStart on the points of a cloud, whatever their type.
-#include <pcl/surface_ccaa/greedy/greedy_triangulation.h>
-#include <pcl/surface_ccaa/greedy/usable_points.h>
 #include <pcl/surface_ccaa/impl/cloud_runs.h>
 #include <pcl/surface_ccaa/impl/point_blocks.h>
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
-#include <pcl/surface_ccaa/search/tree_rows.h>
+
+#include "greedy/greedy_triangulation.h"
+#include "greedy/usable_points.h"
+#include "mesh/block_loop.h"
+#include "mesh/polygon_access.h"
+#include "search/curve_order.h"
+#include "search/tree_rows.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the greedy start on ranked points (thesis 3.3).
-#include <pcl/surface_ccaa/greedy/block_schedule.h>
-#include <pcl/surface_ccaa/greedy/candidate_edges.h>
-#include <pcl/surface_ccaa/greedy/edge_certificate.h>
-#include <pcl/surface_ccaa/greedy/edge_compatibility.h>
-#include <pcl/surface_ccaa/greedy/greedy_triangulation.h>
-#include <pcl/surface_ccaa/greedy/length_buckets.h>
-#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include "greedy/greedy_triangulation.h"
+
+#include "greedy/block_schedule.h"
+#include "greedy/candidate_edges.h"
+#include "greedy/edge_certificate.h"
+#include "greedy/edge_compatibility.h"
+#include "greedy/length_buckets.h"
+#include "mesh/block_loop.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: edges in the order of their lengths, in linear time.
-#include <pcl/surface_ccaa/greedy/length_buckets.h>
+#include "greedy/length_buckets.h"
 
 #include <algorithm>
 

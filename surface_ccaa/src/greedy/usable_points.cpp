@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the points of a cloud by the ranks of a run.
-#include <pcl/surface_ccaa/greedy/usable_points.h>
-#include <pcl/surface_ccaa/mesh/block_loop.h>
+#include "greedy/usable_points.h"
+
+#include "mesh/block_loop.h"
 
 namespace pcl {
 namespace ccaa {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which of many boxes meet a given box.
-#include <pcl/surface_ccaa/mesh/box_tree.h>
+#include "mesh/box_tree.h"
 
 #include <cstdint>
 #include <utility>

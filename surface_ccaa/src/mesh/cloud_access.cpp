@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: reading raw clouds with unknown fields.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
+#include "mesh/cloud_access.h"
 
-#include "cloud_fields.h"
+#include "mesh/cloud_fields.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how large a cloud is, and how far from the origin.
-#include <pcl/surface_ccaa/mesh/cloud_extent.h>
+#include "mesh/cloud_extent.h"
 
 #include <algorithm>
 #include <cmath>

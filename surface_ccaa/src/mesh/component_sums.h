@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: sums over the triangles of each component, in parallel.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-
-#include "winding.h"
+#include "mesh/block_loop.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: geometric predicates that never err.
-#include <pcl/surface_ccaa/mesh/exact_sign.h>
+#include "mesh/exact_sign.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

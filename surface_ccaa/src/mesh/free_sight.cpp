@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the enclosing-sphere rule for the outer side (thesis 4.48).
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include <Eigen/Geometry>
 
-#include "outward_votes.h"
+#include "mesh/corners.h"
+#include "mesh/outward_votes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: coordinates too large for floats, such as those of maps.
 #include <pcl/console/print.h>
 #include <pcl/surface_ccaa/global_shift.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/cloud_extent.h>
 
-#include "cloud_fields.h"
+#include "mesh/cloud_access.h"
+#include "mesh/cloud_extent.h"
+#include "mesh/cloud_fields.h"
 
 #include <cmath>
 #include <cstring>

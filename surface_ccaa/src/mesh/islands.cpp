@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the edge-connected components of a mesh.
-#include <pcl/surface_ccaa/mesh/islands.h>
+#include "mesh/islands.h"
 
 namespace pcl {
 namespace ccaa {

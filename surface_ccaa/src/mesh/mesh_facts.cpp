@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: everything that can be counted and measured about a mesh.
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
+#include "mesh/mesh_facts.h"
 
 #include <Eigen/Geometry>
 
-#include "mesh_topology.h"
-#include "triangle_checks.h"
+#include "mesh/corners.h"
+#include "mesh/intersection.h"
+#include "mesh/mesh_topology.h"
+#include "mesh/triangle_checks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: labelling a range of triangles with components and turns.
 #pragma once
 
-#include <pcl/surface_ccaa/threads.h>
-
-#include "label_sets.h"
-#include "winding.h"
+#include "mesh/label_sets.h"
+#include "mesh/winding.h"
+#include "run/threads.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the part of the mesh facts that needs no positions.
-#include "mesh_topology.h"
+#include "mesh/mesh_topology.h"
 
-#include "disjoint_sets.h"
+#include "mesh/disjoint_sets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the part of the mesh facts that needs no positions.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
+#include "mesh/mesh_facts.h"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: winding all triangles alike and outward (thesis 4.48).
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
+#include "mesh/orientation.h"
 
-#include "outward_votes.h"
-#include "winding.h"
+#include "mesh/block_loop.h"
+#include "mesh/outward_votes.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what normals, sensor, volume and shape say about the outer
 // side of a component.
-#include "outward_votes.h"
-
-#include <pcl/surface_ccaa/mesh/corners.h>
+#include "mesh/outward_votes.h"
 
 #include <Eigen/Eigenvalues>
+
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <array>

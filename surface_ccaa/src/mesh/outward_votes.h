@@ -2,11 +2,10 @@
 // Part of PclSurfaceRepair: what the rules for the outer side say about each component.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
-
-#include "component_sums.h"
-#include "winding.h"
+#include "mesh/block_loop.h"
+#include "mesh/component_sums.h"
+#include "mesh/orientation.h"
+#include "mesh/winding.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the chains of triangles around a point (thesis 3.4).
-#include <pcl/surface_ccaa/mesh/point_chains.h>
+#include "mesh/point_chains.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: PCL polygons to index triangles and back.
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
+#include "mesh/polygon_access.h"
 
-#include "vertex_numbering.h"
+#include "mesh/vertex_numbering.h"
 
 #include <algorithm>
 #include <cstdint>

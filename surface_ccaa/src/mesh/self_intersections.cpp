@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: all pairs of triangles of a mesh that meet.
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
-#include "triangle_checks.h"
+#include "mesh/block_loop.h"
+#include "mesh/box_tree.h"
+#include "mesh/corners.h"
+#include "mesh/intersection.h"
+#include "mesh/triangle_checks.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what may be known about the outer side of a surface, and
 // what told it in the end.
-#include <pcl/surface_ccaa/mesh/side_hints.h>
+#include "mesh/side_hints.h"
 
 #include <Eigen/Geometry>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what kind of surface a mesh is, whatever its shape.
-#include <pcl/surface_ccaa/mesh/islands.h>
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
+#include "mesh/surface_topology.h"
 
-#include "disjoint_sets.h"
-#include "mesh_part.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/islands.h"
+#include "mesh/mesh_part.h"
 
 #include <algorithm>
 

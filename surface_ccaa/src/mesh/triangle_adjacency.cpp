@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: building the unoriented triangle adjacency.
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include "mesh/triangle_adjacency.h"
 
-#include "vertex_link.h"
+#include "mesh/block_loop.h"
+#include "mesh/vertex_link.h"
 
 #include <numeric>
 

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: whether the indices of a triangle make sense.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "mesh/triangle.h"
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: exact tests of two shapes in space.
-#include <pcl/surface_ccaa/mesh/exact_sign.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
+#include "mesh/exact_sign.h"
+#include "mesh/intersection.h"
 
 #include <algorithm>
 

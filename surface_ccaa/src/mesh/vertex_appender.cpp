@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: appending vertices with all their fields to a raw cloud.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
-#include "cloud_fields.h"
+#include "mesh/cloud_access.h"
+#include "mesh/cloud_fields.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: matching the triangles around one vertex edge by edge.
-#include "vertex_link.h"
+#include "mesh/vertex_link.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: matching the triangles around one vertex edge by edge.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include "mesh/triangle_adjacency.h"
 
 #include <utility>
 #include <vector>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a normal for each vertex of a mesh.
-#include <pcl/surface_ccaa/mesh/uninitialized.h>
-#include <pcl/surface_ccaa/mesh/vertex_normals.h>
+#include "mesh/vertex_normals.h"
 
 #include <Eigen/Geometry>
+
+#include "mesh/uninitialized.h"
 
 #include <array>
 #include <cmath>

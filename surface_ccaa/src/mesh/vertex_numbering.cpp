@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: numbering vertices by their first appearance.
-#include "vertex_numbering.h"
+#include "mesh/vertex_numbering.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: numbering vertices by their first appearance.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "mesh/block_loop.h"
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <vector>

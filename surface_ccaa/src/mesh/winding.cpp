@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: components of a mesh and the winding that suits each.
-#include "winding.h"
+#include "mesh/winding.h"
 
-#include "label_sets.h"
-#include "mesh_part.h"
+#include "mesh/label_sets.h"
+#include "mesh/mesh_part.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: components of a mesh and the winding that suits each.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-#include <pcl/surface_ccaa/run_control.h>
+#include "mesh/triangle.h"
+#include "mesh/triangle_adjacency.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which given triangles are not to be trusted.
-#include <pcl/surface_ccaa/projection/doubtful_triangles.h>
+#include "projection/doubtful_triangles.h"
 
-#include "fold_statistics.h"
+#include "projection/fold_statistics.h"
 
 #include <algorithm>
 #include <cmath>

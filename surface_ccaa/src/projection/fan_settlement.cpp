@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: one fan for every point in the end.
-#include <pcl/surface_ccaa/projection/fan_settlement.h>
+#include "projection/fan_settlement.h"
 
 #include <algorithm>
 #include <tuple>

@@ -2,14 +2,14 @@
 // Part of PclSurfaceRepair: how sharply the edges of a mesh fold.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/islands.h>
-#include <pcl/surface_ccaa/mesh/point_view.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-
 #include <Eigen/Geometry>
+
+#include "mesh/block_loop.h"
+#include "mesh/corners.h"
+#include "mesh/islands.h"
+#include "mesh/point_view.h"
+#include "mesh/triangle.h"
+#include "mesh/triangle_adjacency.h"
 
 #include <algorithm>
 #include <array>

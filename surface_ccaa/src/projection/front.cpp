@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the directed boundary edges from which a surface grows.
-#include <pcl/surface_ccaa/projection/front.h>
+#include "projection/front.h"
 
 namespace pcl {
 namespace ccaa {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a surface to which triangles are added one by one.
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/projection/growing_surface.h>
+#include "projection/growing_surface.h"
 
 #include <Eigen/Geometry>
+
+#include "mesh/corners.h"
 
 #include <cmath>
 

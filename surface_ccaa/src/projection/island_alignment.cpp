@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: winding the given islands alike before they are joined.
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/projection/island_alignment.h>
+#include "projection/island_alignment.h"
+
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the angular order of the triangles around an open point.
-#include <pcl/surface_ccaa/projection/local_fan.h>
-#include <pcl/surface_ccaa/projection/tangent_frame.h>
+#include "projection/local_fan.h"
+
+#include "projection/tangent_frame.h"
 
 namespace pcl {
 namespace ccaa {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: closes small gaps that the growth could not.
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/projection/loop_closure.h>
-#include <pcl/surface_ccaa/projection/spacing.h>
+#include "projection/loop_closure.h"
+
+#include "mesh/corners.h"
+#include "projection/spacing.h"
 
 #include <algorithm>
 #include <utility>

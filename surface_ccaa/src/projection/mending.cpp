@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a second try where triangles stood in the way of others.
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/projection/mending.h>
-#include <pcl/surface_ccaa/projection/new_islands.h>
-#include <pcl/surface_ccaa/projection/spacing.h>
-#include <pcl/surface_ccaa/projection/surface_growth.h>
+#include "projection/mending.h"
+
+#include "mesh/sort_unique.h"
+#include "projection/new_islands.h"
+#include "projection/spacing.h"
+#include "projection/surface_growth.h"
 
 #include <algorithm>
 #include <array>

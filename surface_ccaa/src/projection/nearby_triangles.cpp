@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the triangles around open points, for crossing tests.
-#include <pcl/surface_ccaa/projection/nearby_triangles.h>
+#include "projection/nearby_triangles.h"
 
 #include <algorithm>
 #include <array>

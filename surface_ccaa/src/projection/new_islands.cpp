@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which pieces that grew by themselves are a surface.
-#include <pcl/surface_ccaa/mesh/islands.h>
-#include <pcl/surface_ccaa/projection/new_islands.h>
+#include "projection/new_islands.h"
 
-#include "fold_statistics.h"
+#include "mesh/islands.h"
+#include "projection/fold_statistics.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: gaps that have nothing to do with each other.
-#include <pcl/surface_ccaa/projection/open_regions.h>
+#include "projection/open_regions.h"
 
-#include "../mesh/disjoint_sets.h"
+#include "mesh/disjoint_sets.h"
 
 #include <algorithm>
 #include <numeric>

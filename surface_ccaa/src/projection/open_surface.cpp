@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the part of a cloud and its partial mesh still to be done.
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/projection/open_surface.h>
+#include "projection/open_surface.h"
+
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: whether given triangles are a mesh that can be completed.
-#include <pcl/surface_ccaa/projection/partial_mesh_check.h>
+#include "projection/partial_mesh_check.h"
 
 #include <cstdint>
 

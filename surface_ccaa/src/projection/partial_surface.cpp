@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: given and new triangles while a surface is completed.
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/projection/partial_surface.h>
+#include "projection/partial_surface.h"
+
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 

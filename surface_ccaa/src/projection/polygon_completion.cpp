@@ -3,11 +3,12 @@
 // algorithm.
 #include <pcl/surface_ccaa/impl/cloud_runs.h>
 #include <pcl/surface_ccaa/impl/point_blocks.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/projection/surface_completion.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
-#include <pcl/surface_ccaa/search/tree_rows.h>
+
+#include "mesh/cloud_access.h"
+#include "mesh/polygon_access.h"
+#include "projection/surface_completion.h"
+#include "search/curve_order.h"
+#include "search/tree_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which open points lie in space and not on a surface.
-#include <pcl/surface_ccaa/projection/scattered_points.h>
-#include <pcl/surface_ccaa/projection/spacing.h>
+#include "projection/scattered_points.h"
 
 #include <Eigen/Eigenvalues>
+
+#include "projection/spacing.h"
 
 #include <algorithm>
 

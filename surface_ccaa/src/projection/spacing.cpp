@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how far apart the samples lie around open points.
-#include <pcl/surface_ccaa/projection/spacing.h>
+#include "projection/spacing.h"
 
 #include <algorithm>
 #include <cmath>

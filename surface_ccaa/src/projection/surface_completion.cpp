@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/projection/doubtful_triangles.h>
-#include <pcl/surface_ccaa/projection/fan_settlement.h>
-#include <pcl/surface_ccaa/projection/island_alignment.h>
-#include <pcl/surface_ccaa/projection/mending.h>
-#include <pcl/surface_ccaa/projection/new_islands.h>
-#include <pcl/surface_ccaa/projection/open_regions.h>
-#include <pcl/surface_ccaa/projection/partial_mesh_check.h>
-#include <pcl/surface_ccaa/projection/partial_surface.h>
-#include <pcl/surface_ccaa/projection/scattered_points.h>
-#include <pcl/surface_ccaa/projection/spacing.h>
-#include <pcl/surface_ccaa/projection/surface_completion.h>
-#include <pcl/surface_ccaa/projection/surface_growth.h>
-#include <pcl/surface_ccaa/projection/tunnels.h>
+#include "projection/surface_completion.h"
+
+#include "mesh/block_loop.h"
+#include "mesh/orientation.h"
+#include "mesh/sort_unique.h"
+#include "projection/doubtful_triangles.h"
+#include "projection/fan_settlement.h"
+#include "projection/island_alignment.h"
+#include "projection/mending.h"
+#include "projection/new_islands.h"
+#include "projection/open_regions.h"
+#include "projection/partial_mesh_check.h"
+#include "projection/partial_surface.h"
+#include "projection/scattered_points.h"
+#include "projection/spacing.h"
+#include "projection/surface_growth.h"
+#include "projection/tunnels.h"
 
 #include <utility>
 

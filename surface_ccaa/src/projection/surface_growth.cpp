@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: triangle by triangle, the best supported one first.
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/projection/empty_ball.h>
-#include <pcl/surface_ccaa/projection/local_fan.h>
-#include <pcl/surface_ccaa/projection/loop_closure.h>
-#include <pcl/surface_ccaa/projection/scattered_points.h>
-#include <pcl/surface_ccaa/projection/surface_growth.h>
+#include "projection/surface_growth.h"
+
+#include "mesh/corners.h"
+#include "mesh/sort_unique.h"
+#include "projection/empty_ball.h"
+#include "projection/local_fan.h"
+#include "projection/loop_closure.h"
+#include "projection/scattered_points.h"
 
 #include <algorithm>
 #include <cmath>

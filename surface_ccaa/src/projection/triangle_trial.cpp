@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what a triangle must pass before it joins a surface.
-#include <pcl/surface_ccaa/projection/empty_ball.h>
-#include <pcl/surface_ccaa/projection/triangle_trial.h>
+#include "projection/triangle_trial.h"
+
+#include "projection/empty_ball.h"
 
 #include <algorithm>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tunnels that a start algorithm made through thin places.
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-#include <pcl/surface_ccaa/mesh/vertex_normals.h>
-#include <pcl/surface_ccaa/projection/tunnels.h>
+#include "projection/tunnels.h"
+
+#include "mesh/box_tree.h"
+#include "mesh/surface_topology.h"
+#include "mesh/vertex_normals.h"
 
 #include <algorithm>
 #include <cstdint>

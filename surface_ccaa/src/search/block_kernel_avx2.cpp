@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the search kernel for processors with AVX2.
-#include "block_kernel.h"
+#include "search/block_kernel.h"
 
 #ifdef PCL_CCAA_HAS_AVX2_KERNEL
 
@@ -16,7 +16,7 @@
 
 #define PCL_CCAA_KERNEL avx2
 #define PCL_CCAA_LANES "lanes_avx2.h"
-#include "kernel/block_kernel_impl.h"
+#include "search/kernel/block_kernel_impl.h"
 
 #ifdef __clang__
 #pragma clang attribute pop

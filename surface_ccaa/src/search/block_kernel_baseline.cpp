@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the search kernel for any processor.
-#include "block_kernel.h"
+#include "search/block_kernel.h"
 
 #define PCL_CCAA_KERNEL baseline
 #define PCL_CCAA_LANES "lanes_baseline.h"
-#include "kernel/block_kernel_impl.h"
+#include "search/kernel/block_kernel_impl.h"
 
 namespace pcl {
 namespace ccaa {

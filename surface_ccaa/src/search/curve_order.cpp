@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: points in the order of a space-filling curve.
-#include <pcl/surface_ccaa/search/curve_order.h>
+#include "search/curve_order.h"
 
-#include "hilbert_code.h"
-#include "radix_sort.h"
+#include "search/hilbert_code.h"
+#include "search/radix_sort.h"
 
 #include <algorithm>
 #include <array>

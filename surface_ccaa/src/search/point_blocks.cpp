@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: points packed in blocks under a tree of boxes.
 #include <pcl/surface_ccaa/impl/point_blocks.h>
-#include <pcl/surface_ccaa/run_control.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
-#include <pcl/surface_ccaa/threads.h>
 
-#include "block_kernel.h"
+#include "run/run_control.h"
+#include "run/threads.h"
+#include "search/block_kernel.h"
+#include "search/curve_order.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: exact neighbor search over blocks of eight points.
 #include <pcl/surface_ccaa/impl/point_blocks.h>
-#include <pcl/surface_ccaa/run_control.h>
-#include <pcl/surface_ccaa/threads.h>
 
-#include "block_kernel.h"
+#include "run/run_control.h"
+#include "run/threads.h"
+#include "search/block_kernel.h"
 
 #include <algorithm>
 #include <cmath>

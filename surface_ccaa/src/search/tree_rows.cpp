@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the neighbors of many points from any search method.
+#include "search/tree_rows.h"
+
 #include <pcl/surface_ccaa/impl/point_blocks.h>
-#include <pcl/surface_ccaa/search/tree_rows.h>
 
 #include <algorithm>
 #include <utility>

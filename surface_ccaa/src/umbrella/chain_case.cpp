@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the rows of the umbrella filter's table (T3.4-1).
-#include <pcl/surface_ccaa/umbrella/chain_case.h>
+#include "umbrella/chain_case.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: table T3.4-1 applied until every point has one chain.
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/umbrella/chain_case.h>
-#include <pcl/surface_ccaa/umbrella/chain_elimination.h>
+#include "umbrella/chain_elimination.h"
+
+#include "mesh/sort_unique.h"
+#include "umbrella/chain_case.h"
 
 namespace pcl {
 namespace ccaa {

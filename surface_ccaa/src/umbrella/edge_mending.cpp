@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: bringing any mesh to condition C3.4-1.
-#include <pcl/surface_ccaa/umbrella/edge_mending.h>
+#include "umbrella/edge_mending.h"
 
-#include "wing_pairs.h"
+#include "umbrella/wing_pairs.h"
 
 #include <algorithm>
 #include <utility>

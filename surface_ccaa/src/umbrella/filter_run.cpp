@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the working data and the steps of one umbrella filter run.
-#include "filter_run.h"
+#include "umbrella/filter_run.h"
 
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/umbrella/chain_elimination.h>
-#include <pcl/surface_ccaa/umbrella/edge_mending.h>
-#include <pcl/surface_ccaa/umbrella/region_growth.h>
-#include <pcl/surface_ccaa/umbrella/twist_cut.h>
+#include "mesh/polygon_access.h"
+#include "umbrella/chain_elimination.h"
+#include "umbrella/edge_mending.h"
+#include "umbrella/region_growth.h"
+#include "umbrella/twist_cut.h"
 
 #include <limits>
 #include <utility>

@@ -2,14 +2,15 @@
 // Part of PclSurfaceRepair: the working data and the steps of one umbrella filter run.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
-#include <pcl/surface_ccaa/mesh/point_chains.h>
-#include <pcl/surface_ccaa/mesh/point_view.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-#include <pcl/surface_ccaa/umbrella/twist_cut.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/Vertices.h>
+
+#include "mesh/block_loop.h"
+#include "mesh/orientation.h"
+#include "mesh/point_chains.h"
+#include "mesh/point_view.h"
+#include "mesh/triangle_adjacency.h"
+#include "umbrella/twist_cut.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: regions large enough to be trusted (condition C3.4-3).
-#include <pcl/surface_ccaa/umbrella/region_growth.h>
+#include "umbrella/region_growth.h"
 
-#include "parallel_sets.h"
+#include "umbrella/parallel_sets.h"
 
 #include <numeric>
 

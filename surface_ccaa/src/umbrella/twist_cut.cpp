@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: finds the wrong triangles that make a region one-sided.
-#include <pcl/surface_ccaa/umbrella/twist_cut.h>
+#include "umbrella/twist_cut.h"
 
 #include <Eigen/Geometry>
 
-#include "../mesh/label_sets.h"
+#include "mesh/label_sets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: keeps only the correct triangles of any mesh (thesis 3.4).
 #include <pcl/console/print.h>
 #include <pcl/surface_ccaa/global_shift.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/threads.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 
-#include "filter_run.h"
+#include "mesh/cloud_access.h"
+#include "run/threads.h"
+#include "umbrella/filter_run.h"
 
 #include <new>
 

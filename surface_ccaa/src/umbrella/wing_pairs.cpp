@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: which two of the triangles on an edge belong together.
-#include "wing_pairs.h"
+#include "umbrella/wing_pairs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: which two of the triangles on an edge belong together.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include "mesh/triangle.h"
+#include "mesh/triangle_adjacency.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what each boundary of a mesh bounds: hole, rim or border.
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/threads.h>
 #include <pcl/surface_repair/boundary_classifier.h>
 
 #include "boundary/classification.h"
 #include "boundary/extraction.h"
 #include "icadm/icm_class.h"
 #include "icadm/model_reading.h"
+#include "mesh/block_loop.h"
+#include "run/threads.h"
 
 #include <new>
 

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/model_findings.h>
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "boundary/boundary_integral.h"
+#include "mesh/block_loop.h"
 
 #include <cstddef>
 #include <cstdint>

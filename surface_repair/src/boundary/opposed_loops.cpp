@@ -3,9 +3,8 @@
 
 #include "boundary/opposed_loops.h"
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "boundary/smooth_conormals.h"
+#include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

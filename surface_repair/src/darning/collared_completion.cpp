@@ -5,9 +5,9 @@
 #include "darning/collared_completion.h"
 
 #include <pcl/surface_ccaa/impl/cloud_runs.h>
-#include <pcl/surface_ccaa/run_control.h>
 
 #include "darning/local_floats.h"
+#include "run/run_control.h"
 
 #include <algorithm>
 #include <memory>

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include "boundary/boundary_loop.h"
+#include "mesh/corners.h"
 
 #include <cstddef>
 #include <functional>

@@ -3,9 +3,8 @@
 
 #include "darning/minimum_weight_darning.h"
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
 #include "darning/coarse_to_fine.h"
+#include "mesh/intersection.h"
 
 #include <algorithm>
 #include <array>

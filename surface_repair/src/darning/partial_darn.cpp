@@ -3,7 +3,7 @@
 
 #include "darning/partial_darn.h"
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
+#include "mesh/intersection.h"
 
 #include <algorithm>
 #include <utility>

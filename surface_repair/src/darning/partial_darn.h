@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "darning/darning_method.h"
+#include "mesh/box_tree.h"
 
 #include <array>
 #include <cstddef>

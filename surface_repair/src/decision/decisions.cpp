@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what a user decides about boundary loops and junctions.
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/surface_repair/decisions.h>
+
+#include "mesh/cloud_access.h"
 
 #include <cstring>
 

@@ -3,9 +3,9 @@
 
 #include "fairing/edge_flips.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include <Eigen/Geometry>
+
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <deque>

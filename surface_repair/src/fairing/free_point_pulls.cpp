@@ -3,13 +3,12 @@
 
 #include "fairing/free_point_pulls.h"
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-
 #include <Eigen/Geometry>
 
 #include "fairing/triangle_search.h"
+#include "mesh/box_tree.h"
+#include "mesh/corners.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <cmath>

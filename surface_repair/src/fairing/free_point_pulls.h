@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "fairing/fairing_system.h"
 #include "fairing/joined_surface.h"
 #include "fairing/relaxation.h"
+#include "mesh/box_tree.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,9 +3,9 @@
 
 #include "fairing/rim_curvature.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include <Eigen/Geometry>
+
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
-
 #include <Eigen/SparseCore>
+
+#include "mesh/triangle.h"
 
 #include <vector>
 

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "icadm/incomplete_model.h"
+#include "mesh/box_tree.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,11 +3,10 @@
 
 #include "fairing/vertex_spacing.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include <Eigen/Geometry>
 
 #include "fairing/vertex_triangles.h"
+#include "mesh/corners.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <cstdint>

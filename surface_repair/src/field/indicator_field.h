@@ -3,12 +3,11 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-
 #include <Eigen/Core>
 
 #include "field/falloff.h"
 #include "field/field_source.h"
+#include "mesh/block_loop.h"
 
 #include <cstddef>
 #include <memory>

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: which of many boxes a segment passes.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
+#include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: whether the surface stands between two points (E4.43-6).
 #include "field/shielding.h"
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
 #include "field/segment_tree.h"
+#include "mesh/intersection.h"
 
 #include <vector>
 

@@ -2,9 +2,8 @@
 // Part of PclSurfaceRepair: resampling boundaries to field sources (4.46).
 #include "field/source_sampling.h"
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "field/curve_walk.h"
+#include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

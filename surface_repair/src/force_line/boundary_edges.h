@@ -3,10 +3,9 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "boundary/boundary_loop.h"
 #include "force_line/force_line.h"
+#include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

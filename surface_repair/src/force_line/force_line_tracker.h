@@ -4,12 +4,12 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "field/indicator_field.h"
 #include "force_line/boundary_edges.h"
 #include "force_line/force_line.h"
+#include "mesh/block_loop.h"
 
 #include <vector>
 

@@ -4,9 +4,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-
 #include "force_line/force_line_tracker.h"
+#include "mesh/block_loop.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,10 +3,6 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/islands.h>
-#include <pcl/surface_ccaa/mesh/side_hints.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
 #include <pcl/surface_repair/model_findings.h>
 #include <pcl/memory.h>
 #include <pcl/pcl_base.h>
@@ -14,6 +10,11 @@
 #include <pcl/types.h>
 
 #include <Eigen/Geometry>
+
+#include "mesh/islands.h"
+#include "mesh/side_hints.h"
+#include "mesh/triangle.h"
+#include "mesh/triangle_adjacency.h"
 
 #include <cstddef>
 #include <string>

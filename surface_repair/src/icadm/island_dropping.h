@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "icadm/model_reading.h"
+#include "mesh/block_loop.h"
 
 #include <cstddef>
 

@@ -2,15 +2,14 @@
 // Part of PclSurfaceRepair: brings a mesh that is no ICADM there, cut at its faults.
 #include "icadm/manifold_reading.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/islands.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/umbrella/twist_cut.h>
-
 #include "icadm/edge_sheets.h"
 #include "icadm/model_assembly.h"
 #include "icadm/vertex_numbers.h"
+#include "mesh/cloud_access.h"
+#include "mesh/islands.h"
+#include "mesh/orientation.h"
+#include "mesh/sort_unique.h"
+#include "umbrella/twist_cut.h"
 
 #include <algorithm>
 #include <utility>

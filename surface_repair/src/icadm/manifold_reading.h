@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include "icadm/model_reading.h"
+#include "mesh/block_loop.h"
+#include "mesh/polygon_access.h"
 
 namespace pcl {
 namespace repair {

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: what follows from the triangles of an incomplete model.
 #include "icadm/model_assembly.h"
 
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-#include <pcl/surface_ccaa/mesh/vertex_normals.h>
+#include "mesh/sort_unique.h"
+#include "mesh/vertex_normals.h"
 
 #include <algorithm>
 #include <numeric>

@@ -3,12 +3,12 @@
 #include "icadm/model_reading.h"
 
 #include <pcl/surface_ccaa/global_shift.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
 
 #include "icadm/manifold_reading.h"
 #include "icadm/model_assembly.h"
+#include "mesh/cloud_access.h"
+#include "mesh/corners.h"
+#include "mesh/polygon_access.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,12 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_repair/model_findings.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include "icadm/incomplete_model.h"
+#include "mesh/block_loop.h"
 
 #include <cstddef>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
+#include "mesh/triangle.h"
+#include "mesh/triangle_adjacency.h"
 
 #include <map>
 #include <utility>

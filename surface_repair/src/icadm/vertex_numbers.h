@@ -3,9 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle.h>
 #include <pcl/pcl_base.h>
 #include <pcl/types.h>
+
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,9 +3,8 @@
 
 #include "junction/junction.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include "field/reach.h"
+#include "mesh/corners.h"
 
 #include <cmath>
 #include <map>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how the surface goes on beyond a boundary vertex.
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include "junction/junction.h"
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-
 #include "boundary/boundary_loop.h"
+#include "mesh/block_loop.h"
 
 #include <cstddef>
 #include <vector>

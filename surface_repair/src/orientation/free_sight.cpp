@@ -3,9 +3,8 @@
 
 #include "orientation/free_sight.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include "field/shielding.h"
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <cmath>

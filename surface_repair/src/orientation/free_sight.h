@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-
 #include "icadm/incomplete_model.h"
+#include "mesh/block_loop.h"
 #include "orientation/side_votes.h"
 
 #include <algorithm>

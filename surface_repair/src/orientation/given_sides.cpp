@@ -3,7 +3,7 @@
 
 #include "orientation/given_sides.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
+#include "mesh/corners.h"
 
 namespace pcl {
 namespace repair {

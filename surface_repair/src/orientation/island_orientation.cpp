@@ -3,9 +3,8 @@
 
 #include "orientation/island_orientation.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include "field/reach.h"
+#include "mesh/corners.h"
 #include "orientation/field_integrals.h"
 #include "orientation/free_sight.h"
 #include "orientation/given_sides.h"

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
 #include <pcl/surface_repair/model_findings.h>
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "field/indicator_field.h"
 #include "icadm/incomplete_model.h"
+#include "mesh/block_loop.h"
+#include "mesh/orientation.h"
 
 #include <cstddef>
 #include <cstdint>

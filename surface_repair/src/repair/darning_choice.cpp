@@ -3,11 +3,10 @@
 
 #include "repair/darning_choice.h"
 
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include "darning/completion_darning.h"
 #include "darning/fan_darning.h"
 #include "darning/minimum_weight_darning.h"
+#include "mesh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

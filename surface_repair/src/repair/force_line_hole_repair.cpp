@@ -4,15 +4,15 @@
 #include <pcl/console/print.h>
 #include <pcl/search/search.h>
 #include <pcl/surface_ccaa/checked_construction.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-#include <pcl/surface_ccaa/threads.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
+#include "mesh/cloud_access.h"
+#include "mesh/polygon_access.h"
 #include "repair/decision_proposal.h"
 #include "repair/new_vertices.h"
 #include "repair/repair_method.h"
 #include "repair/repair_run.h"
+#include "run/threads.h"
 
 #include <chrono>
 #include <new>

@@ -3,9 +3,8 @@
 
 #include "repair/last_check.h"
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
 #include "icadm/model_assembly.h"
+#include "mesh/surface_topology.h"
 #include "repair/pinched_points.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/repair_report.h>
 
+#include "mesh/block_loop.h"
 #include "repair/repair_run.h"
 #include "repair/repaired_model.h"
 

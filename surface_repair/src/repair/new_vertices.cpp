@@ -4,9 +4,10 @@
 #include "repair/new_vertices.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
 #include <pcl/memory.h>
 #include <pcl/point_types.h>
+
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
+#include "mesh/cloud_access.h"
 #include "repair/repair_run.h"
 #include "repair/repaired_model.h"
 

@@ -3,10 +3,9 @@
 
 #include "repair/patch_assembly.h"
 
-#include <pcl/surface_ccaa/mesh/corners.h>
-#include <pcl/surface_ccaa/mesh/sort_unique.h>
-
 #include "icadm/model_assembly.h"
+#include "mesh/corners.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 
 #include "repair/repair_log.h"
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
+#include "mesh/surface_topology.h"
 
 #include <algorithm>
 #include <utility>

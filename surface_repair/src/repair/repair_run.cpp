@@ -4,9 +4,8 @@
 
 #include "repair/repair_run.h"
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-
 #include "icadm/model_assembly.h"
+#include "mesh/cloud_access.h"
 #include "repair/darning_choice.h"
 #include "repair/hole_list.h"
 #include "repair/last_check.h"

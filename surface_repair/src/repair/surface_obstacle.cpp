@@ -3,7 +3,7 @@
 
 #include "repair/surface_obstacle.h"
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
+#include "mesh/intersection.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
-
 #include "field/free_point_field.h"
 #include "field/shielding.h"
 #include "hole/hole_polygon.h"
+#include "mesh/block_loop.h"
 #include "survey/model_survey.h"
 
 #include <cstddef>

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/block_loop.h>
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/PolygonMesh.h>
@@ -18,6 +17,7 @@
 #include "icadm/island_dropping.h"
 #include "icadm/model_reading.h"
 #include "junction/junction.h"
+#include "mesh/block_loop.h"
 #include "orientation/island_orientation.h"
 #include "perturbation/free_point_perturbation.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of measuring whether a chain pays (C3.1-1).
-#include <pcl/surface_ccaa/consecutive/chain_results.h>
-
 #include "chain_fixture.h"
+#include "consecutive/chain_results.h"
 
 #include <chrono>
 #include <thread>

@@ -4,8 +4,9 @@
 
 #include <pcl/surface/processing.h>
 #include <pcl/surface_ccaa/mesh_completion.h>
-#include <pcl/surface_ccaa/run_control.h>
 #include <pcl/point_types.h>
+
+#include "run/run_control.h"
 
 #include <functional>
 #include <utility>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of bodies that are thinner than the spacing of their
 // points.
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
 #include "chain_fixture.h"
+#include "mesh/surface_topology.h"
 #include "support/random_source.h"
 
 namespace pcl {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of how edges are shared out among threads.
-#include <pcl/surface_ccaa/greedy/block_schedule.h>
-
 #include <gtest/gtest.h>
+
+#include "greedy/block_schedule.h"
 
 #include <random>
 

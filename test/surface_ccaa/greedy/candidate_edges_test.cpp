@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of which edges are tried, and in whose charge.
-#include <pcl/surface_ccaa/greedy/candidate_edges.h>
-
 #include <gtest/gtest.h>
 
+#include "greedy/candidate_edges.h"
 #include "ranked_cloud.h"
 #include "support/clouds.h"
 

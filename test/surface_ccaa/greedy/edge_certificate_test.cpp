@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the empty-circle test.
-#include <pcl/surface_ccaa/greedy/edge_certificate.h>
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
+#include "greedy/edge_certificate.h"
 #include "ranked_cloud.h"
 
 #include <cmath>

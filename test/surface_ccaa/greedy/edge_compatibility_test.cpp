@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the three-part compatibility test (thesis 3.3).
-#include <pcl/surface_ccaa/greedy/edge_compatibility.h>
-
 #include <gtest/gtest.h>
 
+#include "greedy/edge_compatibility.h"
 #include "ranked_cloud.h"
 
 #include <algorithm>

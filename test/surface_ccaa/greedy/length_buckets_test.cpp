@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the one-dimensional grid of lengths.
-#include <pcl/surface_ccaa/greedy/length_buckets.h>
-
 #include <gtest/gtest.h>
+
+#include "greedy/length_buckets.h"
 
 #include <algorithm>
 #include <random>

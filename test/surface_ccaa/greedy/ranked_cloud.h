@@ -3,8 +3,8 @@
 // greedy/.
 #pragma once
 
-#include <pcl/surface_ccaa/greedy/ranked_points.h>
-#include <pcl/surface_ccaa/mesh/triangle.h>
+#include "greedy/ranked_points.h"
+#include "mesh/triangle.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the unoriented triangle adjacency.
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-#include <pcl/surface_ccaa/run_control.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/triangle_adjacency.h"
+#include "run/run_control.h"
 #include "support/shapes.h"
 
 #include <algorithm>

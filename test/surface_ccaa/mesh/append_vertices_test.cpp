@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of appendVertices() in mesh/cloud_access.h.
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/conversions.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/cloud_access.h"
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 #include "support/raw_clouds.h"

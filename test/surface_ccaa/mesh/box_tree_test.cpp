@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of mesh/box_tree.h.
-#include <pcl/surface_ccaa/mesh/box_tree.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/box_tree.h"
 #include "support/random_source.h"
 
 namespace pcl {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the chains of triangles around a point.
-#include <pcl/surface_ccaa/mesh/point_chains.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/point_chains.h"
 #include "support/shapes.h"
 
 #include <algorithm>

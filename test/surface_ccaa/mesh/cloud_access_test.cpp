@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of reading with mesh/cloud_access.h.
 #include <pcl/io/ply_io.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 #include <pcl/conversions.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/cloud_access.h"
 #include "support/clouds.h"
 #include "support/raw_clouds.h"
 #include "support/shared_data.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of mesh/corners.h.
-#include <pcl/surface_ccaa/mesh/corners.h>
-
 #include <gtest/gtest.h>
+
+#include "mesh/corners.h"
 
 namespace pcl {
 namespace ccaa {

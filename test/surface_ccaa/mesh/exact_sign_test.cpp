@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of mesh/exact_sign.h.
-#include <pcl/surface_ccaa/mesh/exact_sign.h>
-
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <Eigen/Geometry>
 
+#include "mesh/exact_sign.h"
 #include "support/random_source.h"
 
 #include <limits>

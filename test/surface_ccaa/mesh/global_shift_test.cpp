@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the offset that brings map coordinates to where floats do.
 #include <pcl/surface_ccaa/global_shift.h>
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/cloud_access.h"
 #include "support/clouds.h"
 
 #include <cstring>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of mesh/intersection.h.
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/intersection.h"
 #include "support/random_source.h"
 #include "support/shapes.h"
 

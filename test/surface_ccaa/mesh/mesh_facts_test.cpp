@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of mesh/mesh_facts.h.
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/mesh_facts.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

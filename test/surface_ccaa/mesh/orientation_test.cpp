@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of mesh/orientation.h.
-#include <pcl/surface_ccaa/mesh/orientation.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/orientation.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of reading and writing PCL polygons.
-#include <pcl/surface_ccaa/mesh/polygon_access.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/polygon_access.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: facts and orientation of real scans, against known figures.
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
-#include <pcl/surface_ccaa/mesh/orientation.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/mesh_facts.h"
+#include "mesh/orientation.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 #include "support/shared_data.h"

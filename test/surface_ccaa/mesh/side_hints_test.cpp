@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: when the origin counts as the sensor's place.
-#include <pcl/surface_ccaa/mesh/side_hints.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/side_hints.h"
 #include "support/clouds.h"
 #include "support/single_view.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what kind of surface a mesh is.
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/mesh_facts.h"
+#include "mesh/surface_topology.h"
 #include "support/shapes.h"
 
 namespace pcl {

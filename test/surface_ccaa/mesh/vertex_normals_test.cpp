@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the normals of vertices.
-#include <pcl/surface_ccaa/mesh/vertex_normals.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/vertex_normals.h"
 #include "support/shapes.h"
 
 #include <cmath>

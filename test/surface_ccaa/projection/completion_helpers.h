@@ -3,12 +3,12 @@
 #pragma once
 
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/mesh/mesh_facts.h>
 #include <pcl/surface_ccaa/projection_completion.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/mesh_facts.h"
 #include "support/clouds.h"
 #include "support/completion_shapes.h"
 #include "support/mesh_asserts.h"

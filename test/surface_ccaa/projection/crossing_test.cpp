@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of triangles against the surface around them.
-#include <pcl/surface_ccaa/mesh/intersection.h>
-#include <pcl/surface_ccaa/projection/nearby_triangles.h>
-#include <pcl/surface_ccaa/projection/triangle_trial.h>
-
 #include <gtest/gtest.h>
 
 #include "completion_helpers.h"
+#include "mesh/intersection.h"
 #include "open_shapes.h"
+#include "projection/nearby_triangles.h"
+#include "projection/triangle_trial.h"
 
 #include <algorithm>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the smallest empty ball and the directions at a point.
-#include <pcl/surface_ccaa/projection/empty_ball.h>
-#include <pcl/surface_ccaa/projection/tangent_frame.h>
-
 #include <gtest/gtest.h>
 
+#include "projection/empty_ball.h"
+#include "projection/tangent_frame.h"
 #include "support/random_source.h"
 
 #include <cmath>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the front and the growing surface against plain searches.
-#include <pcl/surface_ccaa/projection/front.h>
-#include <pcl/surface_ccaa/projection/growing_surface.h>
-
 #include <gtest/gtest.h>
 
 #include "open_shapes.h"
+#include "projection/front.h"
+#include "projection/growing_surface.h"
 #include "support/mesh_asserts.h"
 
 #include <algorithm>

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: islands: which there are, which to trust, how to turn them.
-#include <pcl/surface_ccaa/mesh/islands.h>
-#include <pcl/surface_ccaa/projection/doubtful_triangles.h>
-#include <pcl/surface_ccaa/projection/island_alignment.h>
-#include <pcl/surface_ccaa/projection/new_islands.h>
-#include <pcl/surface_ccaa/projection/scattered_points.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/islands.h"
 #include "open_shapes.h"
+#include "projection/doubtful_triangles.h"
+#include "projection/island_alignment.h"
+#include "projection/new_islands.h"
+#include "projection/scattered_points.h"
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the angular order around a point.
-#include <pcl/surface_ccaa/projection/local_fan.h>
-
 #include <gtest/gtest.h>
 
 #include "open_shapes.h"
+#include "projection/local_fan.h"
 
 #include <cmath>
 

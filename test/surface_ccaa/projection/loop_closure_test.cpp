@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: closing whole loops of the front.
-#include <pcl/surface_ccaa/projection/loop_closure.h>
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include "open_shapes.h"
+#include "projection/loop_closure.h"
 #include "support/mesh_asserts.h"
 
 #include <algorithm>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: how far samples lie apart, and gaps apart from each other.
-#include <pcl/surface_ccaa/projection/open_regions.h>
-#include <pcl/surface_ccaa/projection/spacing.h>
-
 #include <gtest/gtest.h>
 
 #include "open_shapes.h"
+#include "projection/open_regions.h"
+#include "projection/spacing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,11 @@
 // Part of PclSurfaceRepair: open surfaces of small shapes, for tests of the rooms.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/triangle_adjacency.h>
-#include <pcl/surface_ccaa/projection/growing_surface.h>
-#include <pcl/surface_ccaa/projection/open_surface.h>
-#include <pcl/surface_ccaa/projection/partial_surface.h>
-#include <pcl/surface_ccaa/projection/spacing.h>
-
+#include "mesh/triangle_adjacency.h"
+#include "projection/growing_surface.h"
+#include "projection/open_surface.h"
+#include "projection/partial_surface.h"
+#include "projection/spacing.h"
 #include "support/completion_shapes.h"
 #include "support/random_source.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: given and new triangles, and one fan for every point.
-#include <pcl/surface_ccaa/projection/fan_settlement.h>
-#include <pcl/surface_ccaa/projection/partial_surface.h>
-
 #include <gtest/gtest.h>
 
 #include "open_shapes.h"
+#include "projection/fan_settlement.h"
+#include "projection/partial_surface.h"
 #include "support/mesh_asserts.h"
 
 #include <algorithm>

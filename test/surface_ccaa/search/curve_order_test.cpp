@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the order along a space-filling curve.
-#include <pcl/surface_ccaa/search/curve_order.h>
-
 #include <gtest/gtest.h>
 
+#include "search/curve_order.h"
 #include "search_inputs.h"
 
 #include <numeric>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the exact neighbor search over blocks.
-#include <pcl/surface_ccaa/run_control.h>
-#include <pcl/surface_ccaa/search/curve_order.h>
-
 #include <gtest/gtest.h>
 
+#include "run/run_control.h"
+#include "search/curve_order.h"
 #include "search_inputs.h"
 
 namespace pcl {

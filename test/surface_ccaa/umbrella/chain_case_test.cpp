@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the rows of table T3.4-1.
-#include <pcl/surface_ccaa/umbrella/chain_case.h>
-
 #include "filter_helpers.h"
+#include "umbrella/chain_case.h"
 
 #include <cmath>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what the umbrella filter promises for any input.
-#include <pcl/surface_ccaa/umbrella/chain_case.h>
-#include <pcl/surface_ccaa/umbrella/edge_mending.h>
-
 #include "filter_helpers.h"
+#include "umbrella/chain_case.h"
+#include "umbrella/edge_mending.h"
 
 namespace pcl {
 namespace ccaa {

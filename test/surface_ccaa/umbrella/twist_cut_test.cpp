@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of how one-sided regions are cut.
-#include <pcl/surface_ccaa/umbrella/twist_cut.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include <gtest/gtest.h>
 
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
+#include "umbrella/twist_cut.h"
 
 namespace pcl {
 namespace ccaa {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the triangulation of least weight.
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
 #include <gtest/gtest.h>
 
 #include "darning/disc_check.h"
 #include "darning/minimum_weight_darning.h"
 #include "darning_samples.h"
+#include "mesh/intersection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the surface as an obstacle (E4.43-6).
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
 #include <gtest/gtest.h>
 
 #include "field/shielding.h"
 #include "field_samples.h"
+#include "mesh/intersection.h"
 
 namespace pcl {
 namespace repair {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of damaged surfaces that must come out right.
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
+#include "mesh/surface_topology.h"
 #include "repair_fixture.h"
 
 namespace pcl {

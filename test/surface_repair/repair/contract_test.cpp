@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: tests of what ForceLineHoleRepair promises for any input.
 
 #include <pcl/console/print.h>
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
 #include <pcl/conversions.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "mesh/surface_topology.h"
 #include "repair_fixture.h"
 #include "support/random_source.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests that random damage never makes a repair go wrong.
 
-#include <pcl/surface_ccaa/mesh/surface_topology.h>
-
+#include "mesh/surface_topology.h"
 #include "repair/decision_proposal.h"
 #include "repair_fixture.h"
 #include "support/random_source.h"

@@ -2,13 +2,13 @@
 // Part of PclSurfaceRepair: repairs of this room's tests and what each has to keep.
 #pragma once
 
-#include <pcl/surface_ccaa/mesh/cloud_access.h>
-#include <pcl/surface_ccaa/mesh/intersection.h>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include <gtest/gtest.h>
 
 #include "icadm/incomplete_model.h"
+#include "mesh/cloud_access.h"
+#include "mesh/intersection.h"
 #include "support/mesh_asserts.h"
 #include "support/repair_shapes.h"
 

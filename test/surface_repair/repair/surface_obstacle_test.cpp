@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what new triangles must not run through.
 
-#include <pcl/surface_ccaa/mesh/intersection.h>
-
 #include <gtest/gtest.h>
 
+#include "mesh/intersection.h"
 #include "repair/surface_obstacle.h"
 #include "support/random_source.h"
 #include "support/shapes.h"

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the search kernel of one instruction set.
 #pragma once
 
-#include "nearest_search.h"
-#include "range_search.h"
+#include "search/kernel/nearest_search.h"
+#include "search/kernel/range_search.h"
 
 // One text for all instruction sets: included once per set, with PCL_CCAA_KERNEL naming
 // the namespace and PCL_CCAA_LANES the header with the set's operations. Exactness

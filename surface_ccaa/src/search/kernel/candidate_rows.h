@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: what the queries of a block have found.
 #pragma once
 
-#include "row_sort.h"
+#include "search/kernel/row_sort.h"
 
 namespace pcl {
 namespace ccaa {

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: distances between points and boxes, eight at a time.
 #pragma once
 
-#include "../block_kernel.h"
+#include "search/block_kernel.h"
 #include PCL_CCAA_LANES
 
 namespace pcl {

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: eight numbers at a time, in AVX2 registers.
 #pragma once
 
-#include "../block_kernel.h"
+#include "search/block_kernel.h"
 #include <immintrin.h>
 
 namespace pcl {

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: eight numbers at a time, in portable loops.
 #pragma once
 
-#include "../block_kernel.h"
+#include "search/block_kernel.h"
 
 namespace pcl {
 namespace ccaa {

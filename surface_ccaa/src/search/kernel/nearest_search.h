@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the k nearest neighbors of eight queries at once.
 #pragma once
 
-#include "candidate_rows.h"
-#include "window_bound.h"
+#include "search/kernel/candidate_rows.h"
+#include "search/kernel/window_bound.h"
 
 namespace pcl {
 namespace ccaa {

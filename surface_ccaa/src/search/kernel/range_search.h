@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: all points up to a distance from a query.
 #pragma once
 
-#include "distances.h"
+#include "search/kernel/distances.h"
 
 namespace pcl {
 namespace ccaa {

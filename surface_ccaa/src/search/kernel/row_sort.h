@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: sorting a short row by counting.
 #pragma once
 
-#include "../block_kernel.h"
+#include "search/block_kernel.h"
 #include PCL_CCAA_LANES
 
 namespace pcl {

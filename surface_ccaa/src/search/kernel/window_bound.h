@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: a bound for the k-th neighbor from the curve.
 #pragma once
 
-#include "distances.h"
-#include "row_sort.h"
+#include "search/kernel/distances.h"
+#include "search/kernel/row_sort.h"
 
 namespace pcl {
 namespace ccaa {

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a chain of algorithms, applied to a cloud (thesis 3.1).
+#pragma once
+
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
+#include <pcl/PolygonMesh.h>
+
+#include "consecutive/chain_run.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief One application of a chain: start algorithms, each with the filter behind it,
+ * then the base algorithm. */
+class Chain {
+public:
+  Chain(const ChainInput& input, ChainOutput& result);
+
+  /** \brief Scheme S2 of the thesis: start, filter, base; then normals if wanted.
+   * \param[in,out] mesh its cloud is there and stays; its polygons are the result
+   * \return false after an error, which has been told, and after cancelling */
+  bool
+  apply(PolygonMesh& mesh);
+
+  /** \brief The base algorithm without the rest; its time goes to the report. */
+  bool
+  applyBaseAlone();
+
+  bool
+  cancelled() const
+  {
+    return run_.control.cancelled();
+  }
+
+  /** \brief Present part, for messages. */
+  const std::string&
+  stage() const
+  {
+    return run_.stage;
+  }
+
+private:
+  bool
+  hasValidParts() const;
+  bool
+  selectPoints();
+  bool
+  applyStart(std::size_t number);
+  bool
+  construct(std::size_t number, std::vector<Vertices>& made);
+  bool
+  constructFrom(std::size_t number, std::vector<Vertices>& made);
+  ChainMesh
+  joined(std::size_t number, std::vector<Vertices> made) const;
+  bool
+  filterTriangles(ChainMesh& given, ChainMesh& left);
+  bool
+  applyBase();
+  bool
+  runBase(const PolygonMeshConstPtr& partial_mesh,
+          double weight,
+          std::vector<Vertices>& polygons);
+  bool
+  complete(const PolygonMeshConstPtr& partial_mesh,
+           ChainPart& completion,
+           std::vector<Vertices>& polygons) const;
+  void
+  computeNormals();
+
+  const ChainInput& input_;
+  ChainOutput& result_;
+  ConsecutiveReport& report_;
+  ChainRun run_;
+  StageClock clock_; /**< of all of it */
+};
+
+} // namespace ccaa
+} // namespace pcl

