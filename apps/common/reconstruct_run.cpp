@@ -3,7 +3,11 @@
 #include "reconstruct_run.h"
 
 #include <pcl/search/kdtree.h>
-#include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
+#include <pcl/surface_ccaa/block_search.h>
+#include <pcl/surface_ccaa/consecutive_reconstruction.h>
+#include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/surface_ccaa/projection_completion.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
 
 #include "cloud_normals.h"
 #include "mesh/cloud_access.h"

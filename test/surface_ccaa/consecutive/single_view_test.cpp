@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what a sensor has seen faces it after all stages.
-#include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
+
+#include <pcl/surface_ccaa/consecutive_reconstruction.h>
 
 #include <gtest/gtest.h>
 
