@@ -3,7 +3,7 @@
 
 #include <pcl/console/print.h>
 #include <pcl/search/search.h>
-#include <pcl/surface_ccaa/checked_construction.h>
+#include <pcl/surface_ccaa/impl/checked_construction.hpp>
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include "mesh/cloud_access.h"
@@ -19,6 +19,10 @@
 #include <utility>
 
 namespace pcl {
+
+ForceLineHoleRepair::ForceLineHoleRepair() = default;
+
+ForceLineHoleRepair::~ForceLineHoleRepair() = default;
 
 /** PCL clears the polygons of the output between initCompute() and performProcessing():
  * the repair runs here, so that output may be the input mesh. */

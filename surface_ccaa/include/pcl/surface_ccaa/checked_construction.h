@@ -2,27 +2,13 @@
 // Part of PclSurfaceRepair: what PCL's reconstruct() does not look at before it works.
 #pragma once
 
-#include <pcl/console/print.h>
-#include <pcl/search/organized.h>
 #include <pcl/surface/reconstruction.h>
-#include <pcl/point_cloud.h>
 #include <pcl/PolygonMesh.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
-
-/** \brief Whether \a tree can search \a cloud: a search::OrganizedNeighbor needs rows
- * and columns. Null can. */
-template <typename PointT>
-bool
-canSearch(const search::Search<PointT>* tree, const PointCloud<PointT>& cloud)
-{
-  return (cloud.width > 1 && cloud.height > 1) ||
-         dynamic_cast<const search::OrganizedNeighbor<PointT>*>(tree) == nullptr;
-}
 
 /** \brief A MeshConstruction that survives what PCL's reconstruct() crashes on: no
  * input cloud, and a search method that cannot search it. Both are errors (PCL_ERROR)
@@ -34,46 +20,24 @@ public:
   using MeshConstruction<PointT>::input_;
   using MeshConstruction<PointT>::tree_;
 
-  CheckedConstruction() { this->check_tree_ = false; }
+  CheckedConstruction();
+  ~CheckedConstruction() override;
 
   void
-  reconstruct(pcl::PolygonMesh& output) override
-  {
-    if (hasUsableCloud("reconstruct"))
-      return MeshConstruction<PointT>::reconstruct(output);
-    output.cloud.width = output.cloud.height = 0;
-    output.cloud.data.clear();
-    output.polygons.clear();
-  }
+  reconstruct(pcl::PolygonMesh& output) override;
 
   void
-  reconstruct(std::vector<pcl::Vertices>& polygons) override
-  {
-    if (hasUsableCloud("reconstruct"))
-      return MeshConstruction<PointT>::reconstruct(polygons);
-    polygons.clear();
-  }
+  reconstruct(std::vector<pcl::Vertices>& polygons) override;
 
 protected:
+  /** \brief Whether reconstruct() can begin; if not, why has been told. */
   bool
-  hasUsableCloud(const char* method) const
-  {
-    const std::string name = this->getClassName();
-    if (!input_)
-      PCL_ERROR("[pcl::%s::%s] no input cloud\n", name.c_str(), method);
-    else if (!canSearch(tree_.get(), *input_))
-      PCL_ERROR("[pcl::%s::%s] the search method %s needs an organised cloud, this one "
-                "is not (width %u, height %u)\n",
-                name.c_str(),
-                method,
-                tree_->getName().c_str(),
-                input_->width,
-                input_->height);
-    else
-      return true;
-    return false;
-  }
+  hasUsableCloud(const char* method) const;
 };
 
 } // namespace ccaa
 } // namespace pcl
+
+#ifdef PCL_NO_PRECOMPILE
+#include <pcl/surface_ccaa/impl/checked_construction.hpp>
+#endif

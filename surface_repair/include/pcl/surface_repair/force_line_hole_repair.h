@@ -76,6 +76,9 @@ public:
   using ConstPtr = shared_ptr<const ForceLineHoleRepair>;
   using SearchPtr = repair::PointSearchPtr;
 
+  ForceLineHoleRepair();
+  ~ForceLineHoleRepair() override;
+
   /** \brief Samples of the missing regions, beside the points of the mesh that have no
    * triangle. Null (default): none. Such a point that becomes a vertex is appended. */
   void

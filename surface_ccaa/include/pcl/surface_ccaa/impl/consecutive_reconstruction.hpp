@@ -5,6 +5,7 @@
 #include <pcl/console/print.h>
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 #include <pcl/surface_ccaa/greedy_start.h>
+#include <pcl/surface_ccaa/impl/checked_construction.hpp>
 #include <pcl/surface_ccaa/impl/cloud_view.h>
 #include <pcl/surface_ccaa/projection_completion.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
