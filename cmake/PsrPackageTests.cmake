@@ -42,6 +42,14 @@ if(PSR_DPKG_DEB AND psr_programs)
                                                        "^skipped:")
 endif()
 
+# What of the headers is installed.
+foreach(psr_case IN ITEMS list closed)
+  psr_add_package_test(
+    PackageHeaders.${psr_case} packages bash
+    "${CMAKE_CURRENT_SOURCE_DIR}/package/headers_test.sh" ${psr_case}
+    "${psr_prefix}/include")
+endforeach()
+
 # Of a launcher with settings only the launcher: a list would be taken apart on the way.
 set(psr_consumer_launcher "")
 if(CMAKE_CXX_COMPILER_LAUNCHER)

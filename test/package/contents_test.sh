@@ -62,9 +62,8 @@ case $check in
       '/usr/lib/.*/pkgconfig/pcl_surface_(ccaa|repair)\.pc' \
       '/usr/lib/.*/libpcl_surface_(ccaa|repair)\.so'
     while read -r header; do
-      holds dev "/usr/${header//./\\.}"
-    done < <(cd "$source" && find surface_ccaa/include surface_repair/include -type f |
-      sed 's|^[^/]*/||')
+      holds dev "/usr/include/${header//./\\.}"
+    done <"$source/test/package/installed_headers.txt"
     lacks dev '\.so\.[0-9]|/bin/'
     ;;
   tools)

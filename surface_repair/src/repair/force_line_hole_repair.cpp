@@ -11,7 +11,7 @@
 #include "repair/decision_proposal.h"
 #include "repair/new_vertices.h"
 #include "repair/repair_method.h"
-#include "repair/repair_run.h"
+#include "repair/repaired_model.h"
 #include "run/threads.h"
 
 #include <chrono>

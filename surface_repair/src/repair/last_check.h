@@ -6,7 +6,6 @@
 #include <pcl/surface_repair/repair_report.h>
 
 #include "mesh/block_loop.h"
-#include "repair/repair_run.h"
 #include "repair/repaired_model.h"
 
 namespace pcl {

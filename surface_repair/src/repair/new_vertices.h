@@ -4,7 +4,6 @@
 #pragma once
 
 #include "mesh/cloud_access.h"
-#include "repair/repair_run.h"
 #include "repair/repaired_model.h"
 
 #include <vector>

@@ -37,16 +37,16 @@ describe(OutwardRule rule);
 
 /** \brief What is known about the outer side for a cloud as a whole; all optional. */
 struct SideHints {
-  std::optional<Eigen::Vector3d>
-      told_viewpoint; /**< goes before all that the cloud has */
-  std::optional<Eigen::Vector3d>
-      up; /**< direction of any length, to which the outer side of a
-        terrain looks; goes before what the cloud has */
-  bool up_is_guessed =
-      false; /**< by an earlier stage: asked after what the cloud has */
-  std::optional<Eigen::Vector3d>
-      viewpoint; /**< of the cloud; asked after its normals, and only where its points
-                      have no sensor positions of their own */
+  /** \brief Goes before all that the cloud has. */
+  std::optional<Eigen::Vector3d> told_viewpoint;
+  /** \brief Direction of any length, to which the outer side of a terrain looks; goes
+   * before what the cloud has. */
+  std::optional<Eigen::Vector3d> up;
+  /** \brief By an earlier stage: up is asked after what the cloud has. */
+  bool up_is_guessed = false;
+  /** \brief Of the cloud; asked after its normals, and only where its points have no
+   * sensor positions of their own. */
+  std::optional<Eigen::Vector3d> viewpoint;
   bool viewpoint_is_origin = false; /**< nobody says so: see takeOrigin() */
   bool try_origin = false;          /**< takeOrigin() may set the viewpoint */
   /** \brief Where nothing tells: see OutwardRule::PLANE. For windings that mean nothing

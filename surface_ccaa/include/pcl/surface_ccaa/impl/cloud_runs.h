@@ -149,7 +149,8 @@ struct ChainOutput {
 
 /** \brief ConsecutiveReconstruction on the points of a cloud, whatever their type.
  * Errors are told (PCL_ERROR) and leave no polygons.
- * \param[in,out] output \param[in] has_cloud the output holds the cloud, which stays */
+ * \param[in] has_cloud the output holds the cloud, which stays
+ * \param[in,out] output its polygons are the result */
 void
 runChain(const ChainInput& input,
          bool has_cloud,

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Part of PclSurfaceRepair: what is installed is what users call, and stands by itself.
+#
+# usage: headers_test.sh list|closed INCLUDE_FOLDER
+#   list    the installed headers are those of installed_headers.txt, beside this file
+#   closed  none of them includes a header that is not installed
+
+set -euo pipefail
+check=$1
+list="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/installed_headers.txt"
+cd "$2"
+
+installed() {
+  find pcl/surface_ccaa pcl/surface_repair -type f | LC_ALL=C sort
+}
+
+case $check in
+  list)
+    diff --label "$list" --label installed -u "$list" <(installed)
+    ;;
+  closed)
+    failed=0
+    # Headers next to sources are included with quotes.
+    if installed | xargs grep -n '#include "'; then
+      failed=1
+    fi
+    while read -r header; do
+      if [[ ! -e $header ]]; then
+        echo "$header is included, but not installed" >&2
+        failed=1
+      fi
+    done < <(installed | xargs sed -nE 's%^#include <(pcl/surface_(ccaa|repair)/.*)>%\1%p' |
+      sort -u)
+    exit "$failed"
+    ;;
+esac
