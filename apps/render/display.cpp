@@ -18,6 +18,7 @@ namespace app {
 namespace {
 
 constexpr int SECONDS_TO_START = 30;
+constexpr int MILLISECONDS_TO_END = 2000;
 
 /** \brief Become the server, which writes the number of its display to \a output. Only
  * what a forked process may call. */
@@ -81,6 +82,17 @@ startServer()
   return server;
 }
 
+bool
+ends(pid_t server)
+{
+  for (int waited = 0; waited < MILLISECONDS_TO_END; waited += 10) {
+    if (waitpid(server, nullptr, WNOHANG) != 0)
+      return true;
+    poll(nullptr, 0, 10);
+  }
+  return false;
+}
+
 } // namespace
 
 bool
@@ -104,6 +116,9 @@ Display::~Display()
   if (server_ <= 0)
     return;
   kill(server_, SIGTERM);
+  if (ends(server_))
+    return;
+  kill(server_, SIGKILL); // Xvfb misses a signal now and then, and would sleep for ever
   waitpid(server_, nullptr, 0);
 }
 
