@@ -43,9 +43,11 @@ if(PSR_DPKG_DEB AND psr_programs)
 endif()
 
 # What of the headers is installed.
-foreach(psr_case IN ITEMS list closed)
+foreach(psr_case IN ITEMS list closed alone)
   psr_add_package_test(
-    PackageHeaders.${psr_case} packages bash
+    PackageHeaders.${psr_case} packages ${CMAKE_COMMAND} -E env
+    "CXX=${CMAKE_CXX_COMPILER}"
+    "PKG_CONFIG_PATH=${psr_prefix}/${CMAKE_INSTALL_LIBDIR}/pkgconfig" bash
     "${CMAKE_CURRENT_SOURCE_DIR}/package/headers_test.sh" ${psr_case}
     "${psr_prefix}/include")
 endforeach()
