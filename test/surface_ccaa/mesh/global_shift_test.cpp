@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the offset that brings map coordinates to where floats do.
 #include <pcl/surface_ccaa/global_shift.h>
+#include <pcl/conversions.h>
 
 #include <gtest/gtest.h>
 

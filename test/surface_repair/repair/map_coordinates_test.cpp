@@ -4,6 +4,7 @@
 #include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/surface_ccaa/umbrella_filter.h>
 #include <pcl/surface_repair/boundary_classifier.h>
+#include <pcl/conversions.h>
 
 #include "repair_fixture.h"
 #include "support/clouds.h"
