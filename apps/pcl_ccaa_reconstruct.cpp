@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that turns a point cloud into a correct mesh.
-#include "common/batch.h"
-#include "common/cli.h"
-#include "common/hole_report.h"
-#include "common/merge.h"
-#include "common/model_io.h"
-#include "common/output_folder.h"
-#include "common/point_columns.h"
-#include "common/position_check.h"
-#include "common/reconstruct_options.h"
-#include "common/reconstruct_report.h"
-#include "common/reconstruct_run.h"
-#include "common/verdict.h"
-#include "common/wording.h"
+#include "cli/batch.h"
+#include "cli/cli.h"
+#include "cli/reconstruct_options.h"
+#include "cli/reconstruct_run.h"
+#include "io/merge.h"
+#include "io/model_io.h"
+#include "io/output_folder.h"
+#include "io/point_columns.h"
+#include "io/position_check.h"
+#include "io/wording.h"
+#include "report/hole_report.h"
+#include "report/reconstruct_report.h"
+#include "report/verdict.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that damages a cloud or mesh as in thesis 4.8.
-#include "common/cli.h"
-#include "common/damage_run.h"
-#include "common/interrupt.h"
-#include "common/model_io.h"
-#include "common/output_folder.h"
-#include "common/output_format.h"
-#include "common/point_columns.h"
-#include "common/position_check.h"
-#include "common/report.h"
-#include "common/wording.h"
+#include "cli/cli.h"
+#include "cli/output_format.h"
+#include "cli/run_facts.h"
+#include "damage/damage_run.h"
+#include "io/interrupt.h"
+#include "io/model_io.h"
+#include "io/output_folder.h"
+#include "io/point_columns.h"
+#include "io/position_check.h"
+#include "io/wording.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that tells all there is to know about a mesh.
-#include "common/cli.h"
-#include "common/model_io.h"
-#include "common/position_check.h"
-#include "common/progress.h"
-#include "common/quality_report.h"
-#include "common/report.h"
-#include "common/verdict.h"
+#include "cli/cli.h"
+#include "cli/progress.h"
+#include "cli/run_facts.h"
+#include "io/model_io.h"
+#include "io/position_check.h"
 #include "mesh/cloud_access.h"
 #include "mesh/polygon_access.h"
+#include "report/quality_report.h"
+#include "report/verdict.h"
 #include "run/threads.h"
 #include <nlohmann/json.hpp>
 

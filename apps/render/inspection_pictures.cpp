@@ -6,7 +6,7 @@
 
 #include <vtkProperty.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "render/camera.h"
 #include "render/drawing.h"
 #include "render/layer_parts.h"

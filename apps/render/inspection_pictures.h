@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: pictures of what a survey found.
 #pragma once
 
-#include "common/inspection_files.h"
+#include "inspect/inspection_files.h"
 #include "render/render_settings.h"
 #include "survey/model_survey.h"
 

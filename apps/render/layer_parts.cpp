@@ -6,7 +6,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 
 #include <array>
 #include <cstring>

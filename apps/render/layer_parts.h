@@ -8,7 +8,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "common/inspection.h"
+#include "inspect/inspection.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
-#include "common/inspection.h"
+#include "inspect/inspection.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "render/layer_parts.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the options of pcl_render_mesh.
 #include "render/render_options.h"
 
-#include "common/number_list.h"
+#include "cli/number_list.h"
 
 #include <array>
 #include <string>

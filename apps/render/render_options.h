@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the options of pcl_render_mesh.
 #pragma once
 
-#include "common/cli.h"
+#include "cli/cli.h"
 #include "render/inspection_pictures.h"
 #include "render/render_settings.h"
 

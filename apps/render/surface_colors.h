@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the colours of the two sides of a surface.
 #pragma once
 
-#include "common/inspection_colors.h"
+#include "inspect/inspection_colors.h"
 #include "render/drawing.h"
 
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <vtkCellArray.h>
 
-#include "common/layer_builder.h"
-#include "common/point_columns.h"
+#include "inspect/layer_builder.h"
+#include "io/point_columns.h"
 #include "render/layer_parts.h"
 #include "render/mesh_parts.h"
 #include "render/point_colors.h"

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: shows decisions in the viewer, and makes them by its keys.
 #include "viewer/decision_desk.h"
 
-#include "common/layer_builder.h"
+#include "inspect/layer_builder.h"
 #include "render/layer_parts.h"
 #include "viewer/stage_colors.h"
 

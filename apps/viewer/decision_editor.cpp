@@ -2,9 +2,7 @@
 // Part of PclSurfaceRepair: decisions that are made while looking at them.
 #include "viewer/decision_editor.h"
 
-#include <Eigen/Geometry>
-
-#include "common/decisions_file.h"
+#include "io/decisions_file.h"
 
 #include <utility>
 

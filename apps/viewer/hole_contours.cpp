@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the holes of a repair as coloured lines.
 #include "viewer/hole_contours.h"
 
-#include "common/layer_builder.h"
-#include "common/point_columns.h"
+#include "inspect/layer_builder.h"
+#include "io/point_columns.h"
 #include "viewer/stage_colors.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <pcl/surface_repair/repair_report.h>
 #include <pcl/PolygonMesh.h>
 
-#include "common/inspection.h"
+#include "inspect/inspection.h"
 
 namespace app {
 

@@ -4,7 +4,7 @@
 
 #include <vtkProperty.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "render/drawing.h"
 #include "render/layer_parts.h"
 #include "render/surface_colors.h"

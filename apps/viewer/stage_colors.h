@@ -4,7 +4,7 @@
 
 #include <pcl/surface_repair/repair_report.h>
 
-#include "common/inspection_colors.h"
+#include "inspect/inspection_colors.h"
 
 namespace app {
 

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the stages of the method as the viewer draws them.
 #include "viewer/stages.h"
 
-#include "common/bridge_layer.h"
-#include "common/point_columns.h"
+#include "inspect/bridge_layer.h"
+#include "io/point_columns.h"
 #include "render/layer_parts.h"
 #include "render/mesh_parts.h"
 #include "render/surface_colors.h"

@@ -7,7 +7,7 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
-#include "common/inspection.h"
+#include "inspect/inspection.h"
 #include "viewer/view_state.h"
 
 #include <string>

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_viewer.
 #include "viewer/viewer_options.h"
 
-#include "common/model_io.h"
-#include "common/repair_options.h"
+#include "cli/repair_options.h"
+#include "io/model_io.h"
 #include "render/render_options.h"
 #include "viewer/stages.h"
 

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_viewer.
 #pragma once
 
-#include "common/cli.h"
+#include "cli/cli.h"
 #include "render/inspection_pictures.h"
 #include "viewer/viewer_run.h"
 

@@ -2,12 +2,12 @@
 // Part of PclSurfaceRepair: the work whose stages the viewer shows.
 #include "viewer/viewer_run.h"
 
-#include "common/interrupt.h"
-#include "common/model_io.h"
-#include "common/position_check.h"
-#include "common/reconstruct_run.h"
-#include "common/repair_run.h"
-#include "common/side_options.h"
+#include "cli/reconstruct_run.h"
+#include "cli/repair_run.h"
+#include "cli/side_options.h"
+#include "io/interrupt.h"
+#include "io/model_io.h"
+#include "io/position_check.h"
 #include "run/threads.h"
 
 #include <utility>

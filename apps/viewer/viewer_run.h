@@ -6,8 +6,8 @@
 #include <pcl/surface_repair/repair_report.h>
 #include <pcl/PolygonMesh.h>
 
-#include "common/model.h"
-#include "common/progress.h"
+#include "cli/progress.h"
+#include "io/model.h"
 #include "survey/model_survey.h"
 
 #include <string>

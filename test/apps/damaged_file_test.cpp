@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
-#include "common/model_io.h"
-#include "common/report.h"
+#include "cli/run_facts.h"
+#include "io/model_io.h"
 #include "model_samples.h"
 #include "support/random_source.h"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
-#include "common/model_io.h"
-#include "common/point_columns.h"
+#include "io/model_io.h"
+#include "io/point_columns.h"
 #include "mesh/cloud_access.h"
 #include "model_samples.h"
 #include "support/clouds.h"

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the contours of holes that the viewer shows.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "repair_fixture.h"
 #include "support/repair_shapes.h"
 #include "viewer/hole_contours.h"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
-#include "common/inspection.h"
-#include "common/output_folder.h"
-#include "common/point_columns.h"
+#include "inspect/inspection.h"
+#include "io/output_folder.h"
+#include "io/point_columns.h"
 #include "model_samples.h"
 
 namespace app_test {

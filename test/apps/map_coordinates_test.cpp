@@ -3,8 +3,8 @@
 // all programs.
 #include <pcl/surface_ccaa/global_shift.h>
 
-#include "common/model_io.h"
-#include "common/point_columns.h"
+#include "io/model_io.h"
+#include "io/point_columns.h"
 #include "mesh/cloud_access.h"
 #include "repair_fixture.h"
 #include "support/clouds.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: several clouds as one, and clouds that are only looked at.
-#include "common/merge.h"
-#include "common/model_io.h"
-#include "common/point_columns.h"
+#include "io/merge.h"
+#include "io/model_io.h"
+#include "io/point_columns.h"
 #include "repair_fixture.h"
 
 namespace app_test {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "common/cloud_assembler.h"
-#include "common/model_io.h"
-#include "common/point_columns.h"
+#include "io/cloud_assembler.h"
+#include "io/model_io.h"
+#include "io/point_columns.h"
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"

@@ -3,7 +3,7 @@
 // tests.
 #pragma once
 
-#include "common/model.h"
+#include "io/model.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: scans are not written over by mistake.
-#include "common/overwriting.h"
-#include "common/remarks.h"
+#include "io/overwriting.h"
+#include "io/remarks.h"
 #include "repair_fixture.h"
 
 namespace app_test {

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "model_samples.h"
 
 namespace app_test {

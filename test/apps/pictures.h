@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: looks at pictures in tests.
 #pragma once
 
-#include "common/inspection_colors.h"
+#include "inspect/inspection_colors.h"
 
 #include <string>
 #include <vector>

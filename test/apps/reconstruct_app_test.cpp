@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: pcl_ccaa_reconstruct as a user runs it.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "model_samples.h"
 #include "reconstruct_fixture.h"
 #include "support/mesh_asserts.h"

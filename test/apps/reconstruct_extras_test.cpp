@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: labels, normals, hints and measuring on request.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "model_samples.h"
 #include "reconstruct_fixture.h"
 #include "support/clouds.h"

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: units and viewpoints go from the input to the output.
 #include <pcl/io/ply_io.h>
 
-#include "common/model_io.h"
-#include "common/remarks.h"
+#include "io/model_io.h"
+#include "io/remarks.h"
 #include "repair_fixture.h"
 
 namespace app_test {

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: pcl_repair_holes as a user runs it.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "repair_fixture.h"
 #include "support/shared_data.h"
 

@@ -3,7 +3,7 @@
 // pcl_ccaa_reconstruct --repair.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "repair_fixture.h"
 #include "support/repair_shapes.h"
 #include "support/shared_data.h"

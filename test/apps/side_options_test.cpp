@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what user and file tell about the outer side, through the
 // programs.
-#include "common/model_io.h"
-#include "common/output_file.h"
+#include "io/model_io.h"
+#include "io/output_file.h"
 #include "mesh/cloud_access.h"
 #include "repair_fixture.h"
 #include "support/clouds.h"

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: standard input and output in place of files.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "repair_fixture.h"
 
 namespace app_test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the last line of runs, and how counts and options are told.
-#include "common/verdict.h"
-#include "common/wording.h"
+#include "io/wording.h"
 #include "repair_fixture.h"
+#include "report/verdict.h"
 
 namespace app_test {
 namespace {

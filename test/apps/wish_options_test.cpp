@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: what users want closed and joined, as options.
 #include <gtest/gtest.h>
 
-#include "common/point_columns.h"
+#include "io/point_columns.h"
 #include "repair_fixture.h"
 #include "support/repair_shapes.h"
 

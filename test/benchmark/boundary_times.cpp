@@ -3,7 +3,7 @@
 #include "boundary_times.h"
 
 #include "boundary/boundary_integral.h"
-#include "common/random_numbers.h"
+#include "damage/random_numbers.h"
 #include "measuring.h"
 
 #include <cmath>

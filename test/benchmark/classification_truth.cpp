@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "boundary/extraction.h"
-#include "common/model_io.h"
 #include "icadm/model_reading.h"
+#include "io/model_io.h"
 
 #include <algorithm>
 #include <stdexcept>

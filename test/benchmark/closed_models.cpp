@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "common/model_io.h"
 #include "icadm/model_reading.h"
+#include "io/model_io.h"
 
 #include <array>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "closed_models.h"
-#include "common/cloud_normals.h"
+#include "io/cloud_normals.h"
 #include "mesh_distance.h"
 #include "support/random_source.h"
 #include "support/scanned_scene.h"

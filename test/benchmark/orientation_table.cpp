@@ -7,7 +7,7 @@
 
 #include "boundary/extraction.h"
 #include "closed_models.h"
-#include "common/random_numbers.h"
+#include "damage/random_numbers.h"
 #include "icadm/model_reading.h"
 #include "orientation/island_orientation.h"
 

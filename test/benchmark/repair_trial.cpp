@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "closed_models.h"
-#include "common/model_io.h"
+#include "io/model_io.h"
 #include "measuring.h"
 #include "mesh/cloud_access.h"
 #include "mesh/intersection.h"

@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: takes triangles away from a closed surface, by a seed.
 #include "seeded_damage.h"
 
-#include "common/random_numbers.h"
+#include "damage/random_numbers.h"
 
 #include <cmath>
 #include <functional>

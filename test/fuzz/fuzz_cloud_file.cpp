@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: fuzz target, reading of cloud files, and writing what was
 // read.
-#include "common/model_io.h"
+#include "io/model_io.h"
 #include "mesh/cloud_access.h"
 #include "requirement.h"
 #include "temporary_file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: fuzz target, reading of mesh files, and writing what was
 // read.
-#include "common/model_io.h"
+#include "io/model_io.h"
 #include "requirement.h"
 #include "temporary_file.h"
 

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the work of pcl_ccaa_reconstruct.
+#include "reconstruct_run.h"
+
+#include <pcl/search/kdtree.h>
+#include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
+
+#include "consecutive/stage_polygons.h"
+#include "io/cloud_normals.h"
+#include "io/point_columns.h"
+#include "mesh/cloud_access.h"
+#include "repair_run.h"
+#include "side_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+/** Comes after the stages of the chain. */
+constexpr std::uint8_t REPAIR_LABEL = 2;
+
+void
+setHints(const Model&, pcl::PointCloud<pcl::PointXYZ>&)
+{}
+
+void
+setHints(const Model& model, pcl::PointCloud<pcl::PointNormal>& cloud)
+{
+  const auto normals = pcl::ccaa::normalView(model.mesh.cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].getNormalVector3fMap() = normals[i].cast<float>();
+}
+
+void
+setHints(const Model& model, pcl::PointCloud<pcl::PointWithViewpoint>& cloud)
+{
+  const auto sensors = pcl::ccaa::viewpointView(model.mesh.cloud);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3f at = (sensors[i] - model.shift.offset()).cast<float>();
+    cloud[i].vp_x = at.x();
+    cloud[i].vp_y = at.y();
+    cloud[i].vp_z = at.z();
+  }
+}
+
+/** The positions near the origin, and what of the other fields tells the outer side. */
+template <typename PointT>
+typename pcl::PointCloud<PointT>::Ptr
+toTypedCloud(const Model& model)
+{
+  const auto positions =
+      pcl::ccaa::positionView(model.mesh.cloud).relativeTo(model.shift.offset());
+  auto cloud = std::make_shared<pcl::PointCloud<PointT>>();
+  cloud->resize(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    (*cloud)[i].getVector3fMap() = positions[i].template cast<float>();
+  cloud->is_dense = model.mesh.cloud.is_dense;
+  setHints(model, *cloud);
+  return cloud;
+}
+
+template <typename PointT>
+std::shared_ptr<pcl::GreedyStart<PointT>>
+makeStart(const ReconstructSettings& settings)
+{
+  auto start = std::make_shared<pcl::GreedyStart<PointT>>();
+  if (settings.search == "kdtree")
+    start->setSearchMethod(std::make_shared<pcl::search::KdTree<PointT>>());
+  else
+    start->setSearchMethod(std::make_shared<pcl::search::BlockSearch<PointT>>());
+  start->setNumberOfNeighbors(settings.neighbors);
+  start->setMinimumAngle(settings.minimum_angle * M_PI / 180);
+  start->setCertifiedMinimumAngle(settings.certified_minimum_angle * M_PI / 180);
+  start->setLengthFactor(settings.length_factor);
+  start->setUseCertificates(!settings.plain);
+  return start;
+}
+
+/** Times as they add up to the whole. */
+StageTimes
+stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  const pcl::ConsecutiveReport& chain = result.chain;
+  const double greedy = std::min(result.start.greedy_seconds, chain.start_seconds);
+  StageTimes stages = {{"search", chain.start_seconds - greedy}, {"start", greedy}};
+  double sum = chain.start_seconds;
+  if (settings.hasFilter()) {
+    stages.emplace_back("filter", chain.filter_seconds);
+    sum += chain.filter_seconds;
+  }
+  if (settings.until == "base") {
+    stages.emplace_back("base", chain.base_seconds);
+    sum += chain.base_seconds;
+  }
+  stages.emplace_back("joining", std::max(0.0, chain.total_seconds - sum));
+  return stages;
+}
+
+template <typename PointT>
+void
+reconstruct(const ReconstructSettings& settings,
+            ProgressBar& bar,
+            ReconstructResult& result)
+{
+  const auto start = makeStart<PointT>(settings);
+  const auto filter = std::make_shared<pcl::UmbrellaFilter>();
+  filter->setMinimumInternalPoints(settings.minimum_internal_points);
+  pcl::ConsecutiveReconstruction<PointT> chain;
+  chain.setStartAlgorithm(start);
+  chain.setFilter(settings.hasFilter() ? filter : nullptr);
+  if (settings.until != "base")
+    chain.setBaseAlgorithm(nullptr);
+  pcl::ccaa::SideHints hints = relativeTo(
+      result.model.shift.offset(), sidesOf(settings.sides, result.model.viewpoint));
+  hints.guess_plane = true;
+  chain.setSideHints(hints);
+  chain.setComputeNormals(settings.normals);
+  chain.setNumberOfThreads(settings.threads);
+  chain.setProgressCallback(bar.callback());
+  chain.setInputCloud(toTypedCloud<PointT>(result.model));
+  if (settings.measure_speedup)
+    result.speedup = chain.measureSpeedup();
+  chain.reconstruct(result.model.mesh.polygons);
+  result.start = start->getReport();
+  result.filter = filter->getReport();
+  result.chain = chain.getReport();
+  result.labels = chain.getTriangleLabels();
+  result.normals = chain.getNormals();
+  result.sides = chain.getSideTally();
+}
+
+/** Of a mesh of triangles whose corners are points. */
+pcl::ccaa::SurfaceTopology
+topologyOf(const std::vector<pcl::Vertices>& triangles,
+           std::size_t point_count,
+           int threads)
+{
+  const pcl::ccaa::LoopContext loop{threads, nullptr, "", pcl::ccaa::BLOCK_SIZE};
+  const pcl::ccaa::Triangles indexed = pcl::ccaa::toIndexTriangles(triangles, loop);
+  pcl::ccaa::TriangleAdjacency adjacency;
+  adjacency.build(indexed, point_count, threads);
+  return pcl::ccaa::topologyOf(indexed, adjacency);
+}
+
+/** What the chain has guessed, the repair goes by. */
+pcl::ccaa::SideHints
+sidesForRepair(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  pcl::ccaa::SideHints sides = settings.sides;
+  if (result.sides.guessed_axis < 0)
+    return sides;
+  sides.up = Eigen::Vector3d::Unit(result.sides.guessed_axis);
+  sides.up_is_guessed = true;
+  return sides;
+}
+
+} // namespace
+
+Status
+runReconstruction(const ReconstructSettings& settings,
+                  ProgressBar& bar,
+                  ReconstructResult& result)
+{
+  const Model& model = result.model;
+  if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
+    reconstruct<pcl::PointNormal>(settings, bar, result);
+  else if (!pcl::ccaa::viewpointView(model.mesh.cloud).empty())
+    reconstruct<pcl::PointWithViewpoint>(settings, bar, result);
+  else
+    reconstruct<pcl::PointXYZ>(settings, bar, result);
+  if (!result.chain.cancelled && result.chain.points == 0)
+    return Status::error("the reconstruction failed, perhaps for lack of memory");
+  result.stages = stageTimes(settings, result);
+  noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
+  if (settings.hasFilter())
+    result.topology = topologyOf(model.mesh.polygons,
+                                 pointCount(model.mesh.cloud),
+                                 pcl::ccaa::resolveThreads(settings.threads));
+  return {};
+}
+
+Status
+repairResult(const ReconstructSettings& settings,
+             ProgressBar& bar,
+             ReconstructResult& result)
+{
+  if (result.model.mesh.polygons.empty())
+    return {};
+  RepairTask task;
+  task.method = settings.method;
+  task.threads = settings.threads;
+  task.method.survey.orientation.sides = sidesForRepair(settings, result);
+  pcl::RepairReport report;
+  const Status status =
+      repairMesh(task, result.model.viewpoint, bar, result.model.mesh, report);
+  if (!status.ok() || report.cancelled)
+    return status;
+  result.labels.resize(report.input_triangles, REPAIR_LABEL);
+  result.labels.resize(report.origins.size(), REPAIR_LABEL);
+  result.stages.emplace_back("repair", totalSeconds(report.seconds));
+  result.topology = report.after;
+  result.repair = std::move(report);
+  return status;
+}
+
+void
+addNormals(ReconstructResult& result)
+{
+  if (!result.normals)
+    return;
+  if (appendNormals(*result.normals, result.model.mesh.cloud))
+    return;
+  result.model.warnings.push_back(
+      "the cloud has normals already; they were kept, and none were computed");
+}
+
+} // namespace app

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the work of pcl_ccaa_reconstruct.
+#pragma once
+
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
+#include <pcl/surface_ccaa/umbrella_filter.h>
+#include <pcl/surface_repair/repair_parameters.h>
+#include <pcl/surface_repair/repair_report.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include "io/model.h"
+#include "mesh/surface_topology.h"
+#include "output_format.h"
+#include "progress.h"
+#include "run_facts.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/** \brief What the user asked pcl_ccaa_reconstruct for. */
+struct ReconstructSettings {
+  std::string input;               // the first one, of several
+  std::vector<std::string> inputs; // all of them
+  std::string output;
+  std::string output_folder; // of a run over many
+  std::string report;
+  bool merge = false; // all inputs are one cloud
+  bool dry_run = false;
+  FileFormat format = FileFormat::UNKNOWN; // on standard output, if it was given
+  std::string until = "base";
+  std::string search = "fast";
+  unsigned int threads = 0;
+  unsigned int neighbors = 0;
+  unsigned int minimum_internal_points = 0;
+  double minimum_angle = 0;           // degrees
+  double certified_minimum_angle = 0; // degrees
+  double length_factor = 0;           // local spacings
+  bool plain = false;                 // the thesis' rules alone
+  bool labels = false;                // as a face property
+  bool normals = false;               // as fields of the cloud
+  bool measure_speedup = false;
+  bool repair = false;                  // what the base stage left open
+  pcl::repair::RepairParameters method; // of the repair
+  bool quiet = false;
+  pcl::ccaa::SideHints sides; // what the user tells about the outer side
+
+  /** \brief The input or inputs, as messages have them. */
+  std::string
+  inputName() const
+  {
+    return inputs.size() > 1 ? std::to_string(inputs.size()) + " clouds"
+                             : nameForPeople(input);
+  }
+
+  Target
+  target() const
+  {
+    return makeTarget(output, format);
+  }
+
+  bool
+  hasFilter() const
+  {
+    return until != "start";
+  }
+};
+
+/** \brief What a run made, and what is to be told about it. */
+struct ReconstructResult {
+  Model model; // cloud with all fields, polygons of the last stage
+  StageTimes stages;
+  std::size_t memory_before = 0; // bytes, cloud loaded
+  pcl::ccaa::GreedyReport start;
+  pcl::UmbrellaReport filter; // of the last stage that is there
+  pcl::ConsecutiveReport chain;
+  pcl::ccaa::SideTally sides; // what told the outer side
+  std::optional<pcl::SpeedupReport> speedup;
+  std::optional<pcl::ccaa::SurfaceTopology> topology; // none known of raw triangles
+  std::optional<pcl::RepairReport> repair;            // what became of the holes
+  std::vector<std::uint8_t> labels;                   // of the polygons: their stage
+  pcl::PointCloud<pcl::Normal>::Ptr normals;          // null unless asked for
+};
+
+/** \brief Mesh the cloud of \a result; its fields stay byte for byte. Fails when the
+ * run could not be finished; after a signal the result is of no use. */
+Status
+runReconstruction(const ReconstructSettings& settings,
+                  ProgressBar& bar,
+                  ReconstructResult& result);
+
+/** \brief Add the normals that were made as fields to the cloud. One that has normals
+ * keeps them, and a warning says so. */
+void
+addNormals(ReconstructResult& result);
+
+/** \brief Join the islands of \a result and close its holes. Fails as repairMesh()
+ * does; after a signal the result is of no use. */
+Status
+repairResult(const ReconstructSettings& settings,
+             ProgressBar& bar,
+             ReconstructResult& result);
+
+} // namespace app
