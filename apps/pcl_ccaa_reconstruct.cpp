@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that turns a point cloud into a correct mesh.
 #include "cli/batch.h"
-#include "cli/cli.h"
 #include "cli/reconstruct_options.h"
-#include "cli/reconstruct_run.h"
 #include "io/merge.h"
-#include "io/model_io.h"
 #include "io/output_folder.h"
 #include "io/point_columns.h"
 #include "io/position_check.h"
@@ -20,35 +17,29 @@
 namespace {
 
 /** All that can be known to fail before the work begins. */
-app::Status
-checkFiles(const app::ReconstructSettings& settings)
+void
+checkFiles(const app::FileNames& files)
 {
-  app::Status status =
-      app::checkDifferentFiles(settings.inputs, {settings.output, settings.report});
-  if (status.ok() && !settings.output.empty())
-    status = app::checkMeshOutput(settings.target());
-  if (status.ok() && !settings.report.empty())
-    status = app::OutputFile::check(settings.report);
-  return status;
+  app::require(app::checkDifferentFiles(files.inputs, {files.output, files.report}));
+  if (!files.output.empty())
+    app::require(app::checkMeshOutput(files.target()));
+  if (!files.report.empty())
+    app::require(app::OutputFile::check(files.report));
 }
 
-app::Status
-readInput(const app::ReconstructSettings& settings, app::ReconstructResult& result)
+void
+readInput(const app::ReconstructSettings& settings, app::Model& model)
 {
   std::vector<app::NamedModel> parts;
-  for (const std::string& input : settings.inputs) {
+  for (const std::string& input : settings.files.inputs) {
     parts.push_back({input, {}});
-    const app::Status status = app::readCloud(input, parts.back().model);
-    if (!status.ok())
-      return status;
+    app::require(app::readCloud(input, parts.back().model));
   }
-  app::Status status = app::mergeModels(parts, result.model);
-  if (status.ok() && !settings.dry_run)
-    status = app::checkCoordinates(settings.target(), result.model);
-  if (!status.ok())
-    return status;
-  app::noteShift(result.model);
-  return app::requireTrianglePoints(result.model.mesh.cloud, settings.inputName());
+  app::require(app::mergeModels(parts, model));
+  if (!settings.dry_run)
+    app::require(app::checkCoordinates(settings.files.target(), model));
+  app::noteShift(model);
+  app::require(app::requireTrianglePoints(model.mesh.cloud, settings.inputName()));
 }
 
 /** Triangles with what is to be told about each. */
@@ -91,42 +82,48 @@ describe(const app::ReconstructSettings& settings,
                        : app::describeRun(settings, result, result.model.warnings);
   const double seconds = settings.dry_run ? 0.0 : double{report["total_seconds"]};
   app::addRunFacts({"pcl_ccaa_reconstruct",
-                    settings.input,
-                    settings.dry_run ? "" : settings.output,
+                    settings.files.input(),
+                    settings.dry_run ? "" : settings.files.output,
                     outcome.code,
                     seconds,
                     result.model.remarks,
                     result.model.shift},
                    report);
   if (settings.merge)
-    report["input"] = settings.inputs;
+    report["input"] = settings.files.inputs;
   return report;
 }
 
-app::Status
+void
 writeOutputs(const app::ReconstructSettings& settings,
              const app::Outcome& outcome,
              app::ReconstructResult& result)
 {
   app::Model& model = result.model;
-  app::OutputFolder files;
+  app::OutputFolder folder;
   if (!settings.dry_run)
-    app::writeMesh(settings.target(),
+    app::writeMesh(settings.files.target(),
                    model.mesh,
                    {faceProperties(settings, result), model.viewpoint, model.remarks},
-                   files.addElsewhere(settings.output),
+                   folder.addElsewhere(settings.files.output),
                    model.warnings);
   // Of many inputs there is one report, at the end.
-  if (!settings.report.empty() && settings.output_folder.empty())
+  if (!settings.files.report.empty() && !settings.files.isBatch())
     app::writeReport(describe(settings, outcome, result),
-                     files.addElsewhere(settings.report));
-  return files.commit();
+                     folder.addElsewhere(settings.files.report));
+  app::require(folder.commit());
+}
+
+std::ostream&
+peopleStreamOf(const app::FileNames& files)
+{
+  return app::peopleStream({files.output, files.report});
 }
 
 void
 sumUp(const app::ReconstructSettings& settings, const app::ReconstructResult& result)
 {
-  std::ostream& people = app::peopleStream({settings.output, settings.report});
+  std::ostream& people = peopleStreamOf(settings.files);
   people << (settings.dry_run ? app::summarizeInput(settings, result.model)
                               : app::summarizeRun(settings, result))
          << std::endl;
@@ -154,24 +151,22 @@ tellVerdict(const app::ReconstructSettings& settings,
 }
 
 /** \brief From the cloud that was read to the mesh. */
-app::Status
+void
 work(const app::ReconstructSettings& settings,
      app::ProgressBar& bar,
      app::ReconstructResult& result)
 {
   result.memory_before = app::currentMemoryBytes();
-  app::Status status;
   if (bar.show("start", 0))
-    status = app::runReconstruction(settings, bar, result);
-  if (status.ok() && bar.show("normals", 0))
+    app::require(app::runReconstruction(settings, bar, result));
+  if (bar.show("normals", 0))
     app::addNormals(result);
-  if (status.ok() && settings.repair && bar.show("repair", 0))
-    status = app::repairResult(settings, bar, result);
+  if (settings.repair && bar.show("repair", 0))
+    app::require(app::repairResult(settings, bar, result));
   if (result.chain.skipped_points > 0)
     result.model.warnings.push_back(
         app::pluralHas(result.chain.skipped_points, "point") +
         " coordinates that are not finite, and no triangle");
-  return status;
 }
 
 /** \brief One mesh, from its file or files to all that is written. */
@@ -180,63 +175,41 @@ runOne(const app::ReconstructSettings& settings, app::ReconstructResult& result)
 {
   app::ProgressBar bar(settings.quiet);
   bar.show("reading", 0);
-  app::Status status = readInput(settings, result);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  readInput(settings, result.model);
   if (!settings.dry_run)
-    status = work(settings, bar, result);
+    work(settings, bar, result);
   if (!bar.show("writing", 0))
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  if (!status.ok())
-    return app::Outcome::badInput(status);
   app::Outcome outcome = settings.dry_run ? app::Outcome() : judge(result);
-  status = writeOutputs(settings, outcome, result);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  writeOutputs(settings, outcome, result);
   bar.clear();
   if (!settings.quiet)
     sumUp(settings, result);
   outcome.notes = result.model.warnings;
-  outcome.verdict = {tellVerdict(settings, result),
-                     &app::peopleStream({settings.output, settings.report})};
+  outcome.verdict = {tellVerdict(settings, result), &peopleStreamOf(settings.files)};
   return outcome;
 }
 
-/** \brief A mesh of each input, with one report about them. */
 app::Outcome
-runMany(const app::ReconstructSettings& settings)
+run(const app::ReconstructSettings& settings)
 {
-  const app::BatchSettings batch{"pcl_ccaa_reconstruct",
-                                 settings.inputs,
-                                 settings.output_folder,
-                                 settings.report,
-                                 settings.format,
-                                 settings.quiet,
-                                 !settings.dry_run};
-  return app::runBatch(batch, [&](const app::BatchItem& item, nlohmann::json& report) {
-    app::ReconstructSettings one = settings;
-    one.input = item.input;
-    one.inputs = {item.input};
-    one.output = item.output;
+  if (!settings.files.isBatch()) {
     app::ReconstructResult result;
-    app::Outcome outcome = runOne(one, result);
-    if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
+    checkFiles(settings.files);
+    return runOne(settings, result);
+  }
+  const auto work = [&](const app::FileNames& files, nlohmann::json& report) {
+    app::ReconstructSettings one = settings;
+    one.files = files;
+    app::ReconstructResult result;
+    const app::Outcome outcome = runOne(one, result);
+    if (outcome.succeeded())
       report = describe(one, outcome, result);
     return outcome;
-  });
-}
-
-app::Outcome
-reconstruct(const app::Arguments& arguments)
-{
-  app::ReconstructSettings settings;
-  app::ReconstructResult result;
-  app::Status status = app::takeReconstructSettings(arguments, settings);
-  if (status.ok() && !settings.output_folder.empty())
-    return runMany(settings);
-  if (status.ok())
-    status = checkFiles(settings);
-  return status.ok() ? runOne(settings, result) : app::Outcome::badInput(status);
+  };
+  return app::runBatch(
+      {"pcl_ccaa_reconstruct", settings.files, settings.quiet, !settings.dry_run},
+      work);
 }
 
 } // namespace
@@ -244,5 +217,8 @@ reconstruct(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(app::makeReconstructCommandLine(), argc, argv, reconstruct);
+  app::ReconstructSettings settings;
+  app::CommandLine line(app::reconstructUsage(), settings.quiet);
+  app::addReconstructOptions(line, settings);
+  return app::runApp(line, argc, argv, [&] { return run(settings); });
 }

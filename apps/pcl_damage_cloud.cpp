@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that damages a cloud or mesh as in thesis 4.8.
 #include "cli/cli.h"
-#include "cli/output_format.h"
+#include "cli/file_names.h"
 #include "cli/run_facts.h"
 #include "damage/damage_run.h"
 #include "io/interrupt.h"
@@ -16,10 +16,6 @@
 #include <ostream>
 
 namespace {
-
-namespace po = boost::program_options;
-
-using Texts = std::vector<std::string>;
 
 app::Usage
 usage()
@@ -52,70 +48,34 @@ its diagonal; offset and thickness of a slab are shares of the extent along its 
 }
 
 void
-addRegionOptions(app::CommandLine& line)
-{
-  const auto list = [] { return po::value<Texts>()->composing(); };
-  const auto count = [] { return po::value<long long>()->default_value(0); };
-  auto add = line.addOptions();
-  add("sphere", list(), "x,y,z,r: take out a sphere (repeatable)");
-  add("slab", list(), "nx,ny,nz,offset,thickness: take out a slab (repeatable)");
-  add("absolute", "--sphere and --slab are in the units of the cloud");
-  add("spheres", count(), "number of spheres around random points");
-  add("sphere-size", app::realValue(0.05), "their radius, 0 to 1");
-  add("slabs", count(), "number of slabs at random");
-  add("slab-size", app::realValue(0.05), "their thickness, 0 to 1");
-  add("patches", count(), "number of connected patches of random shape");
-  add("patch-size",
-      app::realValue(0.02),
-      "points in each patch as a share of all points, 0 to 1");
-}
-
-app::CommandLine
-makeCommandLine()
-{
-  app::CommandLine line(usage());
-  addRegionOptions(line);
-  const auto path = [] { return po::value<std::string>(); };
-  auto add = line.addOptions();
-  add("keep",
-      app::realValue(0),
-      "share of the points taken out that stays as free points, 0 to 1");
-  add("noise",
-      app::realValue(0),
-      "deviation of the noise on them, in mean distances between neighbours");
-  add("seed", po::value<long long>()->default_value(1), "same seed, same damage");
-  add("removed", path(), "write what was taken out to this file");
-  add("free-points", path(), "write the free points also to a cloud of their own");
-  add("report", path(), "write figures about the run to this JSON file");
-  app::addFormatOption(line, "ply, vtk, obj, off, stl, pcd or xyz");
-  line.addPositional("INPUT");
-  line.addPositional("OUTPUT");
-  return line;
-}
-
-app::Status
-takeNumbers(const app::Arguments& arguments, app::DamageSettings& settings)
+addRegionOptions(app::OptionGroup& options, app::DamageSettings& settings)
 {
   constexpr long long many = 1000000;
-  app::Status status =
-      app::takeCount(arguments, "spheres", 0, many, settings.random_spheres);
-  if (status.ok())
-    status = app::takeCount(arguments, "slabs", 0, many, settings.random_slabs);
-  if (status.ok())
-    status = app::takeCount(arguments, "patches", 0, many, settings.random_patches);
-  if (status.ok())
-    status = app::takeCount(arguments, "seed", 0, 4294967295LL, settings.seed);
-  if (status.ok())
-    status = app::takeReal(arguments, "sphere-size", 0, 1, settings.sphere_size);
-  if (status.ok())
-    status = app::takeReal(arguments, "slab-size", 0, 1, settings.slab_size);
-  if (status.ok())
-    status = app::takeReal(arguments, "patch-size", 0, 1, settings.patch_size);
-  if (status.ok())
-    status = app::takeReal(arguments, "keep", 0, 1, settings.keep);
-  if (status.ok())
-    status = app::takeReal(arguments, "noise", 0, 1000, settings.noise);
-  return status;
+  options.texts("sphere", settings.spheres, "x,y,z,r: take out a sphere (repeatable)");
+  options.texts("slab",
+                settings.slabs,
+                "nx,ny,nz,offset,thickness: take out a slab (repeatable)");
+  options.flag("absolute",
+               settings.absolute,
+               "--sphere and --slab are in the units of the cloud");
+  options.count("spheres",
+                settings.random_spheres,
+                0,
+                many,
+                "number of spheres around random points");
+  options.real("sphere-size", settings.sphere_size, 0, 1, "their radius, 0 to 1");
+  options.count("slabs", settings.random_slabs, 0, many, "number of slabs at random");
+  options.real("slab-size", settings.slab_size, 0, 1, "their thickness, 0 to 1");
+  options.count("patches",
+                settings.random_patches,
+                0,
+                many,
+                "number of connected patches of random shape");
+  options.real("patch-size",
+               settings.patch_size,
+               0,
+               1,
+               "points in each patch as a share of all points, 0 to 1");
 }
 
 bool
@@ -127,24 +87,8 @@ usesStandardOutput(const app::DamageSettings& settings)
 }
 
 app::Status
-takeSettings(const app::Arguments& arguments, app::DamageSettings& settings)
+checkRegions(const app::DamageSettings& settings)
 {
-  settings.input = app::takeText(arguments, "INPUT");
-  settings.output = app::takeText(arguments, "OUTPUT");
-  settings.removed = app::takeText(arguments, "removed");
-  settings.free_points = app::takeText(arguments, "free-points");
-  settings.report = app::takeText(arguments, "report");
-  settings.absolute = arguments.count("absolute") != 0;
-  settings.quiet = arguments.count("quiet") != 0;
-  if (arguments.count("sphere") != 0)
-    settings.spheres = arguments["sphere"].as<Texts>();
-  if (arguments.count("slab") != 0)
-    settings.slabs = arguments["slab"].as<Texts>();
-  app::Status status = takeNumbers(arguments, settings);
-  if (status.ok())
-    status = app::takeFormat(arguments, usesStandardOutput(settings), settings.format);
-  if (!status.ok())
-    return status;
   const bool has_region = !settings.spheres.empty() || !settings.slabs.empty() ||
                           settings.random_spheres + settings.random_slabs > 0 ||
                           settings.random_patches > 0;
@@ -154,6 +98,37 @@ takeSettings(const app::Arguments& arguments, app::DamageSettings& settings)
                                   "--spheres, --slabs or --patches (try --help)");
 }
 
+void
+addOptions(app::CommandLine& line, app::DamageSettings& settings)
+{
+  app::OptionGroup& options = line.options();
+  addRegionOptions(options, settings);
+  options.real("keep",
+               settings.keep,
+               0,
+               1,
+               "share of the points taken out that stays as free points, 0 to 1");
+  options.real("noise",
+               settings.noise,
+               0,
+               1000,
+               "deviation of the noise on them, in mean distances between neighbours");
+  options.count("seed", settings.seed, 0, 4294967295LL, "same seed, same damage");
+  options.text("removed", settings.removed, "write what was taken out to this file");
+  options.text("free-points",
+               settings.free_points,
+               "write the free points also to a cloud of their own");
+  options.text(
+      "report", settings.report, "write figures about the run to this JSON file");
+  app::addFormatOption(line,
+                       "ply, vtk, obj, off, stl, pcd or xyz",
+                       settings.format,
+                       [&settings] { return usesStandardOutput(settings); });
+  line.positional("INPUT", settings.input);
+  line.positional("OUTPUT", settings.output);
+  line.then([&settings] { return checkRegions(settings); });
+}
+
 app::Status
 checkOutput(const app::Target& target)
 {
@@ -161,53 +136,47 @@ checkOutput(const app::Target& target)
                                     : app::checkMeshOutput(target);
 }
 
-app::Status
+void
 checkFiles(const app::DamageSettings& settings)
 {
-  app::Status status = app::checkDifferentFiles(
+  const auto target = [&](const std::string& path) {
+    return app::makeTarget(path, settings.format);
+  };
+  app::require(app::checkDifferentFiles(
       {settings.input},
-      {settings.output, settings.removed, settings.free_points, settings.report});
-  if (status.ok())
-    status = checkOutput(app::makeTarget(settings.output, settings.format));
-  if (status.ok() && !settings.removed.empty())
-    status = checkOutput(app::makeTarget(settings.removed, settings.format));
-  if (status.ok() && !settings.free_points.empty())
-    status =
-        app::checkCloudOutput(app::makeTarget(settings.free_points, settings.format));
-  if (status.ok() && !settings.report.empty())
-    status = app::OutputFile::check(settings.report);
-  return status;
+      {settings.output, settings.removed, settings.free_points, settings.report}));
+  app::require(checkOutput(target(settings.output)));
+  if (!settings.removed.empty())
+    app::require(checkOutput(target(settings.removed)));
+  if (!settings.free_points.empty())
+    app::require(app::checkCloudOutput(target(settings.free_points)));
+  if (!settings.report.empty())
+    app::require(app::OutputFile::check(settings.report));
 }
 
-app::Status
+void
 readInput(const app::DamageSettings& settings, app::Model& model)
 {
-  const app::Status status = app::readModel(settings.input, model);
-  if (!status.ok())
-    return status;
+  app::require(app::readModel(settings.input, model));
   const app::Target target = app::makeTarget(settings.output, settings.format);
   if (model.mesh.polygons.empty() && !app::holdsFreePoints(target))
-    return app::Status::error(app::nameForPeople(settings.output, "standard output") +
-                              " cannot hold points, and " +
-                              app::nameForPeople(settings.input) + " has no triangles");
+    throw app::Failure(app::nameForPeople(settings.output, "standard output") +
+                       " cannot hold points, and " +
+                       app::nameForPeople(settings.input) + " has no triangles");
   const auto points = app::readPositions(model.mesh.cloud);
   const auto finite =
       std::count_if(points.begin(), points.end(), [](const Eigen::Vector3f& point) {
         return point.allFinite();
       });
   if (finite < 3)
-    return app::Status::error(app::nameForPeople(settings.input) + " has only " +
-                              std::to_string(finite) +
-                              " usable; at least three points are needed");
+    throw app::Failure(app::nameForPeople(settings.input) + " has only " +
+                       std::to_string(finite) +
+                       " usable; at least three points are needed");
   for (const std::string& output : {settings.output, settings.removed})
-    if (!output.empty()) {
-      const app::Status fits =
-          app::checkCoordinates(app::makeTarget(output, settings.format), model);
-      if (!fits.ok())
-        return fits;
-    }
+    if (!output.empty())
+      app::require(
+          app::checkCoordinates(app::makeTarget(output, settings.format), model));
   app::noteShift(model);
-  return {};
 }
 
 /** Without a name to tell the format, a cloud becomes PCD, which keeps most of it. */
@@ -282,7 +251,7 @@ describe(const app::DamageSettings& settings,
   return report;
 }
 
-app::Status
+void
 writeFiles(const app::DamageSettings& settings,
            const app::Damage& damage,
            const std::vector<app::DamagePart>& parts,
@@ -298,7 +267,7 @@ writeFiles(const app::DamageSettings& settings,
   if (!settings.report.empty())
     app::writeReport(describe(settings, damage, model, result),
                      files.addElsewhere(settings.report));
-  return files.commit();
+  app::require(files.commit());
 }
 
 std::ostream&
@@ -320,30 +289,21 @@ sumUp(const app::DamageSettings& settings,
 }
 
 app::Outcome
-damageModel(const app::Arguments& arguments)
+damageModel(app::DamageSettings& settings)
 {
-  app::DamageSettings settings;
   app::Model model;
   app::Damage damage;
-  app::Status status = takeSettings(arguments, settings);
-  if (status.ok())
-    status = checkFiles(settings);
-  if (status.ok())
-    status = readInput(settings, model);
+  checkFiles(settings);
+  readInput(settings, model);
   settings.shift = model.shift;
   app::RandomNumbers random(settings.seed);
   app::Stopwatch watch;
-  if (status.ok())
-    status = app::planDamage(settings, model.mesh, random, damage);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  app::require(app::planDamage(settings, model.mesh, random, damage));
   const auto parts = app::makeParts(settings, damage, random, model.mesh);
   Result result = judge(damage, watch.lap());
   if (app::interrupted())
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  status = writeFiles(settings, damage, parts, result, model);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  writeFiles(settings, damage, parts, result, model);
   if (!settings.quiet)
     sumUp(settings, damage, result);
   result.outcome.notes = model.warnings;
@@ -358,5 +318,8 @@ damageModel(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(makeCommandLine(), argc, argv, damageModel);
+  app::DamageSettings settings;
+  app::CommandLine line(usage(), settings.quiet);
+  addOptions(line, settings);
+  return app::runApp(line, argc, argv, [&] { return damageModel(settings); });
 }

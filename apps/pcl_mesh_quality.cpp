@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that tells all there is to know about a mesh.
 #include "cli/cli.h"
+#include "cli/file_names.h"
 #include "cli/progress.h"
 #include "cli/run_facts.h"
 #include "io/model_io.h"
@@ -15,8 +16,6 @@
 #include <ostream>
 
 namespace {
-
-namespace po = boost::program_options;
 
 app::Usage
 usage()
@@ -39,48 +38,30 @@ MESH   )" +
   return usage;
 }
 
-app::CommandLine
-makeCommandLine()
-{
-  app::CommandLine line(usage());
-  auto add = line.addOptions();
-  add("report",
-      po::value<std::string>(),
-      "write the facts to this JSON file, or to standard output (-)");
-  add("no-self-intersections",
-      "do not look for triangles that cross each other, which takes longest");
-  add("threads",
-      po::value<long long>()->default_value(0),
-      "number of threads, 0 = all");
-  line.addPositional("MESH");
-  return line;
-}
-
 struct Settings {
   std::string mesh;
   std::string report;
-  pcl::ccaa::MeshFactsOptions options;
+  bool self_intersections = true;
+  unsigned int threads = 0;
   bool quiet = false;
 };
 
-app::Status
-takeSettings(const app::Arguments& arguments, Settings& settings)
+void
+addOptions(app::CommandLine& line, Settings& settings)
 {
-  settings.mesh = app::takeText(arguments, "MESH");
-  settings.report = app::takeText(arguments, "report");
-  settings.quiet = arguments.count("quiet") != 0;
-  settings.options.self_intersections = arguments.count("no-self-intersections") == 0;
-  unsigned int threads = 0;
-  app::Status status = app::takeCount(arguments, "threads", 0, 1024, threads);
-  settings.options.threads = pcl::ccaa::resolveThreads(threads);
-  if (status.ok())
-    status = app::checkDifferentFiles({settings.mesh}, {settings.report});
-  if (status.ok() && !settings.report.empty())
-    status = app::OutputFile::check(settings.report);
-  return status;
+  app::OptionGroup& options = line.options();
+  options.text("report",
+               settings.report,
+               "write the facts to this JSON file, or to standard output (-)");
+  options.flag("no-self-intersections",
+               settings.self_intersections,
+               "do not look for triangles that cross each other, which takes longest",
+               false);
+  options.count("threads", settings.threads, 0, 1024, "number of threads, 0 = all");
+  line.positional("MESH", settings.mesh);
 }
 
-app::Status
+void
 saveReport(const Settings& settings,
            const pcl::ccaa::MeshFacts& facts,
            double seconds,
@@ -98,11 +79,9 @@ saveReport(const Settings& settings,
   report["polygons"] = model.mesh.polygons.size();
   report["warnings"] = model.warnings;
   app::OutputFile file;
-  const app::Status status = file.open(settings.report);
-  if (!status.ok())
-    return status;
+  app::require(file.open(settings.report));
   app::writeReport(report, file);
-  return file.commit();
+  app::require(file.commit());
 }
 
 app::SurfaceFacts
@@ -120,36 +99,35 @@ surfaceFacts(const pcl::ccaa::MeshFacts& mesh)
 }
 
 app::Outcome
-measure(const app::Arguments& arguments)
+measure(const Settings& settings)
 {
-  Settings settings;
+  app::require(app::checkDifferentFiles({settings.mesh}, {settings.report}));
+  if (!settings.report.empty())
+    app::require(app::OutputFile::check(settings.report));
   app::Model model;
-  app::Status status = takeSettings(arguments, settings);
-  if (status.ok())
-    status = app::readMesh(settings.mesh, model);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  app::require(app::readMesh(settings.mesh, model));
   app::noteShift(model);
   app::ProgressBar bar(settings.quiet);
   pcl::ccaa::RunControl control(bar.callback());
+  pcl::ccaa::MeshFactsOptions options;
+  options.self_intersections = settings.self_intersections;
+  options.threads = pcl::ccaa::resolveThreads(settings.threads);
   app::Stopwatch watch;
   const pcl::ccaa::MeshFacts facts = pcl::ccaa::measureMesh(
       pcl::ccaa::fanTriangles(model.mesh.polygons),
       pcl::ccaa::positionView(model.mesh.cloud).relativeTo(model.shift.offset()),
-      settings.options,
+      options,
       control);
   if (facts.cancelled)
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
   const double seconds = watch.lap();
   if (!settings.report.empty())
-    status = saveReport(settings, facts, seconds, model);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+    saveReport(settings, facts, seconds, model);
   bar.clear();
   std::ostream& people = app::peopleStream({settings.report});
   if (!settings.quiet)
-    people << (app::isStandardStream(settings.mesh) ? "standard input" : settings.mesh)
-           << ": " << app::summarizeFacts(facts) << '\n'
+    people << app::summaryName(settings.mesh, "standard input") << ": "
+           << app::summarizeFacts(facts) << '\n'
            << app::tabulateFacts(facts);
   return {
       app::DONE, "", model.warnings, {app::tellSurface(surfaceFacts(facts)), &people}};
@@ -160,5 +138,8 @@ measure(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(makeCommandLine(), argc, argv, measure);
+  Settings settings;
+  app::CommandLine line(usage(), settings.quiet);
+  addOptions(line, settings);
+  return app::runApp(line, argc, argv, [&] { return measure(settings); });
 }

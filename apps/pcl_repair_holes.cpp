@@ -2,17 +2,12 @@
 // Part of PclSurfaceRepair: program that repairs an incomplete model, or shows what it
 // lacks.
 #include "cli/batch.h"
-#include "cli/cli.h"
-#include "cli/progress.h"
 #include "cli/repair_options.h"
 #include "cli/repair_run.h"
 #include "cli/run_facts.h"
-#include "cli/side_options.h"
 #include "inspect/bridge_layer.h"
 #include "inspect/inspection_files.h"
-#include "io/decisions_file.h"
 #include "io/mesh_writers.h"
-#include "io/model_io.h"
 #include "io/overwriting.h"
 #include "io/position_check.h"
 #include "render/display.h"
@@ -23,15 +18,11 @@
 #include "report/hole_report.h"
 #include "report/repair_report.h"
 #include "report/verdict.h"
-#include "run/threads.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>
 
 namespace {
-
-/** Points of the slice through the field along its longer side. */
-constexpr std::size_t SLICE_COLUMNS = 400;
 
 /** \brief What was found and done, in all the forms it is handed out. */
 struct Result {
@@ -45,103 +36,85 @@ struct Result {
   app::Warnings warnings;
 };
 
-app::CommandLine
-makeCommandLine()
-{
-  app::CommandLine line(app::repairUsage());
-  app::addRepairOptions(line);
-  app::addViewOptions(line, "1600x900");
-  return line;
-}
-
 /** All that can be known to fail before the work begins. */
-app::Status
+void
 checkFiles(const app::RepairSettings& settings)
 {
+  const app::FileNames& names = settings.files;
+  const std::string decisions = settings.dry_run ? settings.decisions : "";
   std::vector<std::string> files{
-      settings.output, settings.bridges, settings.report, settings.inspect};
-  if (settings.dry_run)
-    files.push_back(settings.decisions);
+      names.output, settings.bridges, names.report, settings.inspect, decisions};
   if (!settings.inspect.empty())
     for (const std::string& name : app::inspectionNames())
       files.push_back(settings.inspect + "/" + name);
-  app::Status status =
-      app::checkDifferentFiles({settings.input, settings.free_points}, files);
+  app::require(app::checkDifferentFiles({names.input(), settings.free_points}, files));
   for (const std::string& file : files)
-    if (status.ok())
-      status = app::checkReplaceable(file);
-  if (status.ok() && !settings.output.empty())
-    status = app::checkMeshOutput(settings.target());
-  if (status.ok() && !settings.bridges.empty())
-    status = app::OutputFile::check(settings.bridges);
-  if (status.ok() && settings.dry_run && !settings.decisions.empty())
-    status = app::OutputFile::check(settings.decisions);
-  if (status.ok() && !settings.inspect.empty())
-    status = app::OutputFolder::check(settings.inspect);
-  if (status.ok() && !settings.report.empty() &&
-      !app::OutputFolder::bringsAlong(settings.inspect, settings.report))
-    status = app::OutputFile::check(settings.report);
-  return status;
+    app::require(app::checkReplaceable(file));
+  if (!names.output.empty())
+    app::require(app::checkMeshOutput(names.target()));
+  for (const std::string& file : {settings.bridges, decisions})
+    if (!file.empty())
+      app::require(app::OutputFile::check(file));
+  if (!settings.inspect.empty())
+    app::require(app::OutputFolder::check(settings.inspect));
+  if (!names.report.empty() &&
+      !app::OutputFolder::bringsAlong(settings.inspect, names.report))
+    app::require(app::OutputFile::check(names.report));
 }
 
-app::Status
+void
 readInput(const app::RepairSettings& settings, Result& result)
 {
-  app::Status status = app::readMesh(settings.input, result.model);
-  if (status.ok() && !settings.free_points.empty())
-    status = app::readCloud(settings.free_points, result.free_points);
-  if (status.ok() && settings.repairs())
-    status = app::checkCoordinates(settings.target(), result.model);
+  app::require(app::readMesh(settings.files.input(), result.model));
+  if (!settings.free_points.empty())
+    app::require(app::readCloud(settings.free_points, result.free_points));
+  if (settings.repairs())
+    app::require(app::checkCoordinates(settings.files.target(), result.model));
   app::noteShift(result.model);
   result.warnings = result.model.warnings;
   for (const std::string& warning : result.free_points.warnings)
     result.warnings.push_back("free points: " + warning);
-  return status;
 }
 
-const pcl::PCLPointCloud2*
-freePoints(const app::RepairSettings& settings, const Result& result)
+app::RepairTask
+taskOf(const app::RepairSettings& settings, const Result& result)
 {
-  return settings.free_points.empty() ? nullptr : &result.free_points.mesh.cloud;
+  return {settings.method,
+          settings.free_points.empty() ? nullptr : &result.free_points.mesh.cloud,
+          settings.threads};
+}
+
+[[noreturn]] void
+failAbout(const app::RepairSettings& settings, const std::string& problem)
+{
+  throw app::Failure(app::nameForPeople(settings.files.input()) + ": " + problem);
 }
 
 /** \brief Find all that can be told about the model. */
-app::Status
+void
 survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
 {
-  pcl::repair::SurveyParameters parameters = settings.surveyParameters();
-  pcl::ccaa::SideHints& sides = parameters.orientation.sides;
-  sides = app::sidesOf(sides, result.model.viewpoint);
-  pcl::ccaa::RunControl control(bar.callback());
-  pcl::ccaa::LoopContext context;
-  context.threads = pcl::ccaa::resolveThreads(settings.threads);
-  context.control = &control;
-  result.survey =
-      surveyModel(pcl::make_shared<const pcl::PolygonMesh>(result.model.mesh),
-                  freePoints(settings, result),
-                  parameters,
-                  context);
-  const std::string& problem = result.survey.reading.problem;
-  if (!problem.empty())
-    return app::Status::error(app::nameForPeople(settings.input) + ": " + problem);
-  if (!result.survey.cancelled && !settings.inspect.empty())
-    result.slice =
-        sliceField(result.survey, settings.method.survey.field, SLICE_COLUMNS, context);
-  return {};
+  app::RepairTask task = taskOf(settings, result);
+  task.method.survey = settings.surveyParameters();
+  result.survey = app::surveyMesh(task,
+                                  result.model.viewpoint,
+                                  bar,
+                                  result.model.mesh,
+                                  settings.inspect.empty() ? nullptr : &result.slice);
+  if (!result.survey.reading.problem.empty())
+    failAbout(settings, result.survey.reading.problem);
 }
 
-app::Status
+void
 repair(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
 {
-  const app::Status status =
-      app::repairMesh({settings.method, freePoints(settings, result), settings.threads},
-                      result.model.viewpoint,
-                      bar,
-                      result.model.mesh,
-                      result.repair);
-  return status.ok() ? status
-                     : app::Status::error(app::nameForPeople(settings.input) + ": " +
-                                          status.message());
+  const app::Status status = app::repairMesh(taskOf(settings, result),
+                                             result.model.viewpoint,
+                                             bar,
+                                             result.model.mesh,
+                                             result.repair);
+  if (!status.ok())
+    failAbout(settings, status.message());
 }
 
 void
@@ -200,8 +173,8 @@ describe(const app::RepairSettings& settings,
     report["survey"] = app::describeSurvey(settings, result.survey, {});
   const double seconds = report[settings.repairs() ? "seconds" : "total_seconds"];
   app::addRunFacts({"pcl_repair_holes",
-                    settings.input,
-                    settings.repairs() ? settings.output : "",
+                    settings.files.input(),
+                    settings.repairs() ? settings.files.output : "",
                     outcome.code,
                     seconds,
                     result.model.remarks,
@@ -210,52 +183,57 @@ describe(const app::RepairSettings& settings,
   return report;
 }
 
+void
+writeBridges(const std::string& path, const Result& result, app::OutputFolder& folder)
+{
+  const pcl::GlobalShift& shift = result.model.shift;
+  auto layer = app::showBridges(result.repair.bridges, shift);
+  if (!shift.isNone())
+    shift.toGlobal(pcl::PCLPointCloud2(layer.cloud), layer.cloud);
+  app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(path));
+}
+
 /** \brief All files appear together or not at all. */
-app::Status
+void
 writeOutputs(const app::RepairSettings& settings,
              const app::Outcome& outcome,
              Result& result)
 {
+  const app::FileNames& files = settings.files;
   app::OutputFolder folder;
-  app::Status status;
-  if (!settings.inspect.empty())
-    status = folder.open(settings.inspect);
-  if (!status.ok())
-    return status;
-  if (!settings.inspect.empty())
+  if (!settings.inspect.empty()) {
+    app::require(folder.open(settings.inspect));
     writeInspection(result.layers, result.pictures, result.model.shift, folder);
+  }
   if (settings.repairs()) {
     app::FileExtras extras{{}, result.model.viewpoint, result.model.remarks};
     if (settings.labels)
       extras.properties.push_back(app::originProperty(result.repair));
-    app::writeMesh(settings.target(),
+    app::writeMesh(files.target(),
                    result.model.mesh,
                    extras,
-                   folder.addElsewhere(settings.output),
+                   folder.addElsewhere(files.output),
                    result.warnings);
   }
-  if (!settings.bridges.empty()) {
-    auto layer = app::showBridges(result.repair.bridges, result.model.shift);
-    if (!result.model.shift.isNone())
-      result.model.shift.toGlobal(pcl::PCLPointCloud2(layer.cloud), layer.cloud);
-    app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(settings.bridges));
-  }
+  if (!settings.bridges.empty())
+    writeBridges(settings.bridges, result, folder);
   if (settings.dry_run && !settings.decisions.empty())
-    app::writeDecisions(settings.input,
+    app::writeDecisions(files.input(),
                         proposeDecisions(result.survey, settings.method),
                         folder.addElsewhere(settings.decisions));
   // Of many inputs there is one report, at the end.
-  if (!settings.report.empty() && settings.output_folder.empty())
+  if (!files.report.empty() && !files.isBatch())
     app::writeReport(describe(settings, outcome, result),
-                     folder.addElsewhere(settings.report));
-  return folder.commit();
+                     folder.addElsewhere(files.report));
+  app::require(folder.commit());
 }
 
 std::ostream&
 peopleStreamOf(const app::RepairSettings& settings)
 {
-  return app::peopleStream(
-      {settings.output, settings.report, settings.dry_run ? settings.decisions : ""});
+  return app::peopleStream({settings.files.output,
+                            settings.files.report,
+                            settings.dry_run ? settings.decisions : ""});
 }
 
 void
@@ -267,7 +245,7 @@ sumUp(const app::RepairSettings& settings, const Result& result)
   if (settings.dry_run)
     people << app::tellPlan(settings, result.survey) << std::flush;
   if (settings.repairs())
-    people << app::summaryName(settings.output) << ": "
+    people << app::summaryName(settings.files.output) << ": "
            << app::summarizeRepair(result.repair) << std::endl;
 }
 
@@ -282,24 +260,23 @@ tellVerdict(const app::RepairSettings& settings, const Result& result)
 }
 
 /** \brief Everything up to the files. */
-app::Status
+void
 work(const app::RepairSettings& settings,
      const app::InspectionView& view,
      app::ProgressBar& bar,
      Result& result)
 {
   bar.show("reading", 0);
-  app::Status status = readInput(settings, result);
-  if (status.ok() && settings.surveys())
-    status = survey(settings, bar, result);
-  if (status.ok() && settings.repairs() && bar.show("repairing", 0))
-    status = repair(settings, bar, result);
-  if (status.ok() && !settings.inspect.empty() && bar.show("drawing", 0)) {
-    makeLayers(result);
-    if (settings.pictures)
-      drawPictures(view, result);
-  }
-  return status;
+  readInput(settings, result);
+  if (settings.surveys())
+    survey(settings, bar, result);
+  if (settings.repairs() && bar.show("repairing", 0))
+    repair(settings, bar, result);
+  if (settings.inspect.empty() || !bar.show("drawing", 0))
+    return;
+  makeLayers(result);
+  if (settings.pictures)
+    drawPictures(view, result);
 }
 
 /** \brief One input, from its file to all that is written. */
@@ -309,15 +286,11 @@ runOne(const app::RepairSettings& settings,
        Result& result)
 {
   app::ProgressBar bar(settings.quiet);
-  app::Status status = work(settings, view, bar, result);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  work(settings, view, bar, result);
   if (!bar.show("writing", 0))
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
   app::Outcome outcome = judge(settings, result);
-  status = writeOutputs(settings, outcome, result);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  writeOutputs(settings, outcome, result);
   bar.clear();
   if (!settings.quiet)
     sumUp(settings, result);
@@ -326,47 +299,26 @@ runOne(const app::RepairSettings& settings,
   return outcome;
 }
 
-/** \brief All inputs, with one report about them. */
 app::Outcome
-runMany(const app::RepairSettings& settings, const app::InspectionView& view)
+run(app::RepairSettings& settings, const app::InspectionView& view)
 {
-  const app::BatchSettings batch{"pcl_repair_holes",
-                                 settings.inputs,
-                                 settings.output_folder,
-                                 settings.report,
-                                 settings.format,
-                                 settings.quiet,
-                                 !settings.dry_run};
-  return app::runBatch(batch, [&](const app::BatchItem& item, nlohmann::json& report) {
-    app::RepairSettings one = settings;
-    one.input = item.input;
-    one.output = item.output;
-    Result result;
-    app::Outcome outcome = runOne(one, view, result);
-    if (outcome.code == app::DONE || outcome.code == app::INCOMPLETE)
-      report = describe(one, outcome, result);
-    return outcome;
-  });
-}
-
-app::Outcome
-run(const app::Arguments& arguments)
-{
-  app::RepairSettings settings;
-  app::InspectionView view;
-  app::Status status = app::takeRepairSettings(arguments, settings);
-  if (status.ok())
-    status = app::readView(arguments, view);
-  if (status.ok() && !settings.inputs.empty())
-    return runMany(settings, view);
-  if (status.ok())
-    status = checkFiles(settings);
-  if (status.ok())
-    status = app::takeDecisions(settings);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
   Result result;
-  return runOne(settings, view, result);
+  if (!settings.files.isBatch()) {
+    checkFiles(settings);
+    app::require(app::takeDecisions(settings));
+    return runOne(settings, view, result);
+  }
+  const auto work = [&](const app::FileNames& files, nlohmann::json& report) {
+    app::RepairSettings one = settings;
+    one.files = files;
+    Result its_result;
+    const app::Outcome outcome = runOne(one, view, its_result);
+    if (outcome.succeeded())
+      report = describe(one, outcome, its_result);
+    return outcome;
+  };
+  return app::runBatch(
+      {"pcl_repair_holes", settings.files, settings.quiet, !settings.dry_run}, work);
 }
 
 } // namespace
@@ -374,5 +326,10 @@ run(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(makeCommandLine(), argc, argv, run);
+  app::RepairSettings settings;
+  app::InspectionView view{1600, 900, {}, {}};
+  app::CommandLine line(app::repairUsage(), settings.quiet);
+  app::addRepairOptions(line, settings);
+  app::addViewOptions(line, view);
+  return app::runApp(line, argc, argv, [&] { return run(settings, view); });
 }

@@ -36,42 +36,37 @@ pictureName(std::size_t stage, const std::vector<app::Stage>& stages)
 }
 
 /** All that can be known to fail before the work begins. */
-app::Status
+void
 checkOutputs(const app::ViewerSettings& settings)
 {
   if (!settings.offScreen() && !app::hasDisplay())
-    return app::Status::error("no X display to open a window on: set DISPLAY, or use "
-                              "--screenshot FILE.png");
-  app::Status status = app::checkDifferentFiles(
-      {settings.task.input, settings.task.free_points}, {settings.screenshot});
-  if (status.ok() && !settings.screenshot.empty())
-    status = app::OutputFile::check(settings.screenshot);
-  if (status.ok() && !settings.folder.empty())
-    status = app::OutputFolder::check(settings.folder);
-  if (status.ok() && !settings.decisions.empty())
-    status = app::OutputFile::check(settings.decisions);
-  return status;
+    throw app::Failure("no X display to open a window on: set DISPLAY, or use "
+                       "--screenshot FILE.png");
+  app::require(app::checkDifferentFiles(
+      {settings.task.input, settings.task.free_points}, {settings.screenshot}));
+  for (const std::string& file : {settings.screenshot, settings.decisions})
+    if (!file.empty())
+      app::require(app::OutputFile::check(file));
+  if (!settings.folder.empty())
+    app::require(app::OutputFolder::check(settings.folder));
 }
 
 /** A stage that this input does not have is told before the long work. */
-app::Status
+void
 checkStage(const app::ViewerSettings& settings, bool from_cloud)
 {
   const auto& names = app::stageNames();
+  const std::string name = "'" + settings.task.input + "'";
   const bool of_mesh = settings.stage == names.back();
   const bool of_cloud =
       std::find(names.begin(), names.begin() + 4, settings.stage) != names.begin() + 4;
   if (from_cloud && of_mesh)
-    return app::Status::error("'" + settings.task.input +
-                              "' is a cloud; it has no stage 'mesh' (try base)");
+    throw app::Failure(name + " is a cloud; it has no stage 'mesh' (try base)");
   if (from_cloud && !settings.decisions.empty())
-    return app::Status::error("'" + settings.task.input +
-                              "' is a cloud; --decisions are about a mesh");
+    throw app::Failure(name + " is a cloud; --decisions are about a mesh");
   if (!from_cloud && of_cloud)
-    return app::Status::error("'" + settings.task.input +
-                              "' is a mesh; it has no stage '" + settings.stage +
-                              "' (try mesh, or --points-only)");
-  return {};
+    throw app::Failure(name + " is a mesh; it has no stage '" + settings.stage +
+                       "' (try mesh, or --points-only)");
 }
 
 app::StageCamera
@@ -122,35 +117,36 @@ chosenStage(const app::ViewerSettings& settings,
   return otherwise;
 }
 
-/** Pictures of the stages appear together or not at all: not after a signal either,
- * which \a stopped tells. */
-app::Status
-writePictures(const app::ViewerSettings& settings, app::StageView& view, bool& stopped)
+/** Pictures of the stages appear together or not at all: not after a signal either.
+ * \return whether one came */
+bool
+writePictures(const app::ViewerSettings& settings, app::StageView& view)
 {
   const auto& stages = view.stages();
   const app::Display display;
   if (!display.ready())
-    return app::Status::error("no X display to draw with: set DISPLAY or install Xvfb");
+    throw app::Failure("no X display to draw with: set DISPLAY or install Xvfb");
   app::Painter painter(settings.view.width, settings.view.height);
   app::OutputFolder folder;
-  app::Status status;
   const auto draw = [&](std::size_t stage, app::OutputFile& file) {
     const std::string bytes =
         drawStage(view, stage, settings.view.width, settings.view.height, painter);
     if (bytes.empty())
-      status = app::Status::error("the picture could not be drawn");
+      throw app::Failure("the picture could not be drawn");
     file.text(bytes);
   };
   if (!settings.folder.empty())
-    status = folder.open(settings.folder);
-  if (status.ok() && !settings.screenshot.empty())
+    app::require(folder.open(settings.folder));
+  if (!settings.screenshot.empty())
     draw(chosenStage(settings, stages, stages.size() - 1),
          folder.addElsewhere(settings.screenshot));
   const std::size_t pictures = settings.folder.empty() ? 0 : stages.size();
-  for (std::size_t i = 0; status.ok() && !app::interrupted() && i < pictures; ++i)
+  for (std::size_t i = 0; !app::interrupted() && i < pictures; ++i)
     draw(i, folder.add(pictureName(i, stages)));
-  stopped = app::interrupted();
-  return status.ok() && !stopped ? folder.commit() : status;
+  if (app::interrupted())
+    return true;
+  app::require(folder.commit());
+  return false;
 }
 
 /** The picture goes beside no earlier one of the same name. */
@@ -239,27 +235,18 @@ tellVerdict(const app::ViewerRun& run)
 }
 
 app::Outcome
-run(const app::Arguments& arguments)
+run(app::ViewerSettings& settings)
 {
-  app::ViewerSettings settings;
   app::ViewerRun run;
-  app::Status status = app::takeViewerSettings(arguments, settings);
-  if (status.ok())
-    status = checkOutputs(settings);
-  if (status.ok())
-    status = app::readDecisionsIfAny(settings.decisions,
-                                     settings.task.method.survey.decisions);
+  checkOutputs(settings);
+  app::require(app::readDecisionsIfAny(settings.decisions,
+                                       settings.task.method.survey.decisions));
   settings.task.repairs = needsRepair(settings);
   app::ProgressBar bar(settings.quiet);
   bar.show("reading", 0);
-  if (status.ok())
-    status = readForViewer(settings.task, run);
-  if (status.ok())
-    status = checkStage(settings, run.from_cloud);
-  if (status.ok())
-    status = runForViewer(settings.task, bar, run);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
+  app::require(readForViewer(settings.task, run));
+  checkStage(settings, run.from_cloud);
+  app::require(runForViewer(settings.task, bar, run));
   if (!bar.show("drawing", 0))
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
   app::StageView view = makeView(settings, run);
@@ -267,12 +254,7 @@ run(const app::Arguments& arguments)
   sumUp(settings, run);
   if (!settings.offScreen() && showWindow(settings, run, view))
     return {app::INTERRUPTED, "stopped by a signal", {}};
-  bool stopped = false;
-  if (settings.offScreen())
-    status = writePictures(settings, view, stopped);
-  if (!status.ok())
-    return app::Outcome::badInput(status);
-  if (stopped)
+  if (settings.offScreen() && writePictures(settings, view))
     return {app::INTERRUPTED, app::stopped_by_signal, {}};
   return {app::DONE, "", run.input.warnings, {tellVerdict(run), &std::cout}};
 }
@@ -282,5 +264,8 @@ run(const app::Arguments& arguments)
 int
 main(int argc, char** argv)
 {
-  return app::runApp(app::makeViewerCommandLine(), argc, argv, run);
+  app::ViewerSettings settings;
+  app::CommandLine line(app::viewerUsage(), settings.quiet);
+  app::addViewerOptions(line, settings);
+  return app::runApp(line, argc, argv, [&] { return run(settings); });
 }

@@ -6,6 +6,7 @@
 #include "io/output_folder.h"
 #include "io/overwriting.h"
 #include "io/wording.h"
+#include "run_facts.h"
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -17,142 +18,109 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string
-outputFor(const BatchSettings& settings, const std::string& input)
-{
-  const std::string name = fs::path(input).stem().string() + endingOf(settings.format);
-  return (fs::path(settings.folder) / name).string();
-}
-
-/** How bad an outcome is; the codes themselves are not in that order. */
-int
-badness(ExitCode code)
-{
-  switch (code) {
-  case DONE:
-    return 0;
-  case INCOMPLETE:
-    return 1;
-  case BAD_INPUT:
-    return 2;
-  case INTERRUPTED:
-    break;
-  }
-  return 3;
-}
-
 /** \brief Counts outcomes. */
 struct Totals {
-  std::size_t done = 0;
-  std::size_t incomplete = 0;
-  std::size_t failed = 0;
-  ExitCode worst = app::DONE;
+  std::map<ExitCode, std::size_t> counts;
 
-  void
-  add(ExitCode code)
+  /** Of what came up the worst, which is not the greatest code. */
+  ExitCode
+  worst() const
   {
-    done += code == DONE ? 1 : 0;
-    incomplete += code == INCOMPLETE ? 1 : 0;
-    failed += code == BAD_INPUT ? 1 : 0;
-    if (badness(code) > badness(worst))
-      worst = code;
+    for (const ExitCode code : {BAD_INPUT, INCOMPLETE})
+      if (counts.count(code) != 0)
+        return code;
+    return DONE;
   }
 
   std::string
-  text(std::size_t inputs) const
+  text(std::size_t inputs)
   {
-    return plural(inputs, "input") + ": " + std::to_string(done) + " done, " +
-           std::to_string(incomplete) + " with something left undone, " +
-           std::to_string(failed) + " failed";
+    return plural(inputs, "input") + ": " + std::to_string(counts[DONE]) + " done, " +
+           std::to_string(counts[INCOMPLETE]) + " with something left undone, " +
+           std::to_string(counts[BAD_INPUT]) + " failed";
   }
 };
 
-Status
-writeBatchReport(const BatchSettings& settings,
-                 const Totals& totals,
-                 double seconds,
-                 json files)
+void
+writeBatchReport(const Batch& batch, ExitCode code, double seconds, json files)
 {
-  if (settings.report.empty())
-    return {};
-  json report = {{"program", settings.program},
-                 {"version", version()},
-                 {"output", settings.folder},
-                 {"exit_code", totals.worst},
-                 {"complete", totals.worst == DONE},
-                 {"seconds", seconds},
-                 {"files", std::move(files)}};
+  if (batch.files.report.empty())
+    return;
+  const json report = {{"program", batch.program},
+                       {"version", version()},
+                       {"output", batch.files.folder},
+                       {"exit_code", code},
+                       {"complete", code == DONE},
+                       {"seconds", seconds},
+                       {"files", std::move(files)}};
   OutputFile file;
-  const Status status = file.open(settings.report);
-  if (!status.ok())
-    return status;
+  require(file.open(batch.files.report));
   writeReport(report, file);
-  return file.commit();
+  require(file.commit());
 }
 
 /** The report of an input, whatever became of it. */
 json
-finished(const BatchSettings& settings,
-         const BatchItem& item,
+finished(const Batch& batch,
+         const std::string& input,
          const Outcome& outcome,
          json report)
 {
   if (outcome.code == BAD_INPUT || report.is_null()) {
     report = json::object();
-    addRunFacts({settings.program, item.input, "", outcome.code, 0, {}}, report);
+    addRunFacts({batch.program, input, "", outcome.code, 0, {}}, report);
   }
   if (outcome.code != DONE)
     report["reason"] = outcome.reason;
   return report;
 }
 
-/** The outputs, when all of them can be written. */
-Status
-planBatch(const BatchSettings& settings, std::vector<BatchItem>& items)
+/** The names of each input and its output, when all of these can be written. */
+std::vector<FileNames>
+planBatch(const Batch& batch)
 {
+  const FileNames& all = batch.files;
   std::map<std::string, std::string> input_of;
-  std::vector<std::string> outputs{settings.report};
-  for (const std::string& input : settings.inputs) {
+  std::vector<FileNames> items;
+  std::vector<std::string> outputs{all.report};
+  for (const std::string& input : all.inputs) {
     if (isStandardStream(input))
-      return Status::error("standard input ('-') has no name to give to an output in a "
-                           "folder");
-    const std::string output = outputFor(settings, input);
+      throw Failure(
+          "standard input ('-') has no name to give to an output in a folder");
+    const fs::path name = fs::path(input).stem().string() + endingOf(all.format);
+    const std::string output = (fs::path(all.folder) / name).string();
     const auto [other, is_new] = input_of.emplace(output, input);
     if (!is_new)
-      return Status::error("'" + other->second + "' and '" + input +
-                           "' would both become '" + output + "'");
-    items.push_back({input, output});
+      throw Failure("'" + other->second + "' and '" + input + "' would both become '" +
+                    output + "'");
+    items.push_back({{input}, output, all.folder, all.report, all.format});
     outputs.push_back(output);
   }
-  Status status = checkDifferentFiles(settings.inputs, outputs);
-  for (const BatchItem& item : items)
-    if (status.ok())
-      status = checkReplaceable(item.output);
-  if (status.ok() && settings.writes)
-    status = OutputFolder::check(settings.folder);
-  if (status.ok() && !settings.report.empty() &&
-      !(settings.writes && OutputFolder::bringsAlong(settings.folder, settings.report)))
-    status = OutputFile::check(settings.report);
-  return status;
+  require(checkDifferentFiles(all.inputs, outputs));
+  for (const FileNames& item : items)
+    require(checkReplaceable(item.output));
+  if (batch.writes)
+    require(OutputFolder::check(all.folder));
+  if (!all.report.empty() &&
+      !(batch.writes && OutputFolder::bringsAlong(all.folder, all.report)))
+    require(OutputFile::check(all.report));
+  return items;
 }
 
 } // namespace
 
 Outcome
-runBatch(const BatchSettings& settings, const BatchWork& work)
+runBatch(const Batch& batch, const BatchWork& work)
 {
-  std::vector<BatchItem> items;
-  Status status = planBatch(settings, items);
+  const std::vector<FileNames> items = planBatch(batch);
   // Takes the folder away again if no output came to lie in it.
   OutputFolder folder;
-  if (status.ok() && settings.writes)
-    status = folder.open(settings.folder);
-  if (!status.ok())
-    return Outcome::badInput(status);
+  if (batch.writes)
+    require(folder.open(batch.files.folder));
   Stopwatch watch;
   Totals totals;
   json files = json::array();
-  for (const BatchItem& item : items) {
+  for (const FileNames& item : items) {
     json report;
     const Outcome outcome = runGuarded([&] { return work(item, report); });
     if (interrupted() || outcome.code == INTERRUPTED)
@@ -160,18 +128,16 @@ runBatch(const BatchSettings& settings, const BatchWork& work)
               "stopped by a signal; of " + plural(items.size(), "input") + " " +
                   std::to_string(files.size()) + " had been worked on to the end",
               {}};
-    const bool names_input = outcome.reason.find(item.input) != std::string::npos;
-    tellOutcome(settings.program + (names_input ? "" : ": " + item.input),
-                outcome,
-                settings.quiet);
-    totals.add(outcome.code);
-    files.push_back(finished(settings, item, outcome, std::move(report)));
+    const bool names_input = outcome.reason.find(item.input()) != std::string::npos;
+    tellOutcome(
+        batch.program + (names_input ? "" : ": " + item.input()), outcome, batch.quiet);
+    ++totals.counts[outcome.code];
+    files.push_back(finished(batch, item.input(), outcome, std::move(report)));
   }
-  status = writeBatchReport(settings, totals, watch.lap(), std::move(files));
-  if (!status.ok())
-    return Outcome::badInput(status);
+  const ExitCode code = totals.worst();
+  writeBatchReport(batch, code, watch.lap(), std::move(files));
   const std::string text = totals.text(items.size());
-  return {totals.worst, text, {}, {text, &peopleStream({settings.report})}};
+  return {code, text, {}, {text, &peopleStream({batch.files.report})}};
 }
 
 } // namespace app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the command line and the course of every app.
+// Part of PclSurfaceRepair: the course of every app.
 #include "cli.h"
 
 #include <pcl/console/print.h>
@@ -22,8 +22,6 @@
 
 namespace app {
 namespace {
-
-namespace po = boost::program_options;
 
 /** File names and file contents in a message must not break its one line. */
 std::string
@@ -64,20 +62,13 @@ answer(const std::string& program, const std::string& text)
   return BAD_INPUT;
 }
 
-template <typename T>
-Status
-takeBetween(
-    const Arguments& arguments, const std::string& name, T lowest, T highest, T& value)
+/** The last line of a run that came to its end. */
+void
+tellVerdict(const Outcome& outcome)
 {
-  if (arguments.count(name) == 0)
-    return {};
-  value = arguments[name].as<T>();
-  if (value >= lowest && value <= highest)
-    return {};
-  std::ostringstream text;
-  text << "--" << name << " must be from " << lowest << " to " << highest << ", not "
-       << value;
-  return Status::error(text.str());
+  if (outcome.verdict.people != nullptr && !outcome.verdict.facts.empty())
+    *outcome.verdict.people << (outcome.code == DONE ? "complete: " : "incomplete: ")
+                            << onOneLine(outcome.verdict.facts) << std::endl;
 }
 
 Status
@@ -130,80 +121,6 @@ checkDifferentPaths(const std::vector<std::string>& paths)
 
 } // namespace
 
-CommandLine::CommandLine(Usage usage)
-: usage_(std::move(usage))
-, options_("Options", 88, 50)
-, method_options_("Options of the method, whose defaults fit nearly always", 88, 50)
-{
-  options_.add_options()("help,h", "print this text and stop")(
-      "version", "print the version and stop")(
-      "quiet,q", "print nothing but errors: no progress, no summary, no notes")(
-      "force",
-      "write over files that hold points without triangles and were not written by "
-      "these programs, such as scans; refused otherwise");
-}
-
-void
-CommandLine::addPositional(const std::string& name)
-{
-  addOptionalPositional(name);
-  required_.push_back(name);
-}
-
-void
-CommandLine::addMorePositionals(const std::string& name)
-{
-  hidden_.add_options()(name.c_str(), po::value<std::vector<std::string>>());
-  positional_.add(name.c_str(), -1);
-}
-
-void
-CommandLine::addOptionalPositional(const std::string& name)
-{
-  hidden_.add_options()(name.c_str(), po::value<std::string>());
-  positional_.add(name.c_str(), 1);
-}
-
-Status
-CommandLine::parse(int argc, const char* const* argv, Arguments& arguments) const
-{
-  try {
-    po::options_description all;
-    all.add(options_).add(method_options_).add(hidden_);
-    const int style =
-        po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-    po::command_line_parser parser(argc, argv);
-    po::store(parser.options(all).positional(positional_).style(style).run(),
-              arguments);
-  }
-  catch (const po::error& error) {
-    return Status::error(std::string(error.what()) + " (try --help)");
-  }
-  if (arguments.count("help") != 0 || arguments.count("version") != 0)
-    return {};
-  for (const std::string& name : required_)
-    if (arguments.count(name) == 0)
-      return Status::error(name + " is missing (try --help)");
-  return {};
-}
-
-std::string
-CommandLine::help() const
-{
-  std::ostringstream text;
-  text << "Usage: " << usage_.program << " " << usage_.synopsis << "\n\n"
-       << usage_.summary << "\n\n"
-       << options_ << "\n";
-  if (!method_options_.options().empty())
-    text << method_options_ << "\n";
-  text
-      << "Examples:\n"
-      << usage_.examples
-      << "\nExit codes: 0 done; 1 bad usage or bad input, nothing written; 2 done, but "
-         "something\nwas left undone (stderr says what); 130 stopped by Ctrl-C.\n";
-  return text.str();
-}
-
 Outcome
 runGuarded(const std::function<Outcome()>& work)
 {
@@ -221,105 +138,44 @@ runGuarded(const std::function<Outcome()>& work)
 void
 tellOutcome(const std::string& who, const Outcome& outcome, bool quiet)
 {
-  const bool succeeded = outcome.code == DONE || outcome.code == INCOMPLETE;
-  if (succeeded && !quiet)
+  if (outcome.succeeded() && !quiet)
     for (const std::string& note : outcome.notes)
       complain(who, "note: " + note);
   if (outcome.code != DONE)
     complain(who, outcome.reason);
 }
 
-namespace {
-
-/** The last line of a run that came to its end. */
-void
-tellVerdict(const Outcome& outcome)
-{
-  if (outcome.verdict.people != nullptr && !outcome.verdict.facts.empty())
-    *outcome.verdict.people << (outcome.code == DONE ? "complete: " : "incomplete: ")
-                            << onOneLine(outcome.verdict.facts) << std::endl;
-}
-
-} // namespace
-
 int
-runApp(const CommandLine& command_line,
+runApp(CommandLine& command_line,
        int argc,
        const char* const* argv,
-       const std::function<Outcome(const Arguments&)>& body)
+       const std::function<Outcome()>& body)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   installInterruptHandlers();
-  Arguments arguments;
-  const Status status = command_line.parse(argc, argv, arguments);
+  const std::string& program = command_line.program();
+  const Status status = command_line.parse(argc, argv);
   if (!status.ok()) {
-    complain(command_line.program(), status.message());
+    complain(program, status.message());
     return BAD_INPUT;
   }
-  if (arguments.count("help") != 0)
-    return answer(command_line.program(), command_line.help());
-  if (arguments.count("version") != 0)
-    return answer(command_line.program(),
-                  command_line.program() + " " + version() + "\n");
-  allowLosingClouds(arguments.count("force") != 0);
-  Outcome outcome = runGuarded([&] { return body(arguments); });
+  if (command_line.given("help"))
+    return answer(program, command_line.help());
+  if (command_line.given("version"))
+    return answer(program, program + " " + version() + "\n");
+  allowLosingClouds(command_line.given("force"));
+  Outcome outcome = runGuarded(body);
   if (interrupted() && outcome.code == BAD_INPUT)
     outcome = {INTERRUPTED, stopped_by_signal, {}};
-  const bool succeeded = outcome.code == DONE || outcome.code == INCOMPLETE;
-  const bool quiet = arguments.count("quiet") != 0;
-  tellOutcome(command_line.program(), outcome, quiet);
-  if (succeeded && !quiet)
+  const bool quiet = command_line.given("quiet");
+  tellOutcome(program, outcome, quiet);
+  if (outcome.succeeded() && !quiet)
     tellVerdict(outcome);
   // A reader that has seen enough of the summary (head) is no failure.
-  if (flushedStandardOutput() || errno == EPIPE || !succeeded)
+  if (flushedStandardOutput() || errno == EPIPE || !outcome.succeeded())
     return outcome.code;
-  complain(command_line.program(), "cannot write to standard output: " + lastError());
+  complain(program, "cannot write to standard output: " + lastError());
   return INCOMPLETE;
-}
-
-Status
-takeCount(const Arguments& arguments,
-          const std::string& name,
-          long long lowest,
-          long long highest,
-          unsigned int& value)
-{
-  long long number = value;
-  const Status status = takeBetween(arguments, name, lowest, highest, number);
-  if (status.ok())
-    value = static_cast<unsigned int>(number);
-  return status;
-}
-
-Status
-takeReal(const Arguments& arguments,
-         const std::string& name,
-         double lowest,
-         double highest,
-         double& value)
-{
-  return takeBetween(arguments, name, lowest, highest, value);
-}
-
-po::typed_value<double>*
-realValue(double default_value)
-{
-  std::ostringstream text;
-  text << default_value;
-  return po::value<double>()->default_value(default_value, text.str());
-}
-
-std::string
-takeText(const Arguments& arguments, const std::string& name)
-{
-  return arguments.count(name) == 0 ? "" : arguments[name].as<std::string>();
-}
-
-std::vector<std::string>
-takeTexts(const Arguments& arguments, const std::string& name)
-{
-  return arguments.count(name) == 0 ? std::vector<std::string>()
-                                    : arguments[name].as<std::vector<std::string>>();
 }
 
 std::ostream&

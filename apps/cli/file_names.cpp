@@ -3,76 +3,106 @@
 // output.
 #include "file_names.h"
 
-#include "io/model_io.h"
-
 namespace app {
 namespace {
 
 constexpr const char* further_names = "MORE";
 
-/** Given, and then not empty. */
 Status
-takeName(const Arguments& arguments, const std::string& option, std::string& name)
+sortNames(const FileRules& rules, FileNames& names)
 {
-  name = takeText(arguments, option);
-  return arguments.count(option) != 0 && name.empty()
-             ? Status::error("--" + option + " needs a name")
-             : Status();
-}
-
-std::vector<std::string>
-namesWithoutDash(const Arguments& arguments, const FileRules& rules)
-{
-  std::vector<std::string> names{takeText(arguments, rules.input)};
-  if (arguments.count(rules.output) != 0)
-    names.push_back(takeText(arguments, rules.output));
-  for (const std::string& name : takeTexts(arguments, further_names))
-    names.push_back(name);
-  return names;
-}
-
-} // namespace
-
-void
-addFileNames(CommandLine& command_line,
-             const std::string& input,
-             const std::string& output)
-{
-  using boost::program_options::value;
-  const std::string to_file = "write the mesh to this file (" +
-                              std::string(mesh_output_endings) +
-                              "); all names without a dash are inputs then";
-  command_line.addOptions()("output,o", value<std::string>(), to_file.c_str())(
-      "output-folder",
-      value<std::string>(),
-      "write NAME.ply to this folder (made if missing) for each of any number of "
-      "inputs; --format chooses another ending");
-  command_line.addPositional(input);
-  command_line.addOptionalPositional(output);
-  command_line.addMorePositionals(further_names);
-}
-
-Status
-takeFileNames(const Arguments& arguments, const FileRules& rules, FileNames& names)
-{
-  Status status = takeName(arguments, "output", names.output);
-  if (status.ok())
-    status = takeName(arguments, "output-folder", names.folder);
-  if (status.ok() && names.isBatch() && !names.output.empty())
-    status = Status::error("--output names one file, --output-folder a folder for one "
-                           "of each input; they do not go together");
-  if (!status.ok())
-    return status;
-  names.inputs = namesWithoutDash(arguments, rules);
+  if (names.isBatch() && !names.output.empty())
+    return Status::error("--output names one file, --output-folder a folder for one "
+                         "of each input; they do not go together");
+  const bool merges = rules.merges != nullptr && *rules.merges;
   const std::size_t count = names.inputs.size();
-  if (names.isBatch() || count == 1 || (rules.merges && !names.output.empty()))
+  if (names.isBatch() || count == 1 || (merges && !names.output.empty()))
     return {};
-  if (rules.merges || count > 2 || !names.output.empty())
+  if (merges || count > 2 || !names.output.empty())
     return Status::error(std::string("several inputs need ") + rules.remedy +
                          " (try --help)");
   names.output = names.inputs.back();
   names.inputs.pop_back();
   return {};
+}
+
+} // namespace
+
+Target
+FileNames::target() const
+{
+  return isBatch() && output.empty() ? Target("", format) : makeTarget(output, format);
+}
+
+void
+addFileNames(CommandLine& command_line, const FileRules& rules, FileNames& names)
+{
+  const std::string to_file = "write the mesh to this file (" +
+                              std::string(mesh_output_endings) +
+                              "); all names without a dash are inputs then";
+  OptionGroup& options = command_line.options();
+  options.name("output,o", names.output, to_file);
+  options.name("output-folder",
+               names.folder,
+               "write NAME.ply to this folder (made if missing) for each of any number "
+               "of inputs; --format chooses another ending");
+  command_line.positional(rules.input, names.inputs);
+  command_line.positional(rules.output, names.inputs, false);
+  command_line.morePositionals(further_names, names.inputs);
+  command_line.then([rules, &names] { return sortNames(rules, names); });
+}
+
+void
+addFormatOption(CommandLine& command_line,
+                const std::string& list,
+                FileFormat& format,
+                std::function<bool()> is_needed)
+{
+  command_line.options().parsed(
+      "format",
+      "format of an output whose name does not tell it: " + list,
+      [&format](const std::string& name) {
+        format = formatOfName(name);
+        return format != FileFormat::UNKNOWN
+                   ? Status()
+                   : Status::error("--format '" + name + "' is not known (try --help)");
+      });
+  command_line.then([&format, is_needed = std::move(is_needed)] {
+    return format == FileFormat::UNKNOWN || is_needed()
+               ? Status()
+               : Status::error(
+                     "--format is for outputs without an ending of their own; "
+                     "the ending of the output's name tells its format");
+  });
+}
+
+void
+addFormatOption(CommandLine& command_line, FileNames& names, const std::string& what)
+{
+  addFormatOption(command_line, "ply, vtk, obj, off or stl", names.format, [&names] {
+    return names.isBatch() || isStandardStream(names.output);
+  });
+  command_line.then([&names, what] {
+    if (names.isBatch() && names.format == FileFormat::UNKNOWN)
+      names.format = FileFormat::PLY;
+    return !names.isBatch() || isMeshOutput(names.target())
+               ? Status()
+               : Status::error("--format" + what +
+                               " must be one of ply, vtk, obj, off and stl");
+  });
+}
+
+Target
+makeTarget(const std::string& path, FileFormat format)
+{
+  return isStandardStream(path) && format != FileFormat::UNKNOWN ? Target(path, format)
+                                                                 : Target(path);
+}
+
+std::string
+summaryName(const std::string& path, const char* stream)
+{
+  return isStandardStream(path) ? stream : path;
 }
 
 } // namespace app

@@ -10,7 +10,6 @@
 #include "io/point_columns.h"
 #include "mesh/cloud_access.h"
 #include "repair_run.h"
-#include "side_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +141,20 @@ topologyOf(const std::vector<pcl::Vertices>& triangles,
   pcl::ccaa::TriangleAdjacency adjacency;
   adjacency.build(indexed, point_count, threads);
   return pcl::ccaa::topologyOf(indexed, adjacency);
+}
+
+/** Note from where the surface is seen, as far as the user has told it or the origin
+ * was taken for it: it goes into files with the rest. */
+void
+noteViewpoint(const pcl::ccaa::SideHints& told,
+              const pcl::ccaa::SideTally& tally,
+              Viewpoint& viewpoint)
+{
+  viewpoint.is_origin = tally[pcl::ccaa::OutwardRule::ORIGIN] > 0;
+  if (!told.told_viewpoint)
+    return;
+  viewpoint.known = true;
+  viewpoint.position = *told.told_viewpoint;
 }
 
 /** What the chain has guessed, the repair goes by. */

@@ -10,12 +10,13 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "file_names.h"
 #include "io/model.h"
 #include "mesh/surface_topology.h"
-#include "output_format.h"
 #include "progress.h"
 #include "run_facts.h"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,43 +26,41 @@ namespace app {
 
 /** \brief What the user asked pcl_ccaa_reconstruct for. */
 struct ReconstructSettings {
-  std::string input;               // the first one, of several
-  std::vector<std::string> inputs; // all of them
-  std::string output;
-  std::string output_folder; // of a run over many
-  std::string report;
+  FileNames files;
   bool merge = false; // all inputs are one cloud
   bool dry_run = false;
-  FileFormat format = FileFormat::UNKNOWN; // on standard output, if it was given
   std::string until = "base";
   std::string search = "fast";
   unsigned int threads = 0;
-  unsigned int neighbors = 0;
-  unsigned int minimum_internal_points = 0;
-  double minimum_angle = 0;           // degrees
-  double certified_minimum_angle = 0; // degrees
-  double length_factor = 0;           // local spacings
-  bool plain = false;                 // the thesis' rules alone
-  bool labels = false;                // as a face property
-  bool normals = false;               // as fields of the cloud
+  unsigned int neighbors = pcl::ccaa::GreedyParameters().neighbors;
+  std::size_t minimum_internal_points =
+      pcl::UmbrellaFilter().getMinimumInternalPoints();
+  double minimum_angle = degrees(pcl::ccaa::GreedyParameters().minimum_angle);
+  double certified_minimum_angle =
+      degrees(pcl::ccaa::GreedyParameters().certified_minimum_angle);
+  double length_factor = pcl::ccaa::GreedyParameters().length_factor; // local spacings
+  bool plain = false;   // the thesis' rules alone
+  bool labels = false;  // as a face property
+  bool normals = false; // as fields of the cloud
   bool measure_speedup = false;
   bool repair = false;                  // what the base stage left open
   pcl::repair::RepairParameters method; // of the repair
   bool quiet = false;
   pcl::ccaa::SideHints sides; // what the user tells about the outer side
 
+  /** \brief As people write them: hundredths will do. */
+  static double
+  degrees(double angle)
+  {
+    return std::round(angle * 18000 / M_PI) / 100;
+  }
+
   /** \brief The input or inputs, as messages have them. */
   std::string
   inputName() const
   {
-    return inputs.size() > 1 ? std::to_string(inputs.size()) + " clouds"
-                             : nameForPeople(input);
-  }
-
-  Target
-  target() const
-  {
-    return makeTarget(output, format);
+    return files.inputs.size() > 1 ? std::to_string(files.inputs.size()) + " clouds"
+                                   : nameForPeople(files.input());
   }
 
   bool

@@ -4,11 +4,49 @@
 
 #include <pcl/surface_repair/force_line_hole_repair.h>
 
-#include "side_options.h"
+#include "run/threads.h"
 
 #include <utility>
 
 namespace app {
+namespace {
+
+/** Points of the slice through the field along its longer side. */
+constexpr std::size_t SLICE_COLUMNS = 400;
+
+} // namespace
+
+pcl::ccaa::SideHints
+sidesOf(pcl::ccaa::SideHints told, const Viewpoint& viewpoint)
+{
+  if (viewpoint.known)
+    told.viewpoint = viewpoint.position;
+  told.try_origin = viewpoint.may_be_origin;
+  return told;
+}
+
+pcl::repair::ModelSurvey
+surveyMesh(const RepairTask& task,
+           const Viewpoint& viewpoint,
+           ProgressBar& bar,
+           const pcl::PolygonMesh& mesh,
+           pcl::repair::FieldSlice* slice)
+{
+  pcl::repair::SurveyParameters parameters = task.method.survey;
+  pcl::ccaa::SideHints& sides = parameters.orientation.sides;
+  sides = sidesOf(sides, viewpoint);
+  pcl::ccaa::RunControl control(bar.callback());
+  pcl::ccaa::LoopContext context;
+  context.threads = pcl::ccaa::resolveThreads(task.threads);
+  context.control = &control;
+  auto survey = surveyModel(pcl::make_shared<const pcl::PolygonMesh>(mesh),
+                            task.free_points,
+                            parameters,
+                            context);
+  if (slice != nullptr && survey.reading.problem.empty() && !survey.cancelled)
+    *slice = sliceField(survey, parameters.field, SLICE_COLUMNS, context);
+  return survey;
+}
 
 Status
 repairMesh(const RepairTask& task,

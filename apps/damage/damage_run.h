@@ -26,12 +26,12 @@ struct DamageSettings {
   unsigned int random_spheres = 0;
   unsigned int random_slabs = 0;
   unsigned int random_patches = 0;
-  double sphere_size = 0; // share of the diagonal
-  double slab_size = 0;   // share of the extent along the normal
-  double patch_size = 0;  // share of the points
-  double keep = 0;        // share of the removed points
-  double noise = 0;       // in mean spacings
-  unsigned int seed = 0;
+  double sphere_size = 0.05; // share of the diagonal
+  double slab_size = 0.05;   // share of the extent along the normal
+  double patch_size = 0.02;  // share of the points
+  double keep = 0;           // share of the removed points
+  double noise = 0;          // in mean spacings
+  unsigned int seed = 1;
   bool quiet = false;
 };
 

@@ -19,7 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using pcl::OpenReason;
-using pcl::repair::Cap;
 using pcl::repair::Decisions;
 using pcl::repair::JunctionDecision;
 using pcl::repair::LoopDecision;
@@ -29,17 +28,9 @@ constexpr const char* FORMAT = "decisions of pcl_repair_holes";
 constexpr const char* JOIN = "join";
 constexpr const char* DO_NOT_JOIN = "do not join";
 
-template <typename Value>
-struct Word {
-  const char* word;
-  Value value;
-};
-
 constexpr Word<LoopWish> WISHES[] = {{"close", LoopWish::CLOSE},
                                      {"leave open", LoopWish::LEAVE_OPEN},
                                      {"auto", LoopWish::AUTO}};
-constexpr Word<Cap> CAPS[] = {
-    {"auto", Cap::AUTO}, {"smooth", Cap::SMOOTH}, {"flat", Cap::FLAT}};
 
 template <typename Value, std::size_t Size>
 Json
@@ -52,31 +43,6 @@ allWords(const Word<Value> (&words)[Size])
 }
 
 template <typename Value, std::size_t Size>
-const char*
-wordFor(const Word<Value> (&words)[Size], Value value)
-{
-  for (const Word<Value>& word : words)
-    if (word.value == value)
-      return word.word;
-  return "";
-}
-
-/** \brief What a user may have written wrongly. */
-class NotUnderstood : public std::exception {
-public:
-  explicit NotUnderstood(std::string what) : what_(std::move(what)) {}
-
-  const char*
-  what() const noexcept override
-  {
-    return what_.c_str();
-  }
-
-private:
-  std::string what_;
-};
-
-template <typename Value, std::size_t Size>
 Value
 valueOf(const Word<Value> (&words)[Size], const Json& entry, const char* key)
 {
@@ -84,8 +50,8 @@ valueOf(const Word<Value> (&words)[Size], const Json& entry, const char* key)
   for (const Word<Value>& word : words)
     if (text == word.word)
       return word.value;
-  throw NotUnderstood("'" + text + "' is no " + key +
-                      " of a boundary loop; there are " + allWords(words).dump());
+  throw Failure("'" + text + "' is no " + key + " of a boundary loop; there are " +
+                allWords(words).dump());
 }
 
 const char*
@@ -145,15 +111,15 @@ takeJunction(const Json& entry, const std::map<std::size_t, std::size_t>& index_
   JunctionDecision junction;
   const std::string text = entry.at("decision").get<std::string>();
   if (text != JOIN && text != DO_NOT_JOIN)
-    throw NotUnderstood("'" + text + "' is no decision about a junction; there are \"" +
-                        JOIN + "\" and \"" + DO_NOT_JOIN + "\"");
+    throw Failure("'" + text + "' is no decision about a junction; there are \"" +
+                  JOIN + "\" and \"" + DO_NOT_JOIN + "\"");
   junction.join = text == JOIN;
   const auto loop = [&](std::size_t end) {
     const auto number = entry.at("loops").at(end).get<std::size_t>();
     const auto found = index_of.find(number);
     if (found == index_of.end())
-      throw NotUnderstood("a junction refers to loop " + std::to_string(number) +
-                          ", which is not listed");
+      throw Failure("a junction refers to loop " + std::to_string(number) +
+                    ", which is not listed");
     return found->second;
   };
   junction.first_loop = loop(0);
@@ -161,12 +127,12 @@ takeJunction(const Json& entry, const std::map<std::size_t, std::size_t>& index_
   return junction;
 }
 
-/** \brief Throws what nlohmann::json does, and NotUnderstood. */
+/** \brief Throws what nlohmann::json does, and Failure. */
 Decisions
 takeDecisions(const Json& document)
 {
   if (!document.is_object() || document.value("format", "") != FORMAT)
-    throw NotUnderstood("it is no file of decisions");
+    throw Failure("it is no file of decisions");
   Decisions decisions;
   const Json& mesh = document.at("mesh");
   mesh.at("points").get_to(decisions.mesh.points);

@@ -5,6 +5,7 @@
 #include <pcl/surface_repair/decisions.h>
 
 #include "output_file.h"
+#include "words.h"
 
 #include <memory>
 #include <string>
@@ -12,6 +13,10 @@
 namespace app {
 
 using DecisionsPtr = std::shared_ptr<const pcl::repair::Decisions>;
+
+constexpr Word<pcl::repair::Cap> CAPS[] = {{"auto", pcl::repair::Cap::AUTO},
+                                           {"smooth", pcl::repair::Cap::SMOOTH},
+                                           {"flat", pcl::repair::Cap::FLAT}};
 
 /** \brief Read what a user decided. Fails with one sentence for a file that is none, or
  * that says what cannot be. Whether it fits a mesh is for the repair to say. */

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: how the parts of an app say that something went wrong.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +17,9 @@ enum ExitCode {
   INTERRUPTED = 130 /**< stopped by a signal; nothing was written */
 };
 
-/** \brief Success, or one sentence a user can act on. Used in place of exceptions, so
- * that each step which can fail shows it in its signature. */
+/** \brief Success, or one sentence a user can act on. A
+ * step that can fail shows it in its signature; a program goes from one to the next by
+ * require(). */
 class [[nodiscard]] Status {
 public:
   Status() = default;
@@ -47,6 +49,20 @@ private:
   bool ok_ = true;
   std::string message_;
 };
+
+/** \brief A failed step in the course of a program, which runGuarded() ends. */
+class Failure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief Throws a Failure with the message of a failed status. */
+inline void
+require(const Status& status)
+{
+  if (!status.ok())
+    throw Failure(status.message());
+}
 
 /** \brief Sentences about what was done differently from what the user may expect. */
 using Warnings = std::vector<std::string>;

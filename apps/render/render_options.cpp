@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the options of pcl_render_mesh.
+// Part of PclSurfaceRepair: options of pictures.
 #include "render/render_options.h"
 
 #include "cli/number_list.h"
@@ -10,134 +10,123 @@
 namespace app {
 namespace {
 
-Status
-parseColoring(const std::string& text, Coloring& coloring)
-{
-  if (text == "none")
-    coloring = Coloring::NONE;
-  else if (text == "role")
-    coloring = Coloring::ROLE;
-  else if (text == "component")
-    coloring = Coloring::COMPONENT;
-  else if (text == "rgb")
-    coloring = Coloring::RGB;
-  else
-    return Status::error("--color-by takes none, role, component or rgb, not '" + text +
-                         "'");
-  return {};
-}
-
-} // namespace
+constexpr Word<Coloring> COLORINGS[] = {{"none", Coloring::NONE},
+                                        {"role", Coloring::ROLE},
+                                        {"component", Coloring::COMPONENT},
+                                        {"rgb", Coloring::RGB}};
 
 void
-addRenderOptions(CommandLine& command_line)
+addSize(OptionGroup& options, int& width, int& height, const std::string& help)
 {
-  using boost::program_options::value;
-  auto add = command_line.addOptions();
-  add("size", value<std::string>()->default_value("1200x900"), "WxH in pixels");
-  add("view",
-      value<std::string>()->default_value("0,0,1"),
-      "X,Y,Z: direction from the object to the camera");
-  add("view-up",
-      value<std::string>()->default_value("0,1,0"),
-      "X,Y,Z: direction that points up in the picture");
-  add("focus", value<std::string>(), "X,Y,Z: place in the centre of the picture");
-  add("zoom", value<double>()->default_value(1.0), "1 shows the whole object");
-  add("edges", "draw the edges of the triangles");
-  add("no-boundaries", "leave out boundary (red) and overfull (magenta) edges");
-  add("color-by",
-      value<std::string>()->default_value("none"),
-      "none: front faces grey, back faces orange; role: also free points (blue dots) "
-      "and boundary points (red dots); component: a colour per connected component; "
-      "rgb: the colours of the "
-      "points");
-  add("new-since",
-      value<std::string>(),
-      "MESH: an earlier state of the mesh; triangles that it has not are green");
-  add("point-size", value<double>()->default_value(2.0), "size of dots in pixels");
+  const auto take = [&](const std::string& text) {
+    constexpr int largest = 8192;
+    std::array<int, 2> size{};
+    if (!parseList(text, 'x', size) || size[0] < 1 || size[1] < 1 ||
+        size[0] > largest || size[1] > largest)
+      return Status::error("--size takes WxH in pixels from 1x1 to 8192x8192, not '" +
+                           text + "'");
+    width = size[0];
+    height = size[1];
+    return Status();
+  };
+  options.parsed(
+      "size", help, take, std::to_string(width) + "x" + std::to_string(height));
 }
 
+/** A direction has a length. */
 Status
-readSize(const Arguments& arguments, int& width, int& height)
-{
-  constexpr int largest = 8192;
-  const std::string text = takeText(arguments, "size");
-  std::array<int, 2> size{};
-  if (!parseList(text, 'x', size) || size[0] < 1 || size[1] < 1 || size[0] > largest ||
-      size[1] > largest)
-    return Status::error("--size takes WxH in pixels from 1x1 to 8192x8192, not '" +
-                         text + "'");
-  width = size[0];
-  height = size[1];
-  return {};
-}
-
-Status
-readDirection(const Arguments& arguments,
-              const std::string& option,
+takeDirection(const std::string& option,
+              const std::string& text,
               Eigen::Vector3d& direction)
 {
-  Status status = parsePlace(option, takeText(arguments, option), direction);
+  Status status = parsePlace(option, text, direction);
   if (status.ok() && direction.norm() < 1e-12)
     return Status::error("--" + option + " must not be zero");
   return status;
 }
 
+} // namespace
+
 void
-addViewOptions(CommandLine& command_line, const char* default_size)
+addRenderOptions(CommandLine& command_line, RenderSettings& settings)
 {
-  using boost::program_options::value;
-  auto add = command_line.addOptions();
-  add("size",
-      value<std::string>()->default_value(default_size),
-      "of the pictures, WxH in pixels");
-  add("view",
-      value<std::string>(),
-      "X,Y,Z: direction from the model to the camera; without it chosen to show most "
-      "of "
-      "the boundary");
-  add("view-up",
-      value<std::string>(),
-      "X,Y,Z: direction that points up in the pictures; without it y or z");
+  OptionGroup& options = command_line.options();
+  const auto add_direction = [&](const std::string& name,
+                                 Eigen::Vector3d& direction,
+                                 const std::string& help,
+                                 const std::string& default_text) {
+    const auto take = [&direction, name](const std::string& text) {
+      return takeDirection(name, text, direction);
+    };
+    options.parsed(name, help, take, default_text);
+  };
+  addSize(options, settings.width, settings.height, "WxH in pixels");
+  add_direction(
+      "view", settings.view, "X,Y,Z: direction from the object to the camera", "0,0,1");
+  add_direction("view-up",
+                settings.up,
+                "X,Y,Z: direction that points up in the picture",
+                "0,1,0");
+  options.parsed("focus",
+                 "X,Y,Z: place in the centre of the picture",
+                 [&settings](const std::string& text) {
+                   return parsePlace(
+                       "focus", text, settings.focus.emplace(Eigen::Vector3d::Zero()));
+                 });
+  options.real("zoom", settings.zoom, 1e-3, 1e6, "1 shows the whole object");
+  options.flag("edges", settings.edges, "draw the edges of the triangles");
+  options.flag("no-boundaries",
+               settings.boundaries,
+               "leave out boundary (red) and overfull (magenta) edges",
+               false);
+  options.choice(
+      "color-by",
+      settings.coloring,
+      COLORINGS,
+      "none: front faces grey, back faces orange; role: also free points (blue dots) "
+      "and boundary points (red dots); component: a colour per connected component; "
+      "rgb: the colours of the points");
+  options.text(
+      "new-since",
+      settings.new_since,
+      "MESH: an earlier state of the mesh; triangles that it has not are green");
+  options.real("point-size", settings.point_size, 0.1, 100.0, "size of dots in pixels");
+  command_line.then([&settings] {
+    const bool colors_faces =
+        settings.coloring == Coloring::COMPONENT || settings.coloring == Coloring::RGB;
+    return colors_faces && !settings.new_since.empty()
+               ? Status::error("--new-since goes with --color-by none or role only")
+               : Status();
+  });
+}
+
+void
+addViewOptions(CommandLine& command_line, InspectionView& view)
+{
+  OptionGroup& options = command_line.options();
+  const auto add_direction = [&](const std::string& name,
+                                 std::optional<Eigen::Vector3d>& direction,
+                                 const std::string& help) {
+    options.parsed(name, help, [&direction, name](const std::string& text) {
+      return takeDirection(name, text, direction.emplace(Eigen::Vector3d::Zero()));
+    });
+  };
+  addSize(options, view.width, view.height, "of the pictures, WxH in pixels");
+  add_direction("view",
+                view.view,
+                "X,Y,Z: direction from the model to the camera; without it chosen to "
+                "show most of the boundary");
+  add_direction("view-up",
+                view.up,
+                "X,Y,Z: direction that points up in the pictures; without it y or z");
 }
 
 Status
-readView(const Arguments& arguments, InspectionView& view)
+checkPictureName(const std::string& name)
 {
-  Status status = readSize(arguments, view.width, view.height);
-  for (const auto& [option, direction] :
-       {std::pair{"view", &view.view}, std::pair{"view-up", &view.up}})
-    if (status.ok() && arguments.count(option) > 0)
-      status =
-          readDirection(arguments, option, direction->emplace(Eigen::Vector3d::Zero()));
-  return status;
-}
-
-Status
-readRenderSettings(const Arguments& arguments, RenderSettings& settings)
-{
-  settings.edges = arguments.count("edges") > 0;
-  settings.boundaries = arguments.count("no-boundaries") == 0;
-  Status status = readSize(arguments, settings.width, settings.height);
-  if (status.ok())
-    status = readDirection(arguments, "view", settings.view);
-  if (status.ok())
-    status = readDirection(arguments, "view-up", settings.up);
-  if (status.ok())
-    status = parseColoring(takeText(arguments, "color-by"), settings.coloring);
-  if (status.ok())
-    status = takeReal(arguments, "zoom", 1e-3, 1e6, settings.zoom);
-  if (status.ok())
-    status = takeReal(arguments, "point-size", 0.1, 100.0, settings.point_size);
-  if (status.ok() && arguments.count("focus") > 0)
-    status = parsePlace("focus",
-                        takeText(arguments, "focus"),
-                        settings.focus.emplace(Eigen::Vector3d::Zero()));
-  const bool colors_faces =
-      settings.coloring == Coloring::COMPONENT || settings.coloring == Coloring::RGB;
-  if (status.ok() && colors_faces && arguments.count("new-since") > 0)
-    return Status::error("--new-since goes with --color-by none or role only");
-  return status;
+  return name.size() > 4 && name.substr(name.size() - 4) == ".png"
+             ? Status()
+             : Status::error("'" + name + "' must end in .png");
 }
 
 } // namespace app

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
 
 namespace app {
 
@@ -28,6 +29,7 @@ struct RenderSettings {
   bool boundaries = true;               /**< draw boundary edges red */
   double point_size = 2.0;              /**< of the dots that show points, pixels */
   Coloring coloring = Coloring::NONE;
+  std::string new_since; /**< file with an earlier state of the mesh; empty: none */
 };
 
 } // namespace app

@@ -2,10 +2,11 @@
 // Part of PclSurfaceRepair: what pcl_ccaa_reconstruct tells about a run.
 #include "reconstruct_report.h"
 
-#include "cli/side_options.h"
+#include "cli/repair_run.h"
 #include "hole_report.h"
 #include "io/point_columns.h"
 #include "io/remarks.h"
+#include "mesh/cloud_access.h"
 #include "repair_details.h"
 #include "run/threads.h"
 #include "topology_report.h"
@@ -110,6 +111,27 @@ describeSides(const ReconstructResult& result)
   return sides;
 }
 
+/** What of a cloud the outer side will be asked first. */
+std::string
+outerSideBy(const pcl::ccaa::SideHints& told, const Model& model)
+{
+  using pcl::ccaa::OutwardRule;
+  if (told.told_viewpoint)
+    return describe(OutwardRule::TOLD_VIEWPOINT);
+  if (told.up)
+    return describe(OutwardRule::UP);
+  if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
+    return "normals";
+  if (!pcl::ccaa::viewpointView(model.mesh.cloud).empty())
+    return "viewpoints of points";
+  const Eigen::Vector3d offset = model.shift.offset();
+  auto hints = relativeTo(offset, sidesOf(told, model.viewpoint));
+  takeOrigin(hints, pcl::ccaa::positionView(model.mesh.cloud).relativeTo(offset));
+  if (hints.viewpoint_is_origin)
+    return describe(OutwardRule::ORIGIN);
+  return hints.viewpoint ? "the viewpoint" : "the shape";
+}
+
 } // namespace
 
 json
@@ -186,10 +208,9 @@ summarizeInput(const ReconstructSettings& settings, const Model& model)
   for (const pcl::PCLPointField& field : cloud.fields)
     fields += " " + field.name;
   const std::string units = namedUnits(model.remarks);
-  const std::string name =
-      settings.inputs.size() > 1
-          ? settings.inputName()
-          : (isStandardStream(settings.input) ? "standard input" : settings.input);
+  const std::string name = settings.files.inputs.size() > 1
+                               ? settings.inputName()
+                               : summaryName(settings.files.input(), "standard input");
   return name + ": " + plural(pointCount(cloud), "point") + ", " +
          std::to_string(extentOf(model).first) + " of them finite; fields" + fields +
          "; outer side by " + outerSideBy(settings.sides, model) +
@@ -203,8 +224,9 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
   const auto points = static_cast<double>(count);
   const double seconds = totalSeconds(result.stages);
   char text[256];
-  std::string line = summaryName(settings.output) + ": " + plural(count, "point") +
-                     ", " + std::to_string(result.chain.free_points) + " free, " +
+  std::string line = summaryName(settings.files.output) + ": " +
+                     plural(count, "point") + ", " +
+                     std::to_string(result.chain.free_points) + " free, " +
                      plural(result.model.mesh.polygons.size(), "triangle");
   if (result.repair)
     line += ", " + std::to_string(result.repair->new_triangles) + " of them by repair";

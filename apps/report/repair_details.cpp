@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: what reports on a model and on its repair have in common.
 #include "repair_details.h"
 
-#include "cli/repair_options.h"
+#include "cli/method_options.h"
 #include "io/wording.h"
 #include <nlohmann/json.hpp>
 
@@ -67,42 +67,13 @@ describeExtent(const pcl::repair::Extent& extent)
   return text.str();
 }
 
-const char*
-nameOf(pcl::repair::CloseChoice choice)
-{
-  switch (choice) {
-  case pcl::repair::CloseChoice::NOTHING:
-    return "none";
-  case pcl::repair::CloseChoice::HOLES:
-    return "holes";
-  case pcl::repair::CloseChoice::ALL:
-    return "all";
-  }
-  return "";
-}
-
-const char*
-nameOf(pcl::repair::Cap cap)
-{
-  switch (cap) {
-  case pcl::repair::Cap::AUTO:
-    return "auto";
-  case pcl::repair::Cap::SMOOTH:
-    return "smooth";
-  case pcl::repair::Cap::FLAT:
-    return "flat";
-  }
-  return "";
-}
-
 } // namespace
 
 json
 describeParameters(const pcl::repair::RepairParameters& method)
 {
   const auto& field = method.survey.field;
-  const bool full = field.mode == pcl::repair::FieldMode::FULL;
-  return {{"mode", full ? "full" : "light"},
+  return {{"mode", wordFor(FIELD_MODES, field.mode)},
           {"interpolation", field.interpolation},
           {"falloff_exponent", field.falloff_exponent},
           {"near", field.near},
@@ -116,14 +87,14 @@ describeParameters(const pcl::repair::RepairParameters& method)
           {"hole_threshold", method.survey.hole_threshold},
           {"bridge_spacing", method.survey.bridge_spacing},
           {"line_spacing", method.survey.line_spacing},
-          {"darning", nameOf(method.darning.choice)},
+          {"darning", wordFor(DARNING_CHOICES, method.darning.choice)},
           {"darning_simple_edges", method.darning.simple_edges},
           {"greatest_hole", method.darning.greatest_hole},
           {"greatest_hole_length", describeExtent(method.darning.greatest_length)},
           {"greatest_bridge", describeExtent(method.survey.greatest_bridge)},
-          {"close", nameOf(method.darning.close)},
+          {"close", wordFor(CLOSE_CHOICES, method.darning.close)},
           {"watertight", method.watertight},
-          {"cap", nameOf(method.darning.cap)},
+          {"cap", wordFor(CAPS, method.darning.cap)},
           {"drop_islands",
            {{"triangles", method.survey.dropped.triangles},
             {"area", method.survey.dropped.area},

@@ -253,11 +253,11 @@ describeRun(const RepairSettings& settings,
 std::string
 summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
 {
-  std::string text =
-      (isStandardStream(settings.input) ? "standard input" : settings.input) + ": " +
-      nameOf(survey.icm_class) + ", " + plural(survey.counts.islands, "island") + ", " +
-      plural(survey.counts.simple_holes, "simple hole") + ", " +
-      plural(survey.counts.complex_holes, "complex hole") + "\n";
+  std::string text = summaryName(settings.files.input(), "standard input") + ": " +
+                     nameOf(survey.icm_class) + ", " +
+                     plural(survey.counts.islands, "island") + ", " +
+                     plural(survey.counts.simple_holes, "simple hole") + ", " +
+                     plural(survey.counts.complex_holes, "complex hole") + "\n";
   text += row("triangles", survey.model.triangles.size(), "");
   text +=
       tellIslands(survey) + tellLoops(survey) + tellLines(survey) + tellBridges(survey);

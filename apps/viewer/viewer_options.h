@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the command line of pcl_repair_viewer.
 #pragma once
 
-#include "cli/cli.h"
+#include "cli/command_line.h"
 #include "render/inspection_pictures.h"
 #include "viewer/viewer_run.h"
 
@@ -16,7 +16,7 @@ struct ViewerSettings {
   std::string stage;      /**< empty: the first in a window, the last in a picture */
   std::string screenshot; /**< file; empty: none */
   std::string folder;     /**< for a picture of every stage; empty: none */
-  InspectionView view;
+  InspectionView view{1280, 800, {}, {}};
   std::string decisions; /**< file; empty: none */
   bool quiet = false;
 
@@ -28,11 +28,11 @@ struct ViewerSettings {
   }
 };
 
-CommandLine
-makeViewerCommandLine();
+/** \brief What --help says besides the options. */
+Usage
+viewerUsage();
 
-/** \brief Take the settings; fails with one sentence for a value out of range. */
-Status
-takeViewerSettings(const Arguments& arguments, ViewerSettings& settings);
+void
+addViewerOptions(CommandLine& command_line, ViewerSettings& settings);
 
 } // namespace app

@@ -4,11 +4,9 @@
 
 #include "cli/reconstruct_run.h"
 #include "cli/repair_run.h"
-#include "cli/side_options.h"
 #include "io/interrupt.h"
 #include "io/model_io.h"
 #include "io/position_check.h"
-#include "run/threads.h"
 
 #include <utility>
 
@@ -31,24 +29,6 @@ readInput(const ViewerTask& task, ViewerRun& run)
              : Status();
 }
 
-ReconstructSettings
-chainSettings(const ViewerTask& task, const char* until)
-{
-  const pcl::ccaa::GreedyParameters greedy;
-  const auto degrees = [](double angle) { return angle * 180.0 / M_PI; };
-  ReconstructSettings settings;
-  settings.until = until;
-  settings.threads = task.threads;
-  settings.sides = task.method.survey.orientation.sides;
-  settings.neighbors = greedy.neighbors;
-  settings.minimum_angle = degrees(greedy.minimum_angle);
-  settings.certified_minimum_angle = degrees(greedy.certified_minimum_angle);
-  settings.length_factor = greedy.length_factor;
-  settings.minimum_internal_points =
-      static_cast<unsigned int>(pcl::UmbrellaFilter().getMinimumInternalPoints());
-  return settings;
-}
-
 /** \brief The chain up to a stage; the triangles of its start stage come first. */
 Status
 runChain(const ViewerTask& task,
@@ -57,8 +37,12 @@ runChain(const ViewerTask& task,
          const ViewerRun& run,
          ReconstructResult& result)
 {
+  ReconstructSettings settings;
+  settings.until = until;
+  settings.threads = task.threads;
+  settings.sides = task.method.survey.orientation.sides;
   result.model = run.input;
-  return runReconstruction(chainSettings(task, until), bar, result);
+  return runReconstruction(settings, bar, result);
 }
 
 Status
@@ -88,25 +72,6 @@ completeMesh(const ViewerRun& run)
   return mesh;
 }
 
-/** \brief Survey run.result, which is not repaired yet. */
-void
-survey(const ViewerTask& task,
-       const pcl::PCLPointCloud2* free_points,
-       ProgressBar& bar,
-       ViewerRun& run)
-{
-  const auto mesh = pcl::make_shared<pcl::PolygonMesh>(run.result);
-  pcl::repair::SurveyParameters parameters = task.method.survey;
-  pcl::ccaa::SideHints& sides = parameters.orientation.sides;
-  sides = sidesOf(sides, run.input.viewpoint);
-  pcl::ccaa::RunControl control(bar.callback());
-  pcl::ccaa::LoopContext context;
-  context.threads = pcl::ccaa::resolveThreads(task.threads);
-  context.control = &control;
-  run.survey = surveyModel(mesh, free_points, parameters, context);
-  run.problem = run.survey.reading.problem;
-}
-
 } // namespace
 
 Status
@@ -131,19 +96,18 @@ runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
     run.problem = "no triangle could be made of these points";
     return {};
   }
-  const auto* const free_points =
-      task.free_points.empty() ? nullptr : &run.free_points.mesh.cloud;
-  survey(task, free_points, bar, run);
+  const RepairTask repair{task.method,
+                          task.free_points.empty() ? nullptr
+                                                   : &run.free_points.mesh.cloud,
+                          task.threads};
+  run.survey = surveyMesh(repair, run.input.viewpoint, bar, run.result);
+  run.problem = run.survey.reading.problem;
   if (!run.problem.empty() && task.method.survey.decisions)
     return Status::error(nameForPeople(task.input) + ": " + run.problem);
   if (!run.problem.empty() || !task.repairs || interrupted())
     return {};
   run.repaired = true;
-  return repairMesh({task.method, free_points, task.threads},
-                    run.input.viewpoint,
-                    bar,
-                    run.result,
-                    run.repair);
+  return repairMesh(repair, run.input.viewpoint, bar, run.result, run.repair);
 }
 
 } // namespace app
