@@ -16,7 +16,7 @@ parseList(const std::string& text, std::size_t count, std::vector<double>& numbe
 {
   std::string words = text;
   std::replace(words.begin(), words.end(), ',', ' ');
-  TextScanner scanner(words.data(), words.data() + words.size());
+  TextScanner scanner(words);
   std::string_view word;
   while (scanner.nextWord(word)) {
     double value = 0;

@@ -2,10 +2,9 @@
 // Part of PclSurfaceRepair: writes inspection layers for other programs to open.
 #include "inspection_files.h"
 
-#include "io/cloud_writers.h"
-#include "io/mesh_writers.h"
 #include "io/point_columns.h"
 #include "io/position_check.h"
+#include "io/writers.h"
 
 #include <cstdio>
 #include <set>

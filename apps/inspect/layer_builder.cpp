@@ -12,7 +12,7 @@ LayerBuilder::LayerBuilder(std::string name, std::string title)
 {
   layer_.name = std::move(name);
   layer_.title = std::move(title);
-  fields_.push_back({"rgb", Field::FLOAT32, 1, {}});
+  fields_.push_back(colourArray());
 }
 
 pcl::index_t
@@ -66,9 +66,7 @@ InspectionLayer
 LayerBuilder::finish(const std::string& columns)
 {
   layer_.columns = columns;
-  // Fails only for lack of memory, which ends the program in its own way.
-  if (!assembleCloud(positions_, {fields_.begin(), fields_.end()}, layer_.cloud).ok())
-    throw std::bad_alloc();
+  assembleCloud(positions_, {fields_.begin(), fields_.end()}, layer_.cloud);
   return std::move(layer_);
 }
 

@@ -4,8 +4,6 @@
 
 #include "point_table.h"
 
-#include <algorithm>
-
 namespace app {
 namespace {
 
@@ -28,14 +26,17 @@ interleave(const std::uint8_t* values,
 
 } // namespace
 
-void
-appendColour(FieldArray& colours, unsigned red, unsigned green, unsigned blue)
+FieldArray
+normalArray(const std::vector<float>& normals)
 {
-  colours.append(static_cast<std::uint32_t>(red << 16 | green << 8 | blue));
+  FieldArray array{"normal", pcl::PCLPointField::FLOAT32, 3, {}};
+  for (const float value : normals)
+    array.append(value);
+  return array;
 }
 
 template <typename Real>
-Status
+void
 assembleCloud(const std::vector<Real>& positions,
               const std::vector<FieldArray>& arrays,
               pcl::PCLPointCloud2& cloud)
@@ -58,12 +59,8 @@ assembleCloud(const std::vector<Real>& positions,
     else
       columns.push_back({array.name, array.type, array.count});
   }
-  TablePlan plan;
-  Status status = planTable(columns, Naming::PCL, plan);
-  if (status.ok())
-    status = allocateCloud(plan, points, cloud);
-  if (!status.ok() || points == 0)
-    return status;
+  const TablePlan plan = planTable(columns, Naming::PCL);
+  allocateCloud(plan, points, cloud);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
   interleave(bytes, 3 * sizeof(Real), 0, cloud);
   std::size_t slot = 3;
@@ -72,19 +69,18 @@ assembleCloud(const std::vector<Real>& positions,
     interleave(array->bytes.data(), size, plan.slots[slot].target_offset, cloud);
     slot += array->count;
   }
-  return {};
 }
 
-template Status
+template void
 assembleCloud(const std::vector<float>&,
               const std::vector<FieldArray>&,
               pcl::PCLPointCloud2&);
-template Status
+template void
 assembleCloud(const std::vector<double>&,
               const std::vector<FieldArray>&,
               pcl::PCLPointCloud2&);
 
-Status
+void
 assembleCloud(const std::vector<double>& positions,
               bool is_wide,
               const std::vector<FieldArray>& arrays,
@@ -92,11 +88,10 @@ assembleCloud(const std::vector<double>& positions,
 {
   if (is_wide)
     return assembleCloud(positions, arrays, cloud);
-  std::vector<float> singles(positions.size());
-  std::transform(positions.begin(), positions.end(), singles.begin(), [](double value) {
-    return static_cast<float>(value);
-  });
-  return assembleCloud(singles, arrays, cloud);
+  std::vector<float> singles;
+  for (const double value : positions)
+    singles.push_back(static_cast<float>(value));
+  assembleCloud(singles, arrays, cloud);
 }
 
 } // namespace app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: clouds in PCL's own format and as text.
-#include "cloud_writers.h"
-
 #include "point_columns.h"
 #include "remarks.h"
+#include "writers.h"
 
 #include <algorithm>
 
@@ -62,13 +61,6 @@ writeViewpoint(const Viewpoint& viewpoint, OutputFile& file)
     file.text(" ");
     file.number(value);
   }
-}
-
-void
-writeComments(const Remarks& remarks, OutputFile& file)
-{
-  for (const std::string& line : asComments(remarks))
-    file.text("# " + line + "\n");
 }
 
 } // namespace

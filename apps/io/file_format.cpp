@@ -40,7 +40,7 @@ isOneOf(std::string_view word, std::initializer_list<const char*> words)
 std::string_view
 firstDataLine(std::string_view bytes)
 {
-  TextScanner scanner(bytes.data(), bytes.data() + bytes.size());
+  TextScanner scanner(bytes);
   std::string_view line;
   while (scanner.nextLine(line)) {
     while (!line.empty() && TextScanner::isSpace(line.front()))
@@ -110,7 +110,7 @@ formatOfBytes(std::string_view bytes)
   if (looksBinary(bytes) && bytes.substr(0, 80).find("VERSION") == bytes.npos)
     return FileFormat::STL;
   const std::string_view line = firstDataLine(bytes);
-  TextScanner words(line.data(), line.data() + line.size());
+  TextScanner words(line);
   std::string_view word;
   words.nextWord(word);
   if (isOneOf(word, {"VERSION", "FIELDS", "COLUMNS"}))

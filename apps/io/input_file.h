@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -54,6 +55,11 @@ public:
   size() const
   {
     return size_ - skipped_;
+  }
+  std::string_view
+  bytes() const
+  {
+    return {begin(), size()};
   }
 
 private:

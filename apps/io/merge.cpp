@@ -184,13 +184,13 @@ mergeModels(std::vector<NamedModel>& parts, Model& whole)
   std::size_t points = 0;
   for (const NamedModel& part : parts)
     points += pointCount(part.model.mesh.cloud);
-  TablePlan plan;
   pcl::PCLPointCloud2& cloud = whole.mesh.cloud;
-  Status status = planTable(commonColumns(parts), Naming::PCL, plan);
-  if (status.ok())
-    status = allocateCloud(plan, points, cloud);
-  if (!status.ok())
-    return Status::error("the clouds cannot be merged: " + status.message());
+  try {
+    allocateCloud(planTable(commonColumns(parts), Naming::PCL), points, cloud);
+  }
+  catch (const Failure& failure) {
+    return Status::error(std::string("the clouds cannot be merged: ") + failure.what());
+  }
   std::size_t first = 0;
   for (NamedModel& part : parts) {
     copyPoints(part.model.mesh.cloud, first, cloud);

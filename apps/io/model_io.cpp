@@ -3,19 +3,12 @@
 // name.
 #include "model_io.h"
 
-#include "cloud_writers.h"
-#include "mesh_writers.h"
-#include "obj_reader.h"
-#include "off_reader.h"
-#include "pcd_reader.h"
-#include "ply_reader.h"
 #include "point_columns.h"
 #include "polygon_builder.h"
 #include "position_check.h"
+#include "readers.h"
 #include "remarks.h"
-#include "stl_reader.h"
-#include "vtk_reader.h"
-#include "xyz_reader.h"
+#include "writers.h"
 
 #include <algorithm>
 #include <string_view>
@@ -42,12 +35,10 @@ unknownEnding(const std::string& path, const char* known)
   return Status::error("'" + path + "' has no ending known here: " + known);
 }
 
-Status
+void
 parseAs(FileFormat format, Contents contents, InputFile& file, Model& model)
 {
-  const bool has_mark =
-      std::string_view(file.begin(), file.size()).substr(0, 3) == byte_order_mark;
-  if (has_mark && format != FileFormat::STL)
+  if (file.bytes().substr(0, 3) == byte_order_mark && format != FileFormat::STL)
     file.skip(byte_order_mark.size());
   if (format == FileFormat::OBJ || format == FileFormat::OFF ||
       format == FileFormat::PCD || format == FileFormat::XYZ)
@@ -70,7 +61,7 @@ parseAs(FileFormat format, Contents contents, InputFile& file, Model& model)
   case FileFormat::UNKNOWN:
     break;
   }
-  return Status::error("its format is not known");
+  throw Failure("its format is not known");
 }
 
 /** \a wanted tells what to read of a format that holds polygons. */
@@ -80,18 +71,19 @@ parse(FileFormat format, Wanted wanted, InputFile& file, Model& model)
   if (wanted == Wanted::MESH && !holdsPolygons(format))
     return Status::error("a mesh is needed, and this holds points only");
   const bool with_polygons = wanted != Wanted::CLOUD;
-  Status status =
-      parseAs(format,
-              with_polygons ? Contents::POINTS_AND_POLYGONS : Contents::POINTS,
-              file,
-              model);
-  if (status.ok() && with_polygons)
-    status = checkPolygonIndices(model.mesh.polygons, pointCount(model.mesh.cloud));
-  if (status.ok())
-    status = checkPositions(model);
-  if (!with_polygons)
-    model.mesh.polygons.clear();
-  return status;
+  const auto contents =
+      with_polygons ? Contents::POINTS_AND_POLYGONS : Contents::POINTS;
+  try {
+    parseAs(format, contents, file, model);
+    if (with_polygons)
+      require(checkPolygonIndices(model.mesh.polygons, pointCount(model.mesh.cloud)));
+    else
+      model.mesh.polygons.clear();
+  }
+  catch (const Failure& failure) {
+    return Status::error(failure.what());
+  }
+  return checkPositions(model);
 }
 
 Status
@@ -107,7 +99,7 @@ read(const std::string& path, Wanted wanted, Model& model)
   if (!status.ok())
     return status;
   if (isStandardStream(path))
-    format = formatOfBytes({file.begin(), file.size()});
+    format = formatOfBytes(file.bytes());
   status = parse(format, wanted, file, model);
   return status.ok() ? status
                      : Status::error("cannot read " + nameForPeople(path) + ": " +

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: reads Wavefront OBJ.
-#include "obj_reader.h"
-
 #include "cloud_assembler.h"
 #include "polygon_builder.h"
+#include "readers.h"
 #include "text_scanner.h"
 
 #include <algorithm>
@@ -12,21 +11,14 @@
 namespace app {
 namespace {
 
-/** A colour part from 0 to 1 as a byte. */
-unsigned
-toByte(float part)
-{
-  return part > 0 ? static_cast<unsigned>(std::lround(std::min(part, 1.0F) * 255)) : 0;
-}
-
 class ObjParser {
 public:
   explicit ObjParser(Model& model) : model_(model), polygons_(model.mesh.polygons) {}
 
-  Status
+  void
   run(const InputFile& file)
   {
-    TextScanner scanner(file.begin(), file.end());
+    TextScanner scanner(file.bytes());
     std::string_view line;
     for (std::size_t number = 1; scanner.nextLine(line); ++number) {
       const std::size_t first = number;
@@ -40,22 +32,20 @@ public:
       if (!joined.empty())
         line = joined += line;
       if (!readLine(line.substr(0, line.find('#'))))
-        return Status::error("line " + std::to_string(first) +
-                             " is not what OBJ allows there");
+        throw Failure("line " + std::to_string(first) +
+                      " is not what OBJ allows there");
     }
     if (positions_.empty())
-      return Status::error("it holds no vertices");
-    return finish();
+      throw Failure("it holds no vertices");
+    finish();
   }
 
 private:
   bool
   readLine(std::string_view line)
   {
-    TextScanner words(line.data(), line.data() + line.size());
-    std::string_view keyword;
-    if (!words.nextWord(keyword))
-      return true;
+    TextScanner words(line);
+    const std::string_view keyword = words.word();
     if (keyword == "v")
       return readVertex(words);
     if (keyword == "vn")
@@ -64,34 +54,18 @@ private:
       return readFace(words);
     has_texture_ = has_texture_ || keyword == "vt";
     // Garbage has to be told from the many keywords that do not matter here.
-    const auto is_word = [](char c) { return c >= ' ' && c <= '~'; };
-    return std::all_of(keyword.begin(), keyword.end(), is_word);
+    return std::all_of(
+        keyword.begin(), keyword.end(), [](char c) { return c >= ' ' && c <= '~'; });
   }
 
   static bool
   readVector(TextScanner& words, std::vector<float>& vectors)
   {
-    std::string_view word;
-    for (int axis = 0; axis < 3; ++axis) {
-      float value = 0;
-      if (!words.nextWord(word) || !parseNumber(word, value))
+    float vector[3];
+    for (float& value : vector)
+      if (!nextNumber(words, value))
         return false;
-      vectors.push_back(value);
-    }
-    return true;
-  }
-
-  bool
-  readPosition(TextScanner& words)
-  {
-    std::string_view word;
-    for (int axis = 0; axis < 3; ++axis) {
-      double value = 0;
-      if (!words.nextWord(word) || !parseNumber(word, value))
-        return false;
-      is_wide_ = is_wide_ || needsDouble(word, value);
-      positions_.push_back(value);
-    }
+    vectors.insert(vectors.end(), vector, vector + 3);
     return true;
   }
 
@@ -99,16 +73,14 @@ private:
   bool
   readVertex(TextScanner& words)
   {
-    if (!readPosition(words))
-      return false;
+    for (int axis = 0; axis < 3; ++axis)
+      if (!positions_.add(words.word()))
+        return false;
     std::vector<float> rest;
     std::string_view word;
-    while (words.nextWord(word)) {
-      float value = 0;
-      if (!parseNumber(word, value))
+    while (words.nextWord(word))
+      if (!parseNumber(word, rest.emplace_back()))
         return false;
-      rest.push_back(value);
-    }
     if (rest.size() >= 3)
       colours_.insert(colours_.end(), rest.begin(), rest.begin() + 3);
     return true;
@@ -132,16 +104,16 @@ private:
     while (words.nextWord(word)) {
       const std::size_t slash = word.find('/');
       std::int64_t corner = 0;
-      if (!parseIndex(word.substr(0, slash), positions_.size() / 3, corner))
+      if (!parseIndex(word.substr(0, slash), positions_.points(), corner))
         return false;
       corners_.push_back(corner);
       const std::size_t last = word.rfind('/');
-      const bool has_normal = last != slash && last + 1 < word.size();
+      if (last == slash || last + 1 == word.size())
+        continue;
       std::int64_t normal = 0;
-      if (has_normal && !parseIndex(word.substr(last + 1), normals_.size() / 3, normal))
+      if (!parseIndex(word.substr(last + 1), normals_.size() / 3, normal))
         return false;
-      if (has_normal)
-        normal_of_corner_.emplace_back(corner, normal);
+      normal_of_corner_.emplace_back(corner, normal);
     }
     polygons_.addPolygon(corners_);
     return true;
@@ -152,7 +124,7 @@ private:
   std::vector<float>
   vertexNormals() const
   {
-    const std::size_t vertices = positions_.size() / 3;
+    const std::size_t vertices = positions_.points();
     const std::size_t normals = normals_.size() / 3;
     std::vector<std::size_t> chosen(vertices, normals);
     if (normals == vertices)
@@ -182,43 +154,35 @@ private:
         std::all_of(colours_.begin(), colours_.end(), [](float c) {
           return c >= 0 && c <= 255 && c == std::trunc(c);
         });
-    const float unit = are_bytes ? 255.0F : 1.0F;
-    FieldArray packed{"rgb", pcl::PCLPointField::FLOAT32, 1, {}};
+    const double unit = are_bytes ? 255.0 : 1.0;
+    FieldArray packed = colourArray();
     for (std::size_t i = 0; i + 2 < colours_.size(); i += 3)
-      appendColour(packed,
-                   toByte(colours_[i] / unit),
-                   toByte(colours_[i + 1] / unit),
-                   toByte(colours_[i + 2] / unit));
+      appendColour(packed, &colours_[i], 255.0 / unit);
     return packed;
   }
 
-  Status
+  void
   finish()
   {
-    FieldArray normals{"normal", pcl::PCLPointField::FLOAT32, 3, {}};
-    if (!normals_.empty())
-      for (const float value : vertexNormals())
-        normals.append(value);
-    if (!normals_.empty() && normals.bytes.empty())
+    std::vector<FieldArray> arrays;
+    const std::vector<float> normals = vertexNormals();
+    if (!normals.empty())
+      arrays.push_back(normalArray(normals));
+    else if (!normals_.empty())
       model_.warnings.push_back("the normals are not taken over: some vertex has none");
     if (has_texture_)
       model_.warnings.push_back("texture coordinates are not taken over");
-    std::vector<FieldArray> arrays;
-    if (!normals.bytes.empty())
-      arrays.push_back(std::move(normals));
-    if (colours_.size() == positions_.size())
+    if (colours_.size() == 3 * positions_.points())
       arrays.push_back(packedColours());
     else if (!colours_.empty())
       model_.warnings.push_back("the colours are not taken over: some vertex has none");
-    const Status status = polygons_.finish(model_.warnings);
-    return status.ok() ? assembleCloud(positions_, is_wide_, arrays, model_.mesh.cloud)
-                       : status;
+    polygons_.finish(model_.warnings);
+    positions_.assemble(arrays, model_.mesh.cloud);
   }
 
   Model& model_;
   PolygonBuilder polygons_;
-  std::vector<double> positions_;
-  bool is_wide_ = false; // some position has more digits than a float
+  TextPositions positions_;
   std::vector<float> normals_;
   std::vector<float> colours_;
   std::vector<std::int64_t> corners_;
@@ -228,10 +192,10 @@ private:
 
 } // namespace
 
-Status
+void
 readObj(const InputFile& file, Model& model)
 {
-  return ObjParser(model).run(file);
+  ObjParser(model).run(file);
 }
 
 } // namespace app

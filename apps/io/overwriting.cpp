@@ -4,7 +4,6 @@
 
 #include "model_io.h"
 #include "ply_header.h"
-#include "point_columns.h"
 #include "remarks.h"
 
 #include <algorithm>
@@ -44,17 +43,20 @@ isText(std::string_view beginning)
 
 /** A header that cannot be understood tells of no triangles. */
 bool
-plyHasFaces(const InputFile& file)
+plyHasFaces(std::string_view bytes)
 {
-  TextScanner scanner(file.begin(), file.end());
-  PlyHeader header;
-  return readPlyHeader(scanner, header).ok() &&
-         std::any_of(header.elements.begin(),
-                     header.elements.end(),
-                     [](const PlyElement& element) {
-                       return element.rows > 0 &&
-                              (element.name == "face" || element.name == "tristrips");
-                     });
+  try {
+    TextScanner scanner(bytes);
+    const PlyHeader header = readPlyHeader(scanner);
+    return std::any_of(
+        header.elements.begin(), header.elements.end(), [](const PlyElement& element) {
+          return element.rows > 0 &&
+                 (element.name == "face" || element.name == "tristrips");
+        });
+  }
+  catch (const Failure&) {
+    return false;
+  }
 }
 
 bool
@@ -68,13 +70,13 @@ hasPolygons(FileFormat format, const InputFile& file)
 bool
 isCloud(const InputFile& file)
 {
-  const std::string_view bytes(file.begin(), file.size());
+  const std::string_view bytes = file.bytes();
   const FileFormat format = formatOfBytes(bytes);
   switch (format) {
   case FileFormat::PCD:
     return true;
   case FileFormat::PLY:
-    return !plyHasFaces(file);
+    return !plyHasFaces(bytes);
   case FileFormat::OBJ:
   case FileFormat::OFF:
   case FileFormat::VTK:
@@ -106,7 +108,7 @@ checkReplaceable(const std::string& path)
   InputFile file;
   if (!file.open(path).ok())
     return {};
-  const std::string_view bytes(file.begin(), file.size());
+  const std::string_view bytes = file.bytes();
   if (carriesOurMark(bytes.substr(0, beginning_bytes)) || !isCloud(file))
     return {};
   return Status::error("'" + path +

@@ -5,6 +5,7 @@
 #include "remarks.h"
 #include "wording.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -45,119 +46,71 @@ isFloating(ScalarType type)
   return type == Field::FLOAT32 || type == Field::FLOAT64;
 }
 
-/** Reads the lines of a header one after the other. */
-class HeaderParser {
-public:
-  explicit HeaderParser(PlyHeader& header) : header_(header) {}
+[[noreturn]] void
+failAt(std::string_view line)
+{
+  throw Failure("its header has the line '" + std::string(line.substr(0, 40)) +
+                "', which is not PLY");
+}
 
-  Status
-  addLine(std::string_view line)
-  {
-    TextScanner words(line.data(), line.data() + line.size());
-    std::string_view keyword;
-    if (!words.nextWord(keyword))
-      return {};
-    const std::string_view rest(words.position(), words.remaining());
-    if (keyword == "comment")
-      addComment(rest, header_.remarks);
-    if (keyword == "obj_info")
-      addInfo(rest);
-    if (keyword == "comment" || keyword == "obj_info")
-      return {};
-    if (keyword == "format")
-      return addFormat(words);
-    if (keyword == "element")
-      return addElement(words);
-    if (keyword == "property")
-      return addProperty(words);
-    return bad(line);
+PlyFormat
+formatNamed(std::string_view name)
+{
+  if (name == "ascii")
+    return PlyFormat::ASCII;
+  if (name == "binary_little_endian")
+    return PlyFormat::BINARY_LITTLE;
+  if (name == "binary_big_endian")
+    return PlyFormat::BINARY_BIG;
+  failAt("format " + std::string(name));
+}
+
+PlyProperty
+propertyOf(TextScanner& words)
+{
+  PlyProperty property;
+  std::string_view type = words.word();
+  const bool is_list = type == "list";
+  if (is_list) {
+    property.count_type = plyType(words.word());
+    type = words.word();
   }
+  property.type = plyType(type);
+  property.name = words.word();
+  const bool bad_count =
+      is_list && (property.count_type == 0 || isFloating(property.count_type));
+  if (property.type == 0 || property.name.empty() || bad_count)
+    failAt("property " + std::string(type) + " " + property.name);
+  return property;
+}
 
-  bool
-  hasFormat() const
-  {
-    return has_format_;
+/** \return whether the line names the format */
+bool
+addLine(std::string_view line, PlyHeader& header)
+{
+  TextScanner words(line);
+  const std::string_view keyword = words.word();
+  const std::string_view rest(words.position(), words.remaining());
+  if (keyword == "comment")
+    addComment(rest, header.remarks.comments);
+  else if (keyword == "obj_info")
+    addComment(rest, header.remarks.infos);
+  else if (keyword == "format")
+    header.format = formatNamed(words.word());
+  else if (keyword == "element") {
+    PlyElement& element = header.elements.emplace_back();
+    element.name = words.word();
+    if (!nextNumber(words, element.rows))
+      failAt(line);
   }
+  else if (keyword == "property" && !header.elements.empty())
+    header.elements.back().properties.push_back(propertyOf(words));
+  else if (!keyword.empty())
+    failAt(line);
+  return keyword == "format";
+}
 
-private:
-  static Status
-  bad(std::string_view line)
-  {
-    return Status::error("its header has the line '" + std::string(line.substr(0, 40)) +
-                         "', which is not PLY");
-  }
-
-  void
-  addInfo(std::string_view text)
-  {
-    Remarks info;
-    addComment(text, info);
-    for (const std::string& line : info.comments)
-      header_.remarks.infos.push_back(line);
-  }
-
-  Status
-  addFormat(TextScanner& words)
-  {
-    std::string_view name;
-    words.nextWord(name);
-    has_format_ = true;
-    if (name == "ascii")
-      header_.format = PlyFormat::ASCII;
-    else if (name == "binary_little_endian")
-      header_.format = PlyFormat::BINARY_LITTLE;
-    else if (name == "binary_big_endian")
-      header_.format = PlyFormat::BINARY_BIG;
-    else
-      return bad("format " + std::string(name));
-    return {};
-  }
-
-  Status
-  addElement(TextScanner& words)
-  {
-    std::string_view name;
-    std::string_view count;
-    PlyElement element;
-    std::uint64_t rows = 0;
-    if (!words.nextWord(name) || !words.nextWord(count) || !parseNumber(count, rows))
-      return bad("element " + std::string(name) + " " + std::string(count));
-    element.name = name;
-    element.rows = static_cast<std::size_t>(rows);
-    header_.elements.push_back(element);
-    return {};
-  }
-
-  Status
-  addProperty(TextScanner& words)
-  {
-    std::string_view type;
-    std::string_view count_type;
-    std::string_view name;
-    words.nextWord(type);
-    PlyProperty property;
-    const bool is_list = type == "list";
-    if (is_list) {
-      words.nextWord(count_type);
-      property.count_type = plyType(count_type);
-      words.nextWord(type);
-    }
-    words.nextWord(name);
-    property.type = plyType(type);
-    property.name = name;
-    const bool bad_count =
-        is_list && (property.count_type == 0 || isFloating(property.count_type));
-    if (header_.elements.empty() || property.type == 0 || name.empty() || bad_count)
-      return bad("property " + std::string(type) + " " + std::string(name));
-    header_.elements.back().properties.push_back(property);
-    return {};
-  }
-
-  PlyHeader& header_;
-  bool has_format_ = false;
-};
-
-Status
+void
 checkRowCounts(const PlyHeader& header, std::size_t bytes_left)
 {
   for (const PlyElement& element : header.elements) {
@@ -165,12 +118,10 @@ checkRowCounts(const PlyHeader& header, std::size_t bytes_left)
     // The last number of an ASCII file needs no space behind it.
     const std::size_t slack = header.format == PlyFormat::ASCII ? 1 : 0;
     if (row > 0 && element.rows > (bytes_left + slack) / row)
-      return Status::error("it is too short for the " + plural(element.rows, "row") +
-                           " of '" + element.name +
-                           "' its header announces (truncated?)");
-    bytes_left -= row * element.rows < bytes_left ? row * element.rows : bytes_left;
+      throw Failure("it is too short for the " + plural(element.rows, "row") + " of '" +
+                    element.name + "' its header announces (truncated?)");
+    bytes_left -= std::min(row * element.rows, bytes_left);
   }
-  return {};
 }
 
 } // namespace
@@ -186,25 +137,22 @@ PlyElement::minimumRowBytes(PlyFormat format) const
   return bytes;
 }
 
-Status
-readPlyHeader(TextScanner& scanner, PlyHeader& header)
+PlyHeader
+readPlyHeader(TextScanner& scanner)
 {
   std::string_view line;
   if (!scanner.nextLine(line) || line.substr(0, 3) != "ply")
-    return Status::error("it does not begin with 'ply'");
-  HeaderParser parser(header);
-  for (;;) {
-    if (!scanner.nextLine(line))
-      return Status::error("its PLY header has no end");
-    if (line.substr(0, 10) == "end_header")
-      break;
-    const Status status = parser.addLine(line);
-    if (!status.ok())
-      return status;
-  }
-  if (!parser.hasFormat())
-    return Status::error("its PLY header names no format");
-  return checkRowCounts(header, scanner.remaining());
+    throw Failure("it does not begin with 'ply'");
+  PlyHeader header;
+  bool has_format = false;
+  while (scanner.nextLine(line) && line.substr(0, 10) != "end_header")
+    has_format = addLine(line, header) || has_format;
+  if (line.substr(0, 10) != "end_header")
+    throw Failure("its PLY header has no end");
+  if (!has_format)
+    throw Failure("its PLY header names no format");
+  checkRowCounts(header, scanner.remaining());
+  return header;
 }
 
 } // namespace app

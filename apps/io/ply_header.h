@@ -4,7 +4,6 @@
 
 #include "model.h"
 #include "scalar_types.h"
-#include "status.h"
 #include "text_scanner.h"
 
 #include <string>
@@ -45,9 +44,9 @@ struct PlyHeader {
 };
 
 /** \brief Parse the header; \a scanner then stands at the first byte of the data.
- * Row counts which the rest of the file cannot hold are refused here, before anybody
- * takes memory for them. */
-Status
-readPlyHeader(TextScanner& scanner, PlyHeader& header);
+ * Throws a Failure for what is not PLY, and for row counts which the rest of the file
+ * cannot hold, before anybody takes memory for them. */
+PlyHeader
+readPlyHeader(TextScanner& scanner);
 
 } // namespace app

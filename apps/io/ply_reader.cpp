@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: reads PLY, ASCII and binary of both byte orders.
-#include "ply_reader.h"
-
+#include "ply_camera.h"
 #include "ply_header.h"
-#include "point_columns.h"
 #include "point_table.h"
 #include "polygon_builder.h"
+#include "readers.h"
 
 #include <algorithm>
 #include <map>
@@ -26,10 +25,8 @@ public:
   bool
   read(ScalarType type, T& value)
   {
-    if (is_text_) {
-      std::string_view word;
-      return scanner_.nextWord(word) && parseNumber(word, value);
-    }
+    if (is_text_)
+      return nextNumber(scanner_, value);
     const std::size_t bytes = scalarSize(type);
     if (scanner_.remaining() < bytes)
       return false;
@@ -38,38 +35,18 @@ public:
     return true;
   }
 
-  /** A word straight into the \a point, bytes into the \a record. */
-  bool
-  readInto(const Slot& slot, std::uint8_t* point, char* record)
-  {
-    if (is_text_) {
-      std::string_view word;
-      return scanner_.nextWord(word) &&
-             decodeWord(word, slot.target_type, point + slot.target_offset);
-    }
-    const std::size_t bytes = scalarSize(slot.source_type);
-    if (scanner_.remaining() < bytes)
-      return false;
-    std::copy_n(scanner_.position(), bytes, record + slot.source_offset);
-    scanner_.skip(bytes);
-    return true;
-  }
-
   bool
   skip(ScalarType type, std::size_t count)
   {
-    if (!is_text_) {
-      const std::size_t bytes = scalarSize(type);
-      if (count > scanner_.remaining() / bytes)
-        return false;
+    const std::size_t bytes = scalarSize(type);
+    if (is_text_)
+      while (count > 0 && !scanner_.word().empty())
+        --count;
+    else if (count <= scanner_.remaining() / bytes) {
       scanner_.skip(count * bytes);
-      return true;
+      count = 0;
     }
-    std::string_view word;
-    for (std::size_t i = 0; i < count; ++i)
-      if (!scanner_.nextWord(word))
-        return false;
-    return true;
+    return count == 0;
   }
 
   /** Length of a list; lists longer than the rest of the file are refused. */
@@ -88,9 +65,8 @@ public:
   skipProperty(const PlyProperty& property)
   {
     std::size_t count = 1;
-    if (property.isList() && !readCount(property, count))
-      return false;
-    return skip(property.type, count);
+    return (!property.isList() || readCount(property, count)) &&
+           skip(property.type, count);
   }
 
 private:
@@ -99,29 +75,39 @@ private:
   bool swapped_;
 };
 
+bool
+isIndexList(const PlyProperty& property)
+{
+  const bool is_real = property.type == pcl::PCLPointField::FLOAT32 ||
+                       property.type == pcl::PCLPointField::FLOAT64;
+  return property.isList() && !is_real &&
+         (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 class PlyParser {
 public:
   PlyParser(const InputFile& file, Contents contents, Model& model)
-  : scanner_(file.begin(), file.end()), contents_(contents), model_(model)
+  : scanner_(file.bytes())
+  , contents_(contents)
+  , model_(model)
+  , header_(readPlyHeader(scanner_))
+  , values_(scanner_, header_.format)
   {}
 
-  Status
+  void
   run()
   {
-    Status status = readPlyHeader(scanner_, header_);
     model_.remarks = header_.remarks;
-    const std::size_t wanted = wantedElements();
+    header_.elements.resize(wantedElements());
     bool has_vertices = false;
-    for (std::size_t i = 0; status.ok() && i < wanted; ++i) {
-      const PlyElement& element = header_.elements[i];
+    for (const PlyElement& element : header_.elements) {
       if (has_vertices && element.name == "vertex")
-        return Status::error("it has two elements 'vertex'");
-      status = readElement(element);
+        throw Failure("it has two elements 'vertex'");
+      readElement(element);
       has_vertices = has_vertices || element.name == "vertex";
     }
-    if (status.ok() && !has_vertices)
-      return Status::error("it has no vertices");
-    return status;
+    if (!has_vertices)
+      throw Failure("it has no vertices");
   }
 
 private:
@@ -139,43 +125,43 @@ private:
     return wanted;
   }
 
-  Status
+  void
   readElement(const PlyElement& element)
   {
-    if (element.name == "vertex")
-      return readVertices(element);
-    if (element.name == "camera" && element.rows == 1)
-      return readCamera(element);
     const bool wants_faces = contents_ == Contents::POINTS_AND_POLYGONS;
-    if (wants_faces && (element.name == "face" || element.name == "tristrips"))
-      return readFaces(element);
-    return skipElement(element);
+    if (element.name == "vertex")
+      readVertices(element);
+    else if (element.name == "camera" && element.rows == 1)
+      readCamera(element);
+    else if (wants_faces && (element.name == "face" || element.name == "tristrips"))
+      readFaces(element);
+    else
+      skipElement(element);
   }
 
-  Status
-  truncated(const PlyElement& element, std::size_t row) const
+  static void
+  check(bool good, const PlyElement& element, std::size_t row)
   {
-    return Status::error("its " + element.name + " " + std::to_string(row) + " of " +
-                         std::to_string(element.rows) + " is damaged or cut off");
+    if (!good)
+      throw Failure("its " + element.name + " " + std::to_string(row) + " of " +
+                    std::to_string(element.rows) + " is damaged or cut off");
   }
 
-  Status
+  void
   skipElement(const PlyElement& element)
   {
-    ValueReader values(scanner_, header_.format);
     // Rows without properties take no bytes: nothing to step over, however many.
     const std::size_t rows = element.properties.empty() ? 0 : element.rows;
     for (std::size_t row = 0; row < rows; ++row)
       for (const PlyProperty& property : element.properties)
-        if (!values.skipProperty(property))
-          return truncated(element, row);
-    return {};
+        check(values_.skipProperty(property), element, row);
   }
 
   /** All but lists; "diffuse_red" is what old programs call "red". */
   static std::vector<SourceColumn>
   columnsOf(const PlyElement& element)
   {
+    const std::string diffuse = "diffuse_";
     const auto& properties = element.properties;
     const bool has_red =
         std::any_of(properties.begin(), properties.end(), [](const auto& property) {
@@ -184,137 +170,73 @@ private:
     std::vector<SourceColumn> columns;
     for (const PlyProperty& property : properties) {
       std::string name = property.name;
-      if (!has_red &&
-          (name == "diffuse_red" || name == "diffuse_green" || name == "diffuse_blue"))
-        name = name.substr(std::string("diffuse_").size());
+      if (!has_red && (name == diffuse + "red" || name == diffuse + "green" ||
+                       name == diffuse + "blue"))
+        name = name.substr(diffuse.size());
       if (!property.isList())
         columns.push_back({name, property.type, 1});
     }
     return columns;
   }
 
-  /** Rows of different lengths: a cloud cannot hold their lists. */
-  Status
-  readRowsWithLists(const PlyElement& element, const TablePlan& plan)
+  /** The rows without their lists, which a cloud cannot hold. */
+  std::string
+  rowsWithoutLists(const PlyElement& element)
   {
     model_.warnings.push_back("lists of numbers at vertices are not taken over");
-    pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
-    ValueReader values(scanner_, header_.format);
-    std::string record(plan.source_stride, '\0');
-    for (std::size_t row = 0; row < element.rows; ++row) {
-      std::uint8_t* const point = cloud.data.data() + row * plan.point_step;
-      auto slot = plan.slots.begin();
+    std::string rows;
+    for (std::size_t row = 0; row < element.rows; ++row)
       for (const PlyProperty& property : element.properties) {
-        const bool good = property.isList()
-                              ? values.skipProperty(property)
-                              : values.readInto(*slot, point, record.data());
-        if (!good)
-          return truncated(element, row);
-        slot += property.isList() ? 0 : 1;
+        const char* const first = scanner_.position();
+        check(values_.skipProperty(property), element, row);
+        if (!property.isList())
+          rows.append(first, scanner_.position());
       }
-      if (header_.format != PlyFormat::ASCII)
-        decodeRecord(
-            plan, record.data(), header_.format == PlyFormat::BINARY_BIG, point);
-    }
-    return {};
+    return rows;
   }
 
-  Status
+  void
   readVertices(const PlyElement& element)
   {
     std::vector<SourceColumn> columns = columnsOf(element);
+    std::string copy;
+    TextScanner rows = scanner_;
     const bool has_list = columns.size() < element.properties.size();
-    if (header_.format == PlyFormat::ASCII && !has_list)
-      widenForText(scanner_, element.rows, columns);
-    TablePlan plan;
-    Status status = planTable(columns, Naming::PLY, plan);
-    pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
-    if (status.ok())
-      status = allocateCloud(plan, element.rows, cloud);
-    if (!status.ok())
-      return status;
-    if (has_list)
-      return readRowsWithLists(element, plan);
-    if (header_.format == PlyFormat::ASCII)
-      return decodeText(plan, scanner_, cloud);
-    if (element.rows > scanner_.remaining() / plan.source_stride)
-      return truncated(element, scanner_.remaining() / plan.source_stride);
-    decodeBinary(
-        plan, scanner_.position(), header_.format == PlyFormat::BINARY_BIG, cloud);
-    scanner_.skip(element.rows * plan.source_stride);
-    return {};
+    if (has_list) {
+      copy = rowsWithoutLists(element);
+      rows = TextScanner(copy);
+    }
+    const bool is_text = header_.format == PlyFormat::ASCII;
+    if (is_text)
+      widenForText(rows, element.rows, columns);
+    const TablePlan plan = planTable(columns, Naming::PLY);
+    const std::size_t most = rows.remaining() / plan.source_stride;
+    check(is_text || element.rows <= most, element, most);
+    allocateCloud(plan, element.rows, model_.mesh.cloud);
+    if (is_text)
+      decodeText(plan, rows, model_.mesh.cloud);
+    else
+      decodeBinary(plan,
+                   rows.position(),
+                   header_.format == PlyFormat::BINARY_BIG,
+                   model_.mesh.cloud);
+    if (!has_list)
+      scanner_ = rows;
+    if (!has_list && !is_text)
+      scanner_.skip(element.rows * plan.source_stride);
   }
 
   /** PCL writes the sensor's place as an element of its own. */
-  Status
+  void
   readCamera(const PlyElement& element)
   {
-    ValueReader values(scanner_, header_.format);
     std::map<std::string, double> numbers;
-    for (const PlyProperty& property : element.properties) {
-      double value = 0;
-      if (property.isList() ? !values.skipProperty(property)
-                            : !values.read(property.type, value))
-        return truncated(element, 0);
-      numbers[property.name] = value;
-    }
-    placeCamera(numbers);
-    organise(numbers["viewportx"], numbers["viewporty"]);
-    return {};
-  }
-
-  /** PCL's size of the picture is that of an organised cloud. */
-  void
-  organise(double columns, double rows)
-  {
-    pcl::PCLPointCloud2& cloud = model_.mesh.cloud;
-    constexpr double most = 1e6;
-    if (!(columns >= 1 && columns <= most && rows >= 1 && rows <= most))
-      return;
-    const auto width = static_cast<std::uint64_t>(columns);
-    const auto height = static_cast<std::uint64_t>(rows);
-    if (width * height != pointCount(cloud))
-      return;
-    cloud.width = static_cast<pcl::uindex_t>(width);
-    cloud.height = static_cast<pcl::uindex_t>(height);
-    cloud.row_step = cloud.width * cloud.point_step;
-  }
-
-  void
-  placeCamera(const std::map<std::string, double>& numbers)
-  {
-    const auto take = [&](const std::string& name, double& value) {
-      const auto found = numbers.find(name);
-      if (found != numbers.end())
-        value = found->second;
-      return found != numbers.end();
-    };
-    Viewpoint& viewpoint = model_.viewpoint;
-    Eigen::Matrix3d axes;
-    bool has_place = true;
-    bool has_axes = true;
-    for (int i = 0; i < 3; ++i) {
-      const std::string name(1, "xyz"[i]);
-      has_place = take("view_p" + name, viewpoint.position[i]) && has_place;
-      for (int k = 0; k < 3; ++k)
-        has_axes = take(name + "_axis" + "xyz"[k], axes(i, k)) && has_axes;
-    }
-    if (has_axes && axes.allFinite() && axes.isUnitary(1e-3))
-      viewpoint.orientation =
-          Eigen::Quaternionf(axes.cast<float>().eval()).normalized();
-    // PCL writes the origin when it knows no better.
-    viewpoint.may_be_origin = has_place && viewpoint.position.isZero(0);
-    viewpoint.known =
-        has_place && viewpoint.position.allFinite() && !viewpoint.may_be_origin;
-  }
-
-  static bool
-  isIndexList(const PlyProperty& property)
-  {
-    const bool is_real = property.type == pcl::PCLPointField::FLOAT32 ||
-                         property.type == pcl::PCLPointField::FLOAT64;
-    return property.isList() && !is_real &&
-           (property.name == "vertex_indices" || property.name == "vertex_index");
+    for (const PlyProperty& property : element.properties)
+      check(property.isList() ? values_.skipProperty(property)
+                              : values_.read(property.type, numbers[property.name]),
+            element,
+            0);
+    takeCamera(numbers, model_);
   }
 
   void
@@ -329,48 +251,40 @@ private:
                                 ") are not taken over");
   }
 
-  Status
+  void
   readFaces(const PlyElement& element)
   {
     const auto& properties = element.properties;
     if (element.rows > 0 &&
         std::none_of(properties.begin(), properties.end(), isIndexList))
-      return Status::error("its faces have no list of vertex indices");
+      throw Failure("its faces have no list of vertex indices");
     warnAboutFaceProperties(element);
-    ValueReader values(scanner_, header_.format);
     PolygonBuilder builder(model_.mesh.polygons);
-    // Faces of fewer corners than three take less room, but are not kept.
-    constexpr std::size_t least_bytes = 4;
-    builder.reserve(std::min(element.rows, scanner_.remaining() / least_bytes));
     std::vector<std::int64_t> corners;
     for (std::size_t row = 0; row < element.rows; ++row) {
-      if (!readFace(properties, values, corners))
-        return truncated(element, row);
+      check(readFace(properties, corners), element, row);
       if (element.name == "face")
         builder.addPolygon(corners);
       else
         builder.addStrip(corners);
     }
-    return builder.finish(model_.warnings);
+    builder.finish(model_.warnings);
   }
 
-  static bool
+  bool
   readFace(const std::vector<PlyProperty>& properties,
-           ValueReader& values,
            std::vector<std::int64_t>& corners)
   {
     for (const PlyProperty& property : properties) {
-      if (!isIndexList(property)) {
-        if (!values.skipProperty(property))
-          return false;
-        continue;
-      }
       std::size_t count = 0;
-      if (!values.readCount(property, count))
+      if (!isIndexList(property) ? !values_.skipProperty(property)
+                                 : !values_.readCount(property, count))
         return false;
+      if (!isIndexList(property))
+        continue;
       corners.resize(count);
       for (std::int64_t& corner : corners)
-        if (!values.read(property.type, corner))
+        if (!values_.read(property.type, corner))
           return false;
     }
     return true;
@@ -380,14 +294,15 @@ private:
   Contents contents_;
   Model& model_;
   PlyHeader header_;
+  ValueReader values_;
 };
 
 } // namespace
 
-Status
+void
 readPly(const InputFile& file, Contents contents, Model& model)
 {
-  return PlyParser(file, contents, model).run();
+  PlyParser(file, contents, model).run();
 }
 
 } // namespace app

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: writes binary PLY with all fields.
-#include "cloud_normals.h"
-#include "mesh_writers.h"
+#include "ply_camera.h"
 #include "point_columns.h"
 #include "remarks.h"
+#include "writers.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace app {
 namespace {
@@ -45,28 +43,6 @@ isWide(ScalarType type)
   return type == Field::INT64 || type == Field::UINT64;
 }
 
-/** Numbers of the camera by the names that PCL reads, in its order. */
-constexpr std::array<const char*, 14> CAMERA_NUMBERS{"view_px",
-                                                     "view_py",
-                                                     "view_pz",
-                                                     "x_axisx",
-                                                     "x_axisy",
-                                                     "x_axisz",
-                                                     "y_axisx",
-                                                     "y_axisy",
-                                                     "y_axisz",
-                                                     "z_axisx",
-                                                     "z_axisy",
-                                                     "z_axisz",
-                                                     "viewportx",
-                                                     "viewporty"};
-
-bool
-isWhole(std::string_view name)
-{
-  return name == "viewportx" || name == "viewporty";
-}
-
 void
 writeRemarks(const Remarks& remarks, OutputFile& file)
 {
@@ -77,52 +53,6 @@ writeRemarks(const Remarks& remarks, OutputFile& file)
     file.text("comment " + line + "\n");
   for (const std::string& line : remarks.infos)
     file.text("obj_info " + line + "\n");
-}
-
-/** PCL reads floats; of places that floats do not hold it would read nonsense. */
-bool
-isDouble(std::string_view name, const Viewpoint& viewpoint)
-{
-  return name.substr(0, 6) == "view_p" && needsDouble(viewpoint);
-}
-
-void
-announceCamera(const Viewpoint& viewpoint, OutputFile& file)
-{
-  file.text("element camera 1\n");
-  for (const std::string name : CAMERA_NUMBERS)
-    file.text("property " +
-              std::string(isWhole(name)               ? "int "
-                          : isDouble(name, viewpoint) ? "double "
-                                                      : "float ") +
-              name + "\n");
-}
-
-/** The axes are the rows of the rotation, as PCL writes them. Like PCL, the size of the
- * picture stands for that of an organised cloud. */
-void
-writeCamera(const Viewpoint& viewpoint,
-            const pcl::PCLPointCloud2& cloud,
-            OutputFile& file)
-{
-  const Eigen::Matrix3f axes = viewpoint.orientation.toRotationMatrix();
-  std::vector<double> numbers(viewpoint.position.data(), viewpoint.position.data() + 3);
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column)
-      numbers.push_back(double{axes(row, column)});
-  numbers.resize(CAMERA_NUMBERS.size(), 0.0);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const std::string_view name = CAMERA_NUMBERS[i];
-    const auto size =
-        static_cast<std::int32_t>(name == "viewportx" ? cloud.width : cloud.height);
-    const auto single = static_cast<float>(numbers[i]);
-    if (isWhole(name))
-      file.write(&size, sizeof(size));
-    else if (isDouble(name, viewpoint))
-      file.write(&numbers[i], sizeof(double));
-    else
-      file.write(&single, sizeof(single));
-  }
 }
 
 void

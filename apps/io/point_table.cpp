@@ -142,24 +142,35 @@ private:
   std::size_t alignment_ = 4;
 };
 
-Status
+void
 checkColumns(const std::vector<SourceColumn>& columns)
 {
-  for (const char* axis : {"x", "y", "z"}) {
-    const auto matches = [&](const SourceColumn& c) { return c.name == axis; };
-    const auto found = std::find_if(columns.begin(), columns.end(), matches);
-    if (found == columns.end() || found->count != 1)
-      return Status::error(std::string("its points have no coordinate ") + axis);
-  }
-  std::vector<std::string> names;
+  std::size_t numbers = 0;
   for (const SourceColumn& column : columns)
-    if (column.name != "_")
-      names.push_back(column.name);
+    numbers += column.count;
+  // More than any known descriptor has: a damaged file.
+  if (numbers > most_numbers)
+    throw Failure("its points have " + std::to_string(numbers) +
+                  " numbers each, which is too many");
+  for (const char* axis : {"x", "y", "z"})
+    if (std::none_of(columns.begin(), columns.end(), [&](const SourceColumn& column) {
+          return column.name == axis && column.count == 1;
+        }))
+      throw Failure(std::string("its points have no coordinate ") + axis);
+}
+
+/** The first name that occurs twice; empty if none does. */
+template <typename Named>
+std::string
+nameTakenTwice(const std::vector<Named>& all)
+{
+  std::vector<std::string> names;
+  for (const Named& named : all)
+    if (named.name != "_")
+      names.push_back(named.name);
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
-  if (twice != names.end())
-    return Status::error("its points have two columns named '" + *twice + "'");
-  return {};
+  return twice == names.end() ? "" : *twice;
 }
 
 /** A block of bytes copied as it is from record to point. */
@@ -216,31 +227,21 @@ convertSlot(const Slot& slot, const char* record, bool swapped, std::uint8_t* po
 
 } // namespace
 
-Status
-planTable(const std::vector<SourceColumn>& columns, Naming naming, TablePlan& plan)
+TablePlan
+planTable(const std::vector<SourceColumn>& columns, Naming naming)
 {
-  std::size_t numbers = 0;
-  for (const SourceColumn& column : columns)
-    numbers += column.count;
-  // More than any known descriptor has: a damaged file.
-  if (numbers > most_numbers)
-    return Status::error("its points have " + std::to_string(numbers) +
-                         " numbers each, which is too many");
-  const Status status = checkColumns(columns);
-  if (!status.ok())
-    return status;
-  plan = TablePlan();
+  checkColumns(columns);
+  const std::string twice = nameTakenTwice(columns);
+  if (!twice.empty())
+    throw Failure("its points have two columns named '" + twice + "'");
+  TablePlan plan;
   Planner planner(columns, naming, plan);
   for (const SourceColumn& column : columns)
     planner.add(column);
   planner.finish();
-  std::vector<std::string> names;
-  for (const Field& field : plan.fields)
-    names.push_back(field.name);
-  std::sort(names.begin(), names.end());
-  if (std::adjacent_find(names.begin(), names.end()) != names.end())
-    return Status::error("two of its columns stand for the same field");
-  return {};
+  if (!nameTakenTwice(plan.fields).empty())
+    throw Failure("two of its columns stand for the same field");
+  return plan;
 }
 
 void
@@ -261,13 +262,13 @@ widenForText(TextScanner scanner,
       column.type = Field::FLOAT64;
 }
 
-Status
+void
 allocateCloud(const TablePlan& plan, std::size_t points, pcl::PCLPointCloud2& cloud)
 {
   const auto most = static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max());
   if (points > most ||
       points * plan.point_step > std::numeric_limits<pcl::uindex_t>::max())
-    return Status::error("it holds more points than PCL can index");
+    throw Failure("it holds more points than PCL can index");
   cloud.fields = plan.fields;
   cloud.width = static_cast<pcl::uindex_t>(points);
   cloud.height = 1;
@@ -276,7 +277,6 @@ allocateCloud(const TablePlan& plan, std::size_t points, pcl::PCLPointCloud2& cl
   cloud.is_bigendian = false;
   cloud.is_dense = true;
   cloud.data.assign(points * plan.point_step, 0);
-  return {};
 }
 
 void
@@ -300,17 +300,6 @@ decodeBinary(const TablePlan& plan,
   }
 }
 
-void
-decodeRecord(const TablePlan& plan,
-             const char* record,
-             bool swapped,
-             std::uint8_t* point)
-{
-  for (const Slot& slot : plan.slots)
-    if (slot.target_type != 0)
-      convertSlot(slot, record, swapped, point);
-}
-
 bool
 decodeWord(std::string_view word, ScalarType type, std::uint8_t* target)
 {
@@ -327,7 +316,7 @@ decodeWord(std::string_view word, ScalarType type, std::uint8_t* target)
   return good;
 }
 
-Status
+void
 decodeText(const TablePlan& plan, TextScanner& scanner, pcl::PCLPointCloud2& cloud)
 {
   const std::size_t points = std::size_t{cloud.width} * cloud.height;
@@ -336,13 +325,12 @@ decodeText(const TablePlan& plan, TextScanner& scanner, pcl::PCLPointCloud2& clo
   for (std::size_t i = 0; i < points; ++i, point += plan.point_step)
     for (const Slot& slot : plan.slots) {
       if (!scanner.nextWord(word))
-        return Status::error("it ends after " + std::to_string(i) + " of " +
-                             plural(points, "point"));
+        throw Failure("it ends after " + std::to_string(i) + " of " +
+                      plural(points, "point"));
       if (!decodeWord(word, slot.target_type, point + slot.target_offset))
-        return Status::error("'" + std::string(word.substr(0, 40)) + "' in point " +
-                             std::to_string(i) + " is not the number it should be");
+        throw Failure("'" + std::string(word.substr(0, 40)) + "' in point " +
+                      std::to_string(i) + " is not the number it should be");
     }
-  return {};
 }
 
 } // namespace app

@@ -48,9 +48,9 @@ struct TablePlan {
 };
 
 /** \brief Plan the cloud for \a columns. Columns named "_" are padding and left out.
- * Fails when x, y or z is missing or a name occurs twice. */
-Status
-planTable(const std::vector<SourceColumn>& columns, Naming naming, TablePlan& plan);
+ * Throws a Failure when x, y or z is missing or a name occurs twice. */
+TablePlan
+planTable(const std::vector<SourceColumn>& columns, Naming naming);
 
 /** \brief Turn x, y and z into doubles where the text of \a points records has more
  * digits than floats can hold. */
@@ -60,9 +60,9 @@ widenForText(TextScanner scanner,
              std::vector<SourceColumn>& columns);
 
 /** \brief Set fields and size of \a cloud and take its memory (zeroed).
- * Fails for more points than PCL can index. Call it only for counts which the file is
- * long enough for. */
-Status
+ * Throws a Failure for more points than PCL can index. Call it only for counts which
+ * the file is long enough for. */
+void
 allocateCloud(const TablePlan& plan, std::size_t points, pcl::PCLPointCloud2& cloud);
 
 /** \brief Fill \a cloud from as many binary records as it has points. */
@@ -72,20 +72,14 @@ decodeBinary(const TablePlan& plan,
              bool swapped,
              pcl::PCLPointCloud2& cloud);
 
-/** \brief The same for one record and its point. */
-void
-decodeRecord(const TablePlan& plan,
-             const char* record,
-             bool swapped,
-             std::uint8_t* point);
-
 /** \brief Parse \a word as a number of type \a type into \a target; type 0 checks only
  * that it is a number. */
 bool
 decodeWord(std::string_view word, ScalarType type, std::uint8_t* target);
 
-/** \brief Fill \a cloud from as many records of words as it has points. */
-Status
+/** \brief Fill \a cloud from as many records of words as it has points; throws a
+ * Failure for words that are no numbers, or too few. */
+void
 decodeText(const TablePlan& plan, TextScanner& scanner, pcl::PCLPointCloud2& cloud);
 
 } // namespace app

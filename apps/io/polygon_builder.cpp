@@ -16,15 +16,11 @@ PolygonBuilder::addPolygon(const std::vector<std::int64_t>& corners)
     return;
   }
   pcl::Vertices polygon;
-  polygon.vertices.resize(corners.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const std::int64_t corner = corners[i];
-    if (corner < 0 || corner > std::numeric_limits<pcl::index_t>::max()) {
-      has_bad_index_ = true;
-      bad_index_ = corner;
-      return;
-    }
-    polygon.vertices[i] = static_cast<pcl::index_t>(corner);
+  for (const std::int64_t corner : corners) {
+    if (corner < 0 || corner > std::numeric_limits<pcl::index_t>::max())
+      throw Failure("a face refers to vertex " + std::to_string(corner) +
+                    ", which does not exist");
+    polygon.vertices.push_back(static_cast<pcl::index_t>(corner));
   }
   polygons_.push_back(std::move(polygon));
 }
@@ -44,16 +40,12 @@ PolygonBuilder::addStrip(const std::vector<std::int64_t>& corners)
   }
 }
 
-Status
+void
 PolygonBuilder::finish(Warnings& warnings) const
 {
-  if (has_bad_index_)
-    return Status::error("a face refers to vertex " + std::to_string(bad_index_) +
-                         ", which does not exist");
   if (short_faces_ > 0)
     warnings.push_back(plural(short_faces_, "face") +
                        " with fewer than three corners left out");
-  return {};
 }
 
 Status

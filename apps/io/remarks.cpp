@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the lines of a file that are for people.
+// Part of PclSurfaceRepair: comments of files, and the units they name.
 #include "remarks.h"
 
 #include "text_scanner.h"
 
 #include <algorithm>
-#include <array>
 
 namespace app {
 namespace {
@@ -13,17 +12,8 @@ namespace {
 /** As long as VTK allows a title to be. */
 constexpr std::size_t longest_title = 255;
 
-char
-lower(char c)
-{
-  return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-}
-
-bool
-isLetter(char c)
-{
-  return lower(c) >= 'a' && lower(c) <= 'z';
-}
+/** In a title other text follows behind our mark. */
+constexpr std::string_view mark_end = "; ";
 
 std::string_view
 trimmed(std::string_view text)
@@ -35,38 +25,48 @@ trimmed(std::string_view text)
   return text;
 }
 
+bool
+isLetter(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string
+inSmallLetters(std::string_view text)
+{
+  std::string small(text);
+  for (char& c : small)
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return small;
+}
+
 /** Names of lengths; "unit sphere" is no unit. */
 bool
 isLength(std::string_view word)
 {
-  static const std::array<std::string_view, 31> names{
-      "m",          "mm",          "cm",         "dm",         "km",     "um",
-      "nm",         "in",          "ft",         "yd",         "inch",   "inches",
-      "foot",       "feet",        "yard",       "yards",      "micron", "microns",
-      "meter",      "meters",      "metre",      "metres",     "mile",   "miles",
-      "millimeter", "millimeters", "millimetre", "centimeter", "mils",   "millimetres",
-      "centimeters"};
-  std::string small(word);
-  std::transform(small.begin(), small.end(), small.begin(), lower);
-  return std::find(names.begin(), names.end(), small) != names.end();
+  constexpr std::string_view names =
+      " m mm cm dm km um nm in ft yd inch inches foot feet yard yards micron microns "
+      "meter meters metre metres mile millimeter millimeters millimetre millimetres "
+      "centimeter centimeters mils ";
+  return !word.empty() &&
+         names.find(" " + inSmallLetters(word) + " ") != std::string_view::npos;
 }
 
 /** What stands behind the word "unit" or "units". */
 std::string_view
 unitsBehind(std::string_view rest)
 {
-  if (!rest.empty() && lower(rest.front()) == 's')
+  if (!rest.empty() && (rest.front() == 's' || rest.front() == 'S'))
     rest.remove_prefix(1);
   if (rest.empty() || isLetter(rest.front()))
     return {};
   rest = trimmed(rest);
   if (!rest.empty() && (rest.front() == ':' || rest.front() == '='))
     return trimmed(rest.substr(1));
-  TextScanner words(rest.data(), rest.data() + rest.size());
-  std::string_view word;
-  words.nextWord(word);
+  TextScanner words(rest);
+  std::string_view word = words.word();
   if (word == "are" || word == "is")
-    words.nextWord(word);
+    word = words.word();
   return isLength(word) ? word : std::string_view();
 }
 
@@ -74,20 +74,15 @@ std::string_view
 unitsIn(std::string_view text)
 {
   constexpr std::string_view word = "unit";
-  const auto same = [](char a, char b) { return lower(a) == b; };
-  auto from = text.begin();
-  for (;;) {
-    const auto found = std::search(from, text.end(), word.begin(), word.end(), same);
-    if (found == text.end())
-      return {};
-    const auto at = static_cast<std::size_t>(found - text.begin());
-    from = found + 1;
-    if (at > 0 && isLetter(text[at - 1]))
-      continue;
+  const std::string small = inSmallLetters(text);
+  for (std::size_t at = small.find(word); at != std::string::npos;
+       at = small.find(word, at + 1)) {
+    const bool is_word = at == 0 || !isLetter(small[at - 1]);
     const std::string_view units = unitsBehind(text.substr(at + word.size()));
-    if (!units.empty())
+    if (is_word && !units.empty())
       return units;
   }
+  return {};
 }
 
 /** Without the sign of a comment; \return whether it was one. */
@@ -102,20 +97,12 @@ takeComment(std::string_view& line)
   return true;
 }
 
-/** In a title other text follows behind it. */
-constexpr std::string_view mark_end = "; ";
-
-/** Cut off our mark; \return whether it was there. */
 bool
-takeMark(std::string_view& text)
+hasMark(std::string_view text)
 {
-  if (text.substr(0, our_mark.size()) != our_mark)
-    return false;
-  const std::string_view rest = text.substr(our_mark.size());
-  if (!rest.empty() && rest.substr(0, mark_end.size()) != mark_end)
-    return false;
-  text = trimmed(rest.substr(std::min(rest.size(), mark_end.size())));
-  return true;
+  const std::string_view rest = text.substr(std::min(text.size(), our_mark.size()));
+  return text.substr(0, our_mark.size()) == our_mark &&
+         (rest.empty() || rest.substr(0, mark_end.size()) == mark_end);
 }
 
 } // namespace
@@ -125,43 +112,41 @@ carriesOurMark(std::string_view beginning)
 {
   constexpr int lines_with_mark = 3; // what a format must begin with, and the mark
   constexpr std::string_view ply_keyword = "comment ";
-  TextScanner scanner(beginning.data(), beginning.data() + beginning.size());
+  TextScanner scanner(beginning);
   std::string_view line;
   for (int i = 0; i < lines_with_mark && scanner.nextLine(line); ++i) {
     takeComment(line);
     if (line.substr(0, ply_keyword.size()) == ply_keyword)
       line.remove_prefix(ply_keyword.size());
-    if (takeMark(line))
+    if (hasMark(line))
       return true;
   }
   return false;
 }
 
 void
-addComment(std::string_view text, Remarks& remarks)
+addComment(std::string_view text, std::vector<std::string>& lines)
 {
   text = trimmed(text);
-  takeMark(text);
+  if (hasMark(text))
+    text = trimmed(text.substr(std::min(text.size(), our_mark.size() + 1)));
   if (!text.empty())
-    remarks.comments.emplace_back(text);
+    lines.emplace_back(text);
 }
 
 void
 readUnitComments(const InputFile& file, std::size_t lines_before, Remarks& remarks)
 {
-  TextScanner scanner(file.begin(), file.end());
+  TextScanner scanner(file.bytes());
   std::string_view line;
   while (scanner.nextLine(line)) {
-    if (trimmed(line).empty())
-      continue;
-    if (!takeComment(line)) {
-      if (lines_before == 0)
-        return;
-      --lines_before;
-      continue;
+    const bool is_blank = trimmed(line).empty();
+    if (!is_blank && takeComment(line)) {
+      if (!unitsIn(line).empty())
+        addComment(line, remarks.comments);
     }
-    if (!unitsIn(line).empty())
-      addComment(line, remarks);
+    else if (!is_blank && lines_before-- == 0)
+      return;
   }
 }
 
@@ -174,6 +159,13 @@ asComments(const Remarks& remarks)
   lines.insert(lines.end(), remarks.comments.begin(), remarks.comments.end());
   lines.insert(lines.end(), remarks.infos.begin(), remarks.infos.end());
   return lines;
+}
+
+void
+writeComments(const Remarks& remarks, OutputFile& file)
+{
+  for (const std::string& line : asComments(remarks))
+    file.text("# " + line + "\n");
 }
 
 std::string
@@ -189,11 +181,9 @@ asTitle(const Remarks& remarks)
 std::string
 namedUnits(const Remarks& remarks)
 {
-  for (const std::string& line : asComments(remarks)) {
-    const std::string_view units = unitsIn(line);
-    if (!units.empty())
+  for (const std::string& line : asComments(remarks))
+    if (const std::string_view units = unitsIn(line); !units.empty())
       return std::string(units);
-  }
   return "";
 }
 

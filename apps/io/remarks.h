@@ -4,6 +4,7 @@
 
 #include "input_file.h"
 #include "model.h"
+#include "output_file.h"
 
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ carriesOurMark(std::string_view beginning);
 
 /** \brief Add a comment without our own mark, if there is more to it. */
 void
-addComment(std::string_view text, Remarks& remarks);
+addComment(std::string_view text, std::vector<std::string>& lines);
 
 /** \brief Of a text format with comment lines (# or //) at its beginning, behind
  * \a lines_before others: keep those that name units. The rest tells of the file itself
@@ -34,6 +35,10 @@ readUnitComments(const InputFile& file, std::size_t lines_before, Remarks& remar
  */
 std::vector<std::string>
 asComments(const Remarks& remarks);
+
+/** \brief Write these, each on a line behind "# ". */
+void
+writeComments(const Remarks& remarks, OutputFile& file);
 
 /** \brief One line that begins with our mark, for formats with room for a title alone.
  */

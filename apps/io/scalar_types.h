@@ -28,38 +28,32 @@ bool
 visitScalar(ScalarType type, Visitor&& visitor)
 {
   using Field = pcl::ccaa::PointFieldNames;
+  const auto visit = [&](auto tag) {
+    visitor(tag);
+    return true;
+  };
   switch (type) {
   case Field::INT8:
-    visitor(TypeTag<std::int8_t>{});
-    return true;
+    return visit(TypeTag<std::int8_t>{});
   case Field::BOOL:
   case Field::UINT8:
-    visitor(TypeTag<std::uint8_t>{});
-    return true;
+    return visit(TypeTag<std::uint8_t>{});
   case Field::INT16:
-    visitor(TypeTag<std::int16_t>{});
-    return true;
+    return visit(TypeTag<std::int16_t>{});
   case Field::UINT16:
-    visitor(TypeTag<std::uint16_t>{});
-    return true;
+    return visit(TypeTag<std::uint16_t>{});
   case Field::INT32:
-    visitor(TypeTag<std::int32_t>{});
-    return true;
+    return visit(TypeTag<std::int32_t>{});
   case Field::UINT32:
-    visitor(TypeTag<std::uint32_t>{});
-    return true;
+    return visit(TypeTag<std::uint32_t>{});
   case Field::INT64:
-    visitor(TypeTag<std::int64_t>{});
-    return true;
+    return visit(TypeTag<std::int64_t>{});
   case Field::UINT64:
-    visitor(TypeTag<std::uint64_t>{});
-    return true;
+    return visit(TypeTag<std::uint64_t>{});
   case Field::FLOAT32:
-    visitor(TypeTag<float>{});
-    return true;
+    return visit(TypeTag<float>{});
   case Field::FLOAT64:
-    visitor(TypeTag<double>{});
-    return true;
+    return visit(TypeTag<double>{});
   default:
     return false;
   }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: reads STL.
-#include "stl_reader.h"
-
 #include "cloud_assembler.h"
 #include "polygon_builder.h"
+#include "readers.h"
 #include "text_scanner.h"
 
 #include <algorithm>
@@ -59,14 +58,13 @@ private:
   std::unordered_map<Corner, std::int64_t, CornerHash> index_;
 };
 
-Status
+void
 readBinary(const InputFile& file,
            std::size_t facets,
            CornerMerger& merger,
            Model& model)
 {
   PolygonBuilder builder(model.mesh.polygons);
-  builder.reserve(facets);
   std::vector<std::int64_t> corners(3);
   const char* facet = file.begin() + header_bytes;
   for (std::size_t i = 0; i < facets; ++i, facet += facet_bytes) {
@@ -78,7 +76,6 @@ readBinary(const InputFile& file,
     }
     builder.addPolygon(corners);
   }
-  return builder.finish(model.warnings);
 }
 
 /** STL is written in small letters, and by some programs in capitals. */
@@ -95,22 +92,19 @@ isWord(std::string_view word, std::string_view small)
 bool
 looksLikeText(const InputFile& file)
 {
-  TextScanner words(file.begin(), file.end());
-  std::string_view word;
-  const std::string_view start(file.begin(), std::min<std::size_t>(file.size(), 512));
-  return words.nextWord(word) && isWord(word, "solid") &&
-         start.find('\0') == std::string_view::npos;
+  const bool has_zero =
+      file.bytes().substr(0, 512).find('\0') != std::string_view::npos;
+  return !has_zero && isWord(TextScanner(file.bytes()).word(), "solid");
 }
 
-Status
+void
 readAscii(const InputFile& file, CornerMerger& merger, Model& model)
 {
-  TextScanner scanner(file.begin(), file.end());
+  TextScanner scanner(file.bytes());
   PolygonBuilder builder(model.mesh.polygons);
   std::vector<std::int64_t> corners;
-  std::string_view word;
+  std::string_view word = scanner.word();
   std::string_view line;
-  scanner.nextWord(word);
   scanner.nextLine(line); // a name of any kind
   bool is_closed = false;
   while (scanner.nextWord(word)) {
@@ -120,10 +114,10 @@ readAscii(const InputFile& file, CornerMerger& merger, Model& model)
     if (isWord(word, "vertex")) {
       Corner corner{};
       for (float& value : corner)
-        if (!scanner.nextWord(word) || !parseNumber(word, value))
-          return Status::error("a vertex behind its facet " +
-                               std::to_string(model.mesh.polygons.size()) +
-                               " is damaged or cut off");
+        if (!nextNumber(scanner, value))
+          throw Failure("a vertex behind its facet " +
+                        std::to_string(model.mesh.polygons.size()) +
+                        " is damaged or cut off");
       corners.push_back(merger.indexOf(corner));
     }
     if (isWord(word, "endloop")) {
@@ -132,36 +126,32 @@ readAscii(const InputFile& file, CornerMerger& merger, Model& model)
     }
   }
   if (!is_closed)
-    return Status::error("it has no 'endsolid' (truncated?)");
-  return builder.finish(model.warnings);
+    throw Failure("it has no 'endsolid' (truncated?)");
+  builder.finish(model.warnings);
 }
 
 } // namespace
 
-Status
+void
 readStl(const InputFile& file, Model& model)
 {
   CornerMerger merger;
-  Status status;
   const bool is_text = looksLikeText(file);
-  std::size_t facets = 0;
-  if (file.size() >= header_bytes)
-    facets = loadScalar<std::uint32_t>(file.begin() + 80, false);
+  const bool has_header = file.size() >= header_bytes;
+  const std::size_t facets =
+      has_header ? loadScalar<std::uint32_t>(file.begin() + 80, false) : 0;
   // Many binary files begin with "solid", too, and some have a tail; the length tells.
-  const std::size_t body = file.size() < header_bytes ? 0 : file.size() - header_bytes;
-  const bool is_exact = file.size() >= header_bytes && body == facets * facet_bytes;
+  const std::size_t body = has_header ? file.size() - header_bytes : 0;
+  const bool is_exact = has_header && body == facets * facet_bytes;
   const bool has_tail = !is_text && facets > 0 && body > facets * facet_bytes;
-  const bool is_binary = is_exact || has_tail;
-  if (is_binary)
-    status = readBinary(file, facets, merger, model);
+  if (is_exact || has_tail)
+    readBinary(file, facets, merger, model);
   else if (is_text)
-    status = readAscii(file, merger, model);
+    readAscii(file, merger, model);
   else
-    status = Status::error("it is neither ASCII STL nor as long as the header of "
-                           "binary STL announces (truncated?)");
-  if (!status.ok())
-    return status;
-  return assembleCloud(merger.positions(), {}, model.mesh.cloud);
+    throw Failure("it is neither ASCII STL nor as long as the header of binary STL "
+                  "announces (truncated?)");
+  assembleCloud(merger.positions(), {}, model.mesh.cloud);
 }
 
 } // namespace app

@@ -134,25 +134,17 @@ parseNumber(std::string_view word, T& value)
     return parseInteger(word, value);
 }
 
-template bool
-parseNumber(std::string_view, float&);
-template bool
-parseNumber(std::string_view, double&);
-template bool
-parseNumber(std::string_view, std::int8_t&);
-template bool
-parseNumber(std::string_view, std::uint8_t&);
-template bool
-parseNumber(std::string_view, std::int16_t&);
-template bool
-parseNumber(std::string_view, std::uint16_t&);
-template bool
-parseNumber(std::string_view, std::int32_t&);
-template bool
-parseNumber(std::string_view, std::uint32_t&);
-template bool
-parseNumber(std::string_view, std::int64_t&);
-template bool
-parseNumber(std::string_view, std::uint64_t&);
+#define PSR_PARSE(type) template bool parseNumber(std::string_view, type&);
+PSR_PARSE(float)
+PSR_PARSE(double)
+PSR_PARSE(std::int8_t)
+PSR_PARSE(std::uint8_t)
+PSR_PARSE(std::int16_t)
+PSR_PARSE(std::uint16_t)
+PSR_PARSE(std::int32_t)
+PSR_PARSE(std::uint32_t)
+PSR_PARSE(std::int64_t)
+PSR_PARSE(std::uint64_t)
+#undef PSR_PARSE
 
 } // namespace app

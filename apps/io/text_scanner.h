@@ -11,7 +11,9 @@ namespace app {
 /** \brief Walks over text word by word or line by line. Views point into the text. */
 class TextScanner {
 public:
-  TextScanner(const char* begin, const char* end) : at_(begin), end_(end) {}
+  explicit TextScanner(std::string_view text)
+  : at_(text.data()), end_(text.data() + text.size())
+  {}
 
   /** \brief Next word between white space.
    * \return false at the end of the text. */
@@ -31,6 +33,15 @@ public:
    * \return false at the end of the text. */
   bool
   nextLine(std::string_view& line);
+
+  /** \brief Next word; empty at the end of the text. */
+  std::string_view
+  word()
+  {
+    std::string_view next;
+    nextWord(next);
+    return next;
+  }
 
   const char*
   position() const
@@ -68,6 +79,14 @@ private:
 template <typename T>
 bool
 parseNumber(std::string_view word, T& value);
+
+/** \brief Read the next word as a number. \return false where there is none. */
+template <typename T>
+bool
+nextNumber(TextScanner& words, T& value)
+{
+  return parseNumber(words.word(), value);
+}
 
 /** \brief Whether a float would lose digits of \a word, whose number is \a value: the
  * nearest float is off by half a unit of the last digit or more. A number that a

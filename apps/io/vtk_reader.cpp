@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: reads legacy VTK polygon data.
-#include "vtk_reader.h"
-
 #include "cloud_assembler.h"
 #include "point_table.h"
 #include "polygon_builder.h"
+#include "readers.h"
 #include "remarks.h"
 #include "vtk_cells.h"
 #include "vtk_values.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace app {
 namespace {
@@ -20,63 +16,57 @@ using Field = pcl::PCLPointField;
 class VtkParser {
 public:
   VtkParser(const InputFile& file, Model& model)
-  : scanner_(file.begin(), file.end()), model_(model), builder_(model.mesh.polygons)
+  : scanner_(file.bytes()), model_(model), builder_(model.mesh.polygons)
   {}
 
-  Status
+  void
   run()
   {
-    Status status = readPreamble();
+    readPreamble();
     std::string_view line;
-    while (status.ok() && scanner_.nextLine(line)) {
-      TextScanner words(line.data(), line.data() + line.size());
-      std::string_view keyword;
-      if (words.nextWord(keyword) && !readSection(inCapitals(keyword), words))
-        status = Status::error("its section '" + std::string(keyword.substr(0, 40)) +
-                               "' is damaged, cut off or not known");
+    while (scanner_.nextLine(line)) {
+      TextScanner words(line);
+      const std::string_view keyword = words.word();
+      if (!keyword.empty() && !readSection(inCapitals(keyword), words))
+        throw Failure("its section '" + std::string(keyword.substr(0, 40)) +
+                      "' is damaged, cut off or not known");
     }
-    if (status.ok() && positions_.empty())
-      return Status::error("it holds no points");
-    if (status.ok() && !addSurfaceCells(cells_, cell_types_, builder_, model_.warnings))
-      return Status::error("its cells and their types do not fit together");
-    if (status.ok())
-      status = builder_.finish(model_.warnings);
-    return status.ok() ? assembleCloud(positions_, is_wide_, arrays_, model_.mesh.cloud)
-                       : status;
+    if (positions_.empty())
+      throw Failure("it holds no points");
+    if (!addSurfaceCells(cells_, cell_types_, builder_, model_.warnings))
+      throw Failure("its cells and their types do not fit together");
+    builder_.finish(model_.warnings);
+    assembleCloud(positions_, is_wide_, arrays_, model_.mesh.cloud);
   }
 
 private:
-  Status
+  void
   readPreamble()
   {
     std::string_view line;
-    std::string_view word;
     if (!scanner_.nextLine(line) || line.substr(0, 5) != "# vtk")
-      return Status::error(
-          "it does not begin with '# vtk' (only legacy files are read)");
+      throw Failure("it does not begin with '# vtk' (only legacy files are read)");
     scanner_.nextLine(line);
     keepTitle(line);
-    scanner_.nextWord(word);
-    is_binary_ = inCapitals(word) == "BINARY";
-    if (!is_binary_ && inCapitals(word) != "ASCII")
-      return Status::error("it is neither ASCII nor BINARY");
-    scanner_.nextWord(word);
-    const bool is_dataset = inCapitals(word) == "DATASET" && scanner_.nextWord(word);
-    const std::string kind = is_dataset ? inCapitals(word) : "";
+    const std::string coding = inCapitals(scanner_.word());
+    is_binary_ = coding == "BINARY";
+    if (!is_binary_ && coding != "ASCII")
+      throw Failure("it is neither ASCII nor BINARY");
+    const bool is_dataset = inCapitals(scanner_.word()) == "DATASET";
+    const std::string kind = is_dataset ? inCapitals(scanner_.word()) : "";
     if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
-      return Status::error("its DATASET is neither POLYDATA nor UNSTRUCTURED_GRID");
+      throw Failure("its DATASET is neither POLYDATA nor UNSTRUCTURED_GRID");
     scanner_.nextLine(line);
-    return {};
   }
 
   /** VTK writes "vtk output" for want of a title. */
   void
   keepTitle(std::string_view title)
   {
-    Remarks kept;
+    std::vector<std::string> kept;
     addComment(title, kept);
-    if (!kept.comments.empty() && kept.comments[0] != "vtk output")
-      model_.remarks.title = kept.comments[0];
+    if (!kept.empty() && kept[0] != "vtk output")
+      model_.remarks.title = kept[0];
   }
 
   /** VTK does not mind how its keywords are written. */
@@ -90,19 +80,9 @@ private:
   }
 
   static bool
-  nextCount(TextScanner& words, std::size_t& count)
-  {
-    std::string_view word;
-    return words.nextWord(word) && parseNumber(word, count);
-  }
-
-  static bool
   nextType(TextScanner& words, ScalarType& type)
   {
-    std::string_view word;
-    if (!words.nextWord(word))
-      return false;
-    type = vtkType(word);
+    type = vtkType(words.word());
     return type != 0;
   }
 
@@ -116,11 +96,11 @@ private:
       return readCells(keyword, words);
     if (keyword == "POINT_DATA" || keyword == "CELL_DATA") {
       is_point_data_ = keyword == "POINT_DATA";
-      return nextCount(words, data_rows_);
+      return nextNumber(words, data_rows_);
     }
     if (keyword == "CELL_TYPES") {
       std::size_t rows = 0;
-      return nextCount(words, rows) &&
+      return nextNumber(words, rows) &&
              VtkValues(scanner_, is_binary_).read(Field::INT32, rows, cell_types_);
     }
     if (keyword == "METADATA")
@@ -137,7 +117,7 @@ private:
   {
     std::size_t count = 0;
     ScalarType type = 0;
-    if (!nextCount(words, count) || !nextType(words, type) ||
+    if (!nextNumber(words, count) || !nextType(words, type) ||
         count > scanner_.remaining())
       return false;
     std::vector<SourceColumn> columns{{"x", type, 1}, {"y", type, 1}, {"z", type, 1}};
@@ -176,12 +156,11 @@ private:
                  std::vector<std::int64_t>& to)
   {
     std::string_view line;
-    std::string_view word;
-    scanner_.nextWord(word);
+    const bool is_named = scanner_.word() == name;
     scanner_.nextLine(line);
-    TextScanner words(line.data(), line.data() + line.size());
+    TextScanner words(line);
     ScalarType type = 0;
-    return word == name && nextType(words, type) &&
+    return is_named && nextType(words, type) &&
            VtkValues(scanner_, is_binary_).read(type, count, to);
   }
 
@@ -189,9 +168,7 @@ private:
   bool
   comes(std::string_view expected) const
   {
-    TextScanner ahead = scanner_;
-    std::string_view word;
-    return ahead.nextWord(word) && word == expected;
+    return TextScanner(scanner_).word() == expected;
   }
 
   bool
@@ -200,7 +177,7 @@ private:
     std::size_t rows = 0;
     std::size_t size = 0;
     std::vector<std::int64_t> cells;
-    if (!nextCount(words, rows) || !nextCount(words, size))
+    if (!nextNumber(words, rows) || !nextNumber(words, size))
       return false;
     const bool good =
         comes("OFFSETS")
@@ -242,10 +219,9 @@ private:
   bool
   skipLookupTable(TextScanner& words)
   {
-    std::string_view name;
     std::size_t entries = 0;
-    words.nextWord(name);
-    if (!nextCount(words, entries))
+    words.word(); // its name
+    if (!nextNumber(words, entries))
       return true; // only the name of a table
     FieldArray ignored{
         "", std::uint8_t(is_binary_ ? Field::UINT8 : Field::FLOAT32), 4, {}};
@@ -263,10 +239,9 @@ private:
   bool
   readFieldData(TextScanner& words)
   {
-    std::string_view word;
     std::size_t arrays = 0;
-    words.nextWord(word);
-    if (!nextCount(words, arrays))
+    words.word(); // its name
+    if (!nextNumber(words, arrays))
       return false;
     for (std::size_t i = 0; i < arrays; ++i) {
       std::string_view line;
@@ -276,11 +251,11 @@ private:
           return false;
       while (name == "METADATA" && skipMetadata());
       scanner_.nextLine(line);
-      TextScanner rest(line.data(), line.data() + line.size());
+      TextScanner rest(line);
       FieldArray array;
       std::size_t rows = 0;
       array.name = name;
-      if (!nextCount(rest, array.count) || !nextCount(rest, rows) ||
+      if (!nextNumber(rest, array.count) || !nextNumber(rest, rows) ||
           !nextType(rest, array.type) || !readArray(rows, array))
         return false;
       keep(array, false);
@@ -292,16 +267,14 @@ private:
   readAttribute(std::string_view keyword, TextScanner& words)
   {
     FieldArray array;
-    std::string_view name;
-    words.nextWord(name);
-    array.name = name;
+    array.name = words.word();
     array.count = keyword == "TENSORS" ? 9 : 3;
     if (keyword == "COLOR_SCALARS") {
       array.type = is_binary_ ? Field::UINT8 : Field::FLOAT32;
-      return nextCount(words, array.count) && readArray(data_rows_, array) &&
+      return nextNumber(words, array.count) && readArray(data_rows_, array) &&
              keep(array, true);
     }
-    if (keyword == "TEXTURE_COORDINATES" && !nextCount(words, array.count))
+    if (keyword == "TEXTURE_COORDINATES" && !nextNumber(words, array.count))
       return false;
     const bool is_known = keyword == "SCALARS" || keyword == "VECTORS" ||
                           keyword == "NORMALS" || keyword == "TENSORS" ||
@@ -309,7 +282,7 @@ private:
     if (!is_known || !nextType(words, array.type))
       return false;
     if (keyword == "SCALARS") {
-      if (!nextCount(words, array.count))
+      if (!nextNumber(words, array.count))
         array.count = 1;
       std::string_view line;
       if (comes("LOOKUP_TABLE"))
@@ -334,18 +307,13 @@ private:
       arrays_.push_back(std::move(array));
       return true;
     }
-    FieldArray colours{"rgb", Field::FLOAT32, 1, {}};
+    FieldArray colours = colourArray();
     const std::size_t size = scalarSize(array.type);
     for (std::size_t at = 0; at < array.bytes.size(); at += size * array.count) {
-      unsigned parts[3];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto part =
-            loadScalarAs<double>(&array.bytes[at + i * size], array.type, false);
-        const double byte = is_bytes ? part : part * 255;
-        parts[i] =
-            byte > 0 ? static_cast<unsigned>(std::lround(std::min(byte, 255.0))) : 0;
-      }
-      appendColour(colours, parts[0], parts[1], parts[2]);
+      double parts[3];
+      for (std::size_t i = 0; i < 3; ++i)
+        parts[i] = loadScalarAs<double>(&array.bytes[at + i * size], array.type, false);
+      appendColour(colours, parts, is_bytes ? 1.0 : 255.0);
     }
     arrays_.push_back(std::move(colours));
     return true;
@@ -366,10 +334,10 @@ private:
 
 } // namespace
 
-Status
+void
 readVtk(const InputFile& file, Model& model)
 {
-  return VtkParser(file, model).run();
+  VtkParser(file, model).run();
 }
 
 } // namespace app

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: writes legacy binary VTK with all fields.
 #include "mesh/cloud_access.h"
-#include "mesh_writers.h"
 #include "point_columns.h"
 #include "remarks.h"
+#include "writers.h"
 
 #include <algorithm>
 

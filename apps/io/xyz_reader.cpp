@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: reads points from plain text, a line each.
-#include "xyz_reader.h"
-
 #include "point_table.h"
+#include "readers.h"
 
 #include <algorithm>
 #include <array>
@@ -24,16 +23,13 @@ void
 splitLine(std::string_view line, Words& words)
 {
   words.clear();
-  std::size_t at = 0;
-  while (at < line.size()) {
-    if (isSeparator(line[at])) {
-      ++at;
-      continue;
-    }
+  for (std::size_t at = 0; at < line.size();) {
     const std::size_t first = at;
     while (at < line.size() && !isSeparator(line[at]))
       ++at;
-    words.push_back(line.substr(first, at - first));
+    if (at > first)
+      words.push_back(line.substr(first, at - first));
+    ++at;
   }
 }
 
@@ -113,38 +109,41 @@ takeHeading(const Words& words, Survey& survey)
     survey.heading = names;
 }
 
-Status
-badLine(std::size_t number, const std::string& what)
+[[noreturn]] void
+failAt(std::size_t line_number, const std::string& what)
 {
-  return Status::error("line " + std::to_string(number) + " " + what);
+  throw Failure("line " + std::to_string(line_number) + " " + what);
 }
 
-Status
+[[noreturn]] void
+failAtWord(std::size_t line_number, std::string_view word)
+{
+  failAt(line_number,
+         "has '" + std::string(word.substr(0, 40)) + "' where a number should be");
+}
+
+void
 surveyPoint(const Words& words, std::size_t line_number, Survey& survey)
 {
   if (words.size() > most_numbers)
-    return badLine(line_number, "has too many numbers for a point");
+    failAt(line_number, "has too many numbers for a point");
   if (words.size() < 3)
-    return badLine(line_number, "has fewer than three numbers");
+    failAt(line_number, "has fewer than three numbers");
   if (survey.points == 0)
     survey.columns.resize(words.size());
   if (words.size() != survey.columns.size())
-    return badLine(line_number,
-                   "has " + std::to_string(words.size()) +
-                       " numbers where the first has " +
-                       std::to_string(survey.columns.size()));
+    failAt(line_number,
+           "has " + std::to_string(words.size()) + " numbers where the first has " +
+               std::to_string(survey.columns.size()));
   double value = 0;
   for (std::size_t i = 0; i < 3 && !survey.is_wide; ++i)
     survey.is_wide = parseNumber(words[i], value) && needsDouble(words[i], value);
   for (std::size_t i = 3; i < words.size(); ++i) {
     if (!parseNumber(words[i], value))
-      return badLine(line_number,
-                     "has '" + std::string(words[i].substr(0, 40)) +
-                         "' where a number should be");
+      failAtWord(line_number, words[i]);
     survey.columns[i].add(value);
   }
   ++survey.points;
-  return {};
 }
 
 /** A heading without comment sign, or the count of a .pts file. */
@@ -159,10 +158,11 @@ isPreamble(const Words& words, Survey& survey)
   return is_count || (is_heading && !survey.heading.empty());
 }
 
-Status
-surveyFile(const InputFile& file, Survey& survey)
+Survey
+surveyFile(const InputFile& file)
 {
-  TextScanner scanner(file.begin(), file.end());
+  Survey survey;
+  TextScanner scanner(file.bytes());
   std::string_view line;
   Words words;
   for (std::size_t number = 1; scanner.nextLine(line); ++number) {
@@ -174,15 +174,14 @@ surveyFile(const InputFile& file, Survey& survey)
       takeHeading(words, survey);
     if (is_comment || words.empty())
       continue;
-    if (survey.points == 0 && survey.skipped_lines < 2 && isPreamble(words, survey)) {
+    if (survey.points == 0 && survey.skipped_lines < 2 && isPreamble(words, survey))
       ++survey.skipped_lines;
-      continue;
-    }
-    const Status status = surveyPoint(words, number, survey);
-    if (!status.ok())
-      return status;
+    else
+      surveyPoint(words, number, survey);
   }
-  return survey.points > 0 ? Status() : Status::error("it holds no points");
+  if (survey.points == 0)
+    throw Failure("it holds no points");
+  return survey;
 }
 
 bool
@@ -224,46 +223,39 @@ columnType(const std::string& name, const ColumnRange& range)
 }
 
 /** Second pass: the numbers themselves. */
-Status
+void
 readPoints(const InputFile& file,
-           const Survey& survey,
+           std::size_t skipped_lines,
            const TablePlan& plan,
            pcl::PCLPointCloud2& cloud)
 {
-  TextScanner scanner(file.begin(), file.end());
+  TextScanner scanner(file.bytes());
   std::string_view line;
   Words words;
-  std::size_t to_skip = survey.skipped_lines;
   std::uint8_t* point = cloud.data.data();
   for (std::size_t number = 1; scanner.nextLine(line); ++number) {
     if (stripComment(line))
       continue;
     splitLine(line, words);
-    if (words.empty() || to_skip > 0) {
-      to_skip -= words.empty() ? 0 : 1;
+    if (words.empty() || skipped_lines > 0) {
+      skipped_lines -= words.empty() ? 0 : 1;
       continue;
     }
     for (std::size_t i = 0; i < words.size(); ++i) {
       const Slot& slot = plan.slots[i];
       if (!decodeWord(words[i], slot.target_type, point + slot.target_offset))
-        return badLine(number,
-                       "has '" + std::string(words[i].substr(0, 40)) +
-                           "' where a number should be");
+        failAtWord(number, words[i]);
     }
     point += plan.point_step;
   }
-  return {};
 }
 
 } // namespace
 
-Status
+void
 readXyz(const InputFile& file, Model& model)
 {
-  Survey survey;
-  Status status = surveyFile(file, survey);
-  if (!status.ok())
-    return status;
+  const Survey survey = surveyFile(file);
   const bool is_named = survey.heading.size() == survey.columns.size();
   const auto names = is_named ? survey.heading : guessNames(survey);
   std::vector<SourceColumn> columns;
@@ -271,13 +263,9 @@ readXyz(const InputFile& file, Model& model)
     columns.push_back({names[i], columnType(names[i], survey.columns[i]), 1});
   if (survey.is_wide)
     columns.front().type = Field::FLOAT64; // and so all three
-  TablePlan plan;
-  status = planTable(columns, Naming::PLY, plan);
-  if (status.ok())
-    status = allocateCloud(plan, survey.points, model.mesh.cloud);
-  if (status.ok())
-    status = readPoints(file, survey, plan, model.mesh.cloud);
-  return status;
+  const TablePlan plan = planTable(columns, Naming::PLY);
+  allocateCloud(plan, survey.points, model.mesh.cloud);
+  readPoints(file, survey.skipped_lines, plan, model.mesh.cloud);
 }
 
 } // namespace app

@@ -28,7 +28,7 @@ std::string
 unitsNamed(const std::string& comment)
 {
   app::Remarks remarks;
-  app::addComment(comment, remarks);
+  app::addComment(comment, remarks.comments);
   return app::namedUnits(remarks);
 }
 

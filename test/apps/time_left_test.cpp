@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: the estimate of the time left, without any clock.
 #include <gtest/gtest.h>
 
-#include "cli/time_left.h"
+#include "cli/progress.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: meshes in the formats of other programs.
+// Part of PclSurfaceRepair: a writer for each format.
 #pragma once
 
 #include "model.h"
@@ -42,5 +42,14 @@ writeOff(const pcl::PolygonMesh& mesh, const Remarks& remarks, OutputFile& file)
 /** \brief Binary STL: triangles only, no fields and no points without a triangle. */
 void
 writeStl(const pcl::PolygonMesh& mesh, OutputFile& file);
+
+/** \brief Binary PCD with all fields, sizes, the viewpoint and the remarks. */
+void
+writePcd(const pcl::PCLPointCloud2& cloud, const FileExtras& extras, OutputFile& file);
+
+/** \brief One line of numbers per point, under a comment line with their names, by
+ * which readXyz() knows them again. */
+void
+writeXyz(const pcl::PCLPointCloud2& cloud, const Remarks& remarks, OutputFile& file);
 
 } // namespace app
