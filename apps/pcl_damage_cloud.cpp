@@ -15,12 +15,13 @@
 #include <algorithm>
 #include <ostream>
 
+namespace app {
 namespace {
 
-app::Usage
+Usage
 usage()
 {
-  app::Usage usage;
+  Usage usage;
   usage.program = "pcl_damage_cloud";
   usage.synopsis = "INPUT OUTPUT [options]";
   usage.summary =
@@ -30,9 +31,9 @@ like the sparse samples of a region in the scanner's shade. All other points sta
 they are, in order and with all fields; triangles at a removed point go.
 
 INPUT    )" +
-      std::string(app::cloud_endings) + R"(
+      std::string(cloud_endings) + R"(
 OUTPUT   )" +
-      app::mesh_output_endings + " .pcd .xyz" + R"(
+      mesh_output_endings + " .pcd .xyz" + R"(
 '-' stands for standard input (any of these formats, told by the first bytes) and
 standard output (PLY, or PCD where there are no triangles, unless --format is given).
 
@@ -48,162 +49,139 @@ its diagonal; offset and thickness of a slab are shares of the extent along its 
 }
 
 void
-addRegionOptions(app::OptionGroup& options, app::DamageSettings& settings)
+addRegionOptions(OptionGroup& options, DamageSettings& settings)
 {
   constexpr long long many = 1000000;
-  options.texts("sphere", settings.spheres, "x,y,z,r: take out a sphere (repeatable)");
-  options.texts("slab",
-                settings.slabs,
-                "nx,ny,nz,offset,thickness: take out a slab (repeatable)");
+  options.texts("sphere", settings.spheres)("x,y,z,r: take out a sphere (repeatable)");
+  options.texts("slab", settings.slabs)(
+      "nx,ny,nz,offset,thickness: take out a slab (repeatable)");
   options.flag("absolute",
-               settings.absolute,
-               "--sphere and --slab are in the units of the cloud");
-  options.count("spheres",
-                settings.random_spheres,
-                0,
-                many,
-                "number of spheres around random points");
-  options.real("sphere-size", settings.sphere_size, 0, 1, "their radius, 0 to 1");
-  options.count("slabs", settings.random_slabs, 0, many, "number of slabs at random");
-  options.real("slab-size", settings.slab_size, 0, 1, "their thickness, 0 to 1");
-  options.count("patches",
-                settings.random_patches,
-                0,
-                many,
-                "number of connected patches of random shape");
-  options.real("patch-size",
-               settings.patch_size,
-               0,
-               1,
-               "points in each patch as a share of all points, 0 to 1");
+               settings.absolute)("--sphere and --slab are in the units of the cloud");
+  options.count("spheres", settings.random_spheres, 0, many)(
+      "number of spheres around random points");
+  options.real("sphere-size", settings.sphere_size, 0, 1)("their radius, 0 to 1");
+  options.count("slabs", settings.random_slabs, 0, many)("number of slabs at random");
+  options.real("slab-size", settings.slab_size, 0, 1)("their thickness, 0 to 1");
+  options.count("patches", settings.random_patches, 0, many)(
+      "number of connected patches of random shape");
+  options.real("patch-size", settings.patch_size, 0, 1)(
+      "points in each patch as a share of all points, 0 to 1");
 }
 
 bool
-usesStandardOutput(const app::DamageSettings& settings)
+usesStandardOutput(const DamageSettings& settings)
 {
-  return app::isStandardStream(settings.output) ||
-         app::isStandardStream(settings.removed) ||
-         app::isStandardStream(settings.free_points);
+  return isStandardStream(settings.output) || isStandardStream(settings.removed) ||
+         isStandardStream(settings.free_points);
 }
 
-app::Status
-checkRegions(const app::DamageSettings& settings)
+void
+checkRegions(const DamageSettings& settings)
 {
   const bool has_region = !settings.spheres.empty() || !settings.slabs.empty() ||
                           settings.random_spheres + settings.random_slabs > 0 ||
                           settings.random_patches > 0;
-  return has_region
-             ? app::Status()
-             : app::Status::error("no region to take out: give --sphere, --slab, "
-                                  "--spheres, --slabs or --patches (try --help)");
+  if (!has_region)
+    throw Failure("no region to take out: give --sphere, --slab, --spheres, --slabs or "
+                  "--patches (try --help)");
 }
 
 void
-addOptions(app::CommandLine& line, app::DamageSettings& settings)
+addOptions(CommandLine& line, DamageSettings& settings)
 {
-  app::OptionGroup& options = line.options();
+  OptionGroup& options = line.options();
   addRegionOptions(options, settings);
-  options.real("keep",
-               settings.keep,
-               0,
-               1,
-               "share of the points taken out that stays as free points, 0 to 1");
-  options.real("noise",
-               settings.noise,
-               0,
-               1000,
-               "deviation of the noise on them, in mean distances between neighbours");
-  options.count("seed", settings.seed, 0, 4294967295LL, "same seed, same damage");
-  options.text("removed", settings.removed, "write what was taken out to this file");
-  options.text("free-points",
-               settings.free_points,
-               "write the free points also to a cloud of their own");
-  options.text(
-      "report", settings.report, "write figures about the run to this JSON file");
-  app::addFormatOption(line,
-                       "ply, vtk, obj, off, stl, pcd or xyz",
-                       settings.format,
-                       [&settings] { return usesStandardOutput(settings); });
+  options.real("keep", settings.keep, 0, 1)(
+      "share of the points taken out that stays as free points, 0 to 1");
+  options.real("noise", settings.noise, 0, 1000)(
+      "deviation of the noise on them, in mean distances between neighbours");
+  options.count("seed", settings.seed, 0, 4294967295LL)("same seed, same damage");
+  options.text("removed", settings.removed)("write what was taken out to this file");
+  options.text("free-points", settings.free_points)(
+      "write the free points also to a cloud of their own");
+  options.text("report",
+               settings.report)("write figures about the run to this JSON file");
+  addFormatOption(line,
+                  "ply, vtk, obj, off, stl, pcd or xyz",
+                  settings.format,
+                  [&settings] { return usesStandardOutput(settings); });
   line.positional("INPUT", settings.input);
   line.positional("OUTPUT", settings.output);
   line.then([&settings] { return checkRegions(settings); });
 }
 
-app::Status
-checkOutput(const app::Target& target)
+void
+checkOutput(const Target& target)
 {
-  return app::isCloudOutput(target) ? app::checkCloudOutput(target)
-                                    : app::checkMeshOutput(target);
+  require(isCloudOutput(target) ? checkCloudOutput(target) : checkMeshOutput(target));
 }
 
 void
-checkFiles(const app::DamageSettings& settings)
+checkFiles(const DamageSettings& settings)
 {
   const auto target = [&](const std::string& path) {
-    return app::makeTarget(path, settings.format);
+    return makeTarget(path, settings.format);
   };
-  app::require(app::checkDifferentFiles(
+  checkDifferentFiles(
       {settings.input},
-      {settings.output, settings.removed, settings.free_points, settings.report}));
-  app::require(checkOutput(target(settings.output)));
+      {settings.output, settings.removed, settings.free_points, settings.report});
+  checkOutput(target(settings.output));
   if (!settings.removed.empty())
-    app::require(checkOutput(target(settings.removed)));
+    checkOutput(target(settings.removed));
   if (!settings.free_points.empty())
-    app::require(app::checkCloudOutput(target(settings.free_points)));
+    require(checkCloudOutput(target(settings.free_points)));
   if (!settings.report.empty())
-    app::require(app::OutputFile::check(settings.report));
+    require(OutputFile::check(settings.report));
 }
 
 void
-readInput(const app::DamageSettings& settings, app::Model& model)
+readInput(const DamageSettings& settings, Model& model)
 {
-  app::require(app::readModel(settings.input, model));
-  const app::Target target = app::makeTarget(settings.output, settings.format);
-  if (model.mesh.polygons.empty() && !app::holdsFreePoints(target))
-    throw app::Failure(app::nameForPeople(settings.output, "standard output") +
-                       " cannot hold points, and " +
-                       app::nameForPeople(settings.input) + " has no triangles");
-  const auto points = app::readPositions(model.mesh.cloud);
+  require(readModel(settings.input, model));
+  const Target target = makeTarget(settings.output, settings.format);
+  if (model.mesh.polygons.empty() && !holdsFreePoints(target))
+    throw Failure(nameForPeople(settings.output, "standard output") +
+                  " cannot hold points, and " + nameForPeople(settings.input) +
+                  " has no triangles");
+  const auto points = readPositions(model.mesh.cloud);
   const auto finite =
       std::count_if(points.begin(), points.end(), [](const Eigen::Vector3f& point) {
         return point.allFinite();
       });
   if (finite < 3)
-    throw app::Failure(app::nameForPeople(settings.input) + " has only " +
-                       std::to_string(finite) +
-                       " usable; at least three points are needed");
+    throw Failure(nameForPeople(settings.input) + " has only " +
+                  std::to_string(finite) + " usable; at least three points are needed");
   for (const std::string& output : {settings.output, settings.removed})
     if (!output.empty())
-      app::require(
-          app::checkCoordinates(app::makeTarget(output, settings.format), model));
-  app::noteShift(model);
+      checkCoordinates(makeTarget(output, settings.format), model);
+  noteShift(model);
 }
 
 /** Without a name to tell the format, a cloud becomes PCD, which keeps most of it. */
-app::Target
-targetOf(const app::DamagePart& part, app::FileFormat format)
+Target
+targetOf(const DamagePart& part, FileFormat format)
 {
-  if (format == app::FileFormat::UNKNOWN && part.mesh.polygons.empty())
-    format = app::FileFormat::PCD;
-  return app::makeTarget(part.path, format);
+  if (format == FileFormat::UNKNOWN && part.mesh.polygons.empty())
+    format = FileFormat::PCD;
+  return makeTarget(part.path, format);
 }
 
 void
-writePart(const app::Target& target,
+writePart(const Target& target,
           const pcl::PolygonMesh& part,
-          app::Model& model,
-          app::OutputFile& file)
+          Model& model,
+          OutputFile& file)
 {
-  const bool as_cloud = part.polygons.empty() && app::isCloudOutput(target);
-  const app::FileExtras extras{{}, model.viewpoint, model.remarks};
-  if (!as_cloud && app::isMeshOutput(target)) {
-    app::writeMesh(target, part, extras, file, model.warnings);
+  const bool as_cloud = part.polygons.empty() && isCloudOutput(target);
+  const FileExtras extras{{}, model.viewpoint, model.remarks};
+  if (!as_cloud && isMeshOutput(target)) {
+    writeMesh(target, part, extras, file, model.warnings);
     return;
   }
   if (!part.polygons.empty())
-    model.warnings.push_back(app::nameForPeople(target.path, "standard output") +
+    model.warnings.push_back(nameForPeople(target.path, "standard output") +
                              " holds points only, not the triangles");
-  app::writeCloud(target, part.cloud, extras, file);
+  writeCloud(target, part.cloud, extras, file);
 }
 
 /** \brief What was done, for all who want to know. */
@@ -211,27 +189,27 @@ struct Result {
   std::ptrdiff_t removed = 0;
   std::ptrdiff_t kept = 0;
   double seconds = 0;
-  app::Outcome outcome;
+  Outcome outcome;
 };
 
 Result
-judge(const app::Damage& damage, double seconds)
+judge(const Damage& damage, double seconds)
 {
   Result result;
   result.removed = std::count(damage.removed.begin(), damage.removed.end(), 1);
   result.kept = std::count(damage.kept.begin(), damage.kept.end(), 1);
   result.seconds = seconds;
   if (result.removed == 0)
-    result.outcome = {app::INCOMPLETE,
+    result.outcome = {INCOMPLETE,
                       "no point lies in the regions: the output is the input unchanged",
                       {}};
   return result;
 }
 
 nlohmann::json
-describe(const app::DamageSettings& settings,
-         const app::Damage& damage,
-         const app::Model& model,
+describe(const DamageSettings& settings,
+         const Damage& damage,
+         const Model& model,
          const Result& result)
 {
   nlohmann::json report = {{"points", damage.removed.size()},
@@ -240,86 +218,83 @@ describe(const app::DamageSettings& settings,
                            {"noise", damage.deviation},
                            {"seed", settings.seed},
                            {"warnings", model.warnings}};
-  app::addRunFacts({"pcl_damage_cloud",
-                    settings.input,
-                    settings.output,
-                    result.outcome.code,
-                    result.seconds,
-                    model.remarks,
-                    model.shift},
-                   report);
+  addRunFacts({"pcl_damage_cloud",
+               settings.input,
+               settings.output,
+               result.outcome.code,
+               result.seconds},
+              model,
+              report);
   return report;
 }
 
 void
-writeFiles(const app::DamageSettings& settings,
-           const app::Damage& damage,
-           const std::vector<app::DamagePart>& parts,
+writeFiles(const DamageSettings& settings,
+           const Damage& damage,
+           const std::vector<DamagePart>& parts,
            const Result& result,
-           app::Model& model)
+           Model& model)
 {
-  app::OutputFolder files;
-  for (const app::DamagePart& part : parts)
+  OutputFolder files;
+  for (const DamagePart& part : parts)
     writePart(targetOf(part, settings.format),
               part.mesh,
               model,
               files.addElsewhere(part.path));
   if (!settings.report.empty())
-    app::writeReport(describe(settings, damage, model, result),
-                     files.addElsewhere(settings.report));
-  app::require(files.commit());
+    writeReport(describe(settings, damage, model, result),
+                files.addElsewhere(settings.report));
+  require(files.commit());
 }
 
 std::ostream&
-people(const app::DamageSettings& settings)
+people(const DamageSettings& settings)
 {
-  return app::peopleStream(
+  return peopleStream(
       {settings.output, settings.removed, settings.free_points, settings.report});
 }
 
 void
-sumUp(const app::DamageSettings& settings,
-      const app::Damage& damage,
-      const Result& result)
+sumUp(const DamageSettings& settings, const Damage& damage, const Result& result)
 {
-  people(settings) << app::summaryName(settings.output) << ": of "
-                   << app::plural(damage.removed.size(), "point") << " "
-                   << result.removed << " taken out, " << result.kept
-                   << " of them left as free\n";
+  people(settings) << summaryName(settings.output) << ": of "
+                   << plural(damage.removed.size(), "point") << " " << result.removed
+                   << " taken out, " << result.kept << " of them left as free\n";
 }
 
-app::Outcome
-damageModel(app::DamageSettings& settings)
+Outcome
+damageModel(DamageSettings& settings)
 {
-  app::Model model;
-  app::Damage damage;
+  Model model;
+  Damage damage;
   checkFiles(settings);
   readInput(settings, model);
   settings.shift = model.shift;
-  app::RandomNumbers random(settings.seed);
-  app::Stopwatch watch;
-  app::require(app::planDamage(settings, model.mesh, random, damage));
-  const auto parts = app::makeParts(settings, damage, random, model.mesh);
+  RandomNumbers random(settings.seed);
+  Stopwatch watch;
+  planDamage(settings, model.mesh, random, damage);
+  const auto parts = makeParts(settings, damage, random, model.mesh);
   Result result = judge(damage, watch.lap());
-  if (app::interrupted())
-    return {app::INTERRUPTED, app::stopped_by_signal, {}};
+  if (interrupted())
+    return {INTERRUPTED, stopped_by_signal, {}};
   writeFiles(settings, damage, parts, result, model);
   if (!settings.quiet)
     sumUp(settings, damage, result);
   result.outcome.notes = model.warnings;
-  result.outcome.verdict = {
-      app::plural(static_cast<std::size_t>(result.removed), "point") + " taken out",
-      &people(settings)};
+  result.outcome.verdict = {plural(static_cast<std::size_t>(result.removed), "point") +
+                                " taken out",
+                            &people(settings)};
   return result.outcome;
 }
 
 } // namespace
+} // namespace app
 
 int
 main(int argc, char** argv)
 {
   app::DamageSettings settings;
-  app::CommandLine line(usage(), settings.quiet);
-  addOptions(line, settings);
-  return app::runApp(line, argc, argv, [&] { return damageModel(settings); });
+  app::CommandLine line(app::usage(), settings.quiet);
+  app::addOptions(line, settings);
+  return app::runApp(line, argc, argv, [&] { return app::damageModel(settings); });
 }

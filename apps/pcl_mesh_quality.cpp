@@ -15,12 +15,13 @@
 
 #include <ostream>
 
+namespace app {
 namespace {
 
-app::Usage
+Usage
 usage()
 {
-  app::Usage usage;
+  Usage usage;
   usage.program = "pcl_mesh_quality";
   usage.synopsis = "MESH [options]";
   usage.summary =
@@ -30,7 +31,7 @@ Polygons with more than three corners are looked at as fans of triangles. The ex
 does not judge: it is 0 for a sound and for a broken mesh.
 
 MESH   )" +
-      std::string(app::mesh_endings) + "; '-' reads standard input";
+      std::string(mesh_endings) + "; '-' reads standard input";
   usage.examples = R"(  pcl_mesh_quality bunny.ply
   pcl_mesh_quality bunny.ply --quiet --report bunny.json
   pcl_repair_holes bunny.ply - | pcl_mesh_quality - --report -
@@ -47,17 +48,14 @@ struct Settings {
 };
 
 void
-addOptions(app::CommandLine& line, Settings& settings)
+addOptions(CommandLine& line, Settings& settings)
 {
-  app::OptionGroup& options = line.options();
-  options.text("report",
-               settings.report,
-               "write the facts to this JSON file, or to standard output (-)");
-  options.flag("no-self-intersections",
-               settings.self_intersections,
-               "do not look for triangles that cross each other, which takes longest",
-               false);
-  options.count("threads", settings.threads, 0, 1024, "number of threads, 0 = all");
+  OptionGroup& options = line.options();
+  options.text("report", settings.report)(
+      "write the facts to this JSON file, or to standard output (-)");
+  options.flag("no-self-intersections", settings.self_intersections, false)(
+      "do not look for triangles that cross each other, which takes longest");
+  options.count("threads", settings.threads, 0, 1024)("number of threads, 0 = all");
   line.positional("MESH", settings.mesh);
 }
 
@@ -65,29 +63,22 @@ void
 saveReport(const Settings& settings,
            const pcl::ccaa::MeshFacts& facts,
            double seconds,
-           const app::Model& model)
+           const Model& model)
 {
-  nlohmann::json report = app::describeFacts(facts);
-  app::addRunFacts({"pcl_mesh_quality",
-                    settings.mesh,
-                    "",
-                    app::DONE,
-                    seconds,
-                    model.remarks,
-                    model.shift},
-                   report);
+  nlohmann::json report = describeFacts(facts);
+  addRunFacts({"pcl_mesh_quality", settings.mesh, "", DONE, seconds}, model, report);
   report["polygons"] = model.mesh.polygons.size();
   report["warnings"] = model.warnings;
-  app::OutputFile file;
-  app::require(file.open(settings.report));
-  app::writeReport(report, file);
-  app::require(file.commit());
+  OutputFile file;
+  require(file.open(settings.report));
+  writeReport(report, file);
+  require(file.commit());
 }
 
-app::SurfaceFacts
+SurfaceFacts
 surfaceFacts(const pcl::ccaa::MeshFacts& mesh)
 {
-  app::SurfaceFacts facts;
+  SurfaceFacts facts;
   facts.has_triangles = mesh.triangles > 0;
   facts.open = mesh.boundary_loops.size();
   facts.faults = mesh.non_manifold_edges + mesh.non_manifold_vertices +
@@ -98,48 +89,48 @@ surfaceFacts(const pcl::ccaa::MeshFacts& mesh)
   return facts;
 }
 
-app::Outcome
+Outcome
 measure(const Settings& settings)
 {
-  app::require(app::checkDifferentFiles({settings.mesh}, {settings.report}));
+  checkDifferentFiles({settings.mesh}, {settings.report});
   if (!settings.report.empty())
-    app::require(app::OutputFile::check(settings.report));
-  app::Model model;
-  app::require(app::readMesh(settings.mesh, model));
-  app::noteShift(model);
-  app::ProgressBar bar(settings.quiet);
+    require(OutputFile::check(settings.report));
+  Model model;
+  require(readMesh(settings.mesh, model));
+  noteShift(model);
+  ProgressBar bar(settings.quiet);
   pcl::ccaa::RunControl control(bar.callback());
   pcl::ccaa::MeshFactsOptions options;
   options.self_intersections = settings.self_intersections;
   options.threads = pcl::ccaa::resolveThreads(settings.threads);
-  app::Stopwatch watch;
+  Stopwatch watch;
   const pcl::ccaa::MeshFacts facts = pcl::ccaa::measureMesh(
       pcl::ccaa::fanTriangles(model.mesh.polygons),
       pcl::ccaa::positionView(model.mesh.cloud).relativeTo(model.shift.offset()),
       options,
       control);
   if (facts.cancelled)
-    return {app::INTERRUPTED, app::stopped_by_signal, {}};
+    return {INTERRUPTED, stopped_by_signal, {}};
   const double seconds = watch.lap();
   if (!settings.report.empty())
     saveReport(settings, facts, seconds, model);
   bar.clear();
-  std::ostream& people = app::peopleStream({settings.report});
+  std::ostream& people = peopleStream({settings.report});
   if (!settings.quiet)
-    people << app::summaryName(settings.mesh, "standard input") << ": "
-           << app::summarizeFacts(facts) << '\n'
-           << app::tabulateFacts(facts);
-  return {
-      app::DONE, "", model.warnings, {app::tellSurface(surfaceFacts(facts)), &people}};
+    people << summaryName(settings.mesh, "standard input") << ": "
+           << summarizeFacts(facts) << '\n'
+           << tabulateFacts(facts);
+  return {DONE, "", model.warnings, {tellSurface(surfaceFacts(facts)), &people}};
 }
 
 } // namespace
+} // namespace app
 
 int
 main(int argc, char** argv)
 {
-  Settings settings;
-  app::CommandLine line(usage(), settings.quiet);
-  addOptions(line, settings);
-  return app::runApp(line, argc, argv, [&] { return measure(settings); });
+  app::Settings settings;
+  app::CommandLine line(app::usage(), settings.quiet);
+  app::addOptions(line, settings);
+  return app::runApp(line, argc, argv, [&] { return app::measure(settings); });
 }

@@ -17,20 +17,20 @@
 #include <ostream>
 #include <string>
 
+namespace app {
 namespace {
 
-app::Usage
+Usage
 usage()
 {
   return {
       "pcl_render_mesh",
       "MESH_OR_CLOUD OUTPUT.png [options]",
-      "Takes a picture of a mesh or cloud, without a window and without "
-      "perspective.\n"
+      "Takes a picture of a mesh or cloud, without a window and without perspective.\n"
       "Front faces are grey, back faces orange, boundary edges red, and edges of\n"
       "three or more triangles magenta; --new-since shows what a program has added.\n"
       "Reads\n" +
-          std::string(app::cloud_endings) +
+          std::string(cloud_endings) +
           ".\n'-' reads standard input and writes the PNG to standard output.",
       "  pcl_render_mesh mesh.ply mesh.png --view 1,0,1 --view-up 0,1,0\n"
       "  pcl_render_mesh mesh.ply detail.png --focus 0.1,0,0.2 --zoom 8 --edges\n"
@@ -42,42 +42,42 @@ struct Settings {
   std::string output;
   std::string report; /**< empty: none */
   bool quiet = false;
-  app::RenderSettings picture;
+  RenderSettings picture;
 };
 
 void
 checkFiles(const Settings& settings)
 {
   const std::string& output = settings.output;
-  if (!app::isStandardStream(output))
-    app::require(app::checkPictureName(output));
-  app::require(app::checkDifferentFiles({settings.input}, {output, settings.report}));
-  app::require(app::OutputFile::check(output));
+  if (!isStandardStream(output))
+    checkPictureName(output);
+  checkDifferentFiles({settings.input}, {output, settings.report});
+  require(OutputFile::check(output));
   if (!settings.report.empty())
-    app::require(app::OutputFile::check(settings.report));
+    require(OutputFile::check(settings.report));
 }
 
-app::MeshParts
-readParts(const std::string& path, app::Model& model)
+MeshParts
+readParts(const std::string& path, Model& model)
 {
-  app::require(app::readModel(path, model));
-  return app::takeApart(model.mesh, model.shift);
+  require(readModel(path, model));
+  return takeApart(model.mesh, model.shift);
 }
 
 /** \brief Load the input and take it apart; fails when what is to be shown is not in
  * it. */
-app::MeshParts
-loadParts(const Settings& settings, app::Model& model)
+MeshParts
+loadParts(const Settings& settings, Model& model)
 {
-  app::MeshParts parts = readParts(settings.input, model);
-  const std::string name = app::nameForPeople(settings.input);
-  app::noteShift(model);
+  MeshParts parts = readParts(settings.input, model);
+  const std::string name = nameForPeople(settings.input);
+  noteShift(model);
   if (parts.positions.empty())
-    throw app::Failure(name + " has no finite point to show");
-  if (settings.picture.coloring == app::Coloring::RGB && !parts.colors)
-    throw app::Failure("the points of " + name + " have no colours");
+    throw Failure(name + " has no finite point to show");
+  if (settings.picture.coloring == Coloring::RGB && !parts.colors)
+    throw Failure("the points of " + name + " have no colours");
   if (!settings.picture.new_since.empty()) {
-    app::Model earlier;
+    Model earlier;
     parts.earlier_faces = readParts(settings.picture.new_since, earlier).faces;
   }
   return parts;
@@ -85,69 +85,63 @@ loadParts(const Settings& settings, app::Model& model)
 
 void
 writeFiles(const Settings& settings,
-           const app::Model& model,
+           const Model& model,
            const std::string& png,
            double seconds)
 {
   if (png.empty())
-    throw app::Failure("the picture could not be drawn");
-  app::OutputFolder outputs;
+    throw Failure("the picture could not be drawn");
+  OutputFolder outputs;
   outputs.addElsewhere(settings.output).text(png);
   if (!settings.report.empty()) {
-    nlohmann::json report = {{"points", app::pointCount(model.mesh.cloud)},
+    nlohmann::json report = {{"points", pointCount(model.mesh.cloud)},
                              {"polygons", model.mesh.polygons.size()},
                              {"width", settings.picture.width},
                              {"height", settings.picture.height},
                              {"warnings", model.warnings}};
-    app::addRunFacts({"pcl_render_mesh",
-                      settings.input,
-                      settings.output,
-                      app::DONE,
-                      seconds,
-                      model.remarks,
-                      model.shift},
-                     report);
-    app::writeReport(report, outputs.addElsewhere(settings.report));
+    addRunFacts({"pcl_render_mesh", settings.input, settings.output, DONE, seconds},
+                model,
+                report);
+    writeReport(report, outputs.addElsewhere(settings.report));
   }
-  app::require(outputs.commit());
+  require(outputs.commit());
 }
 
-app::Outcome
+Outcome
 renderMesh(Settings& settings)
 {
-  app::Model model;
+  Model model;
   checkFiles(settings);
-  const app::MeshParts parts = loadParts(settings, model);
+  const MeshParts parts = loadParts(settings, model);
   if (settings.picture.focus)
     *settings.picture.focus -= model.shift.offset();
-  const app::Display display;
+  const Display display;
   if (!display.ready())
-    throw app::Failure("no X display to draw with: set DISPLAY or install Xvfb");
-  app::Stopwatch watch;
-  const std::string png = app::drawPng(parts, settings.picture);
+    throw Failure("no X display to draw with: set DISPLAY or install Xvfb");
+  Stopwatch watch;
+  const std::string png = drawPng(parts, settings.picture);
   writeFiles(settings, model, png, watch.lap());
-  std::ostream& people = app::peopleStream({settings.output, settings.report});
+  std::ostream& people = peopleStream({settings.output, settings.report});
   if (!settings.quiet)
-    people << app::summaryName(settings.output) << ": " << settings.picture.width
-           << " x " << settings.picture.height << " pixels, "
-           << app::plural(app::pointCount(model.mesh.cloud), "point") << ", "
-           << app::plural(model.mesh.polygons.size(), "polygon") << "\n";
-  return {app::DONE, "", model.warnings, {"1 picture", &people}};
+    people << summaryName(settings.output) << ": " << settings.picture.width << " x "
+           << settings.picture.height << " pixels, "
+           << plural(pointCount(model.mesh.cloud), "point") << ", "
+           << plural(model.mesh.polygons.size(), "polygon") << "\n";
+  return {DONE, "", model.warnings, {"1 picture", &people}};
 }
 
 } // namespace
+} // namespace app
 
 int
 main(int argc, char** argv)
 {
-  Settings settings;
-  app::CommandLine line(usage(), settings.quiet);
+  app::Settings settings;
+  app::CommandLine line(app::usage(), settings.quiet);
   line.positional("MESH_OR_CLOUD", settings.input);
   line.positional("OUTPUT", settings.output);
   app::addRenderOptions(line, settings.picture);
-  line.options().text(
-      "report",
-      settings.report,
+  line.options().text("report", settings.report)(
       "write figures about the picture to this JSON file, or to standard output (-)");
-  return app::runApp(line, argc, argv, [&] { return renderMesh(settings); });
+  return app::runApp(line, argc, argv, [&] { return app::renderMesh(settings); });
 }

@@ -5,7 +5,6 @@
 #include "cli/repair_options.h"
 #include "cli/repair_run.h"
 #include "cli/run_facts.h"
-#include "inspect/bridge_layer.h"
 #include "inspect/inspection_files.h"
 #include "io/overwriting.h"
 #include "io/position_check.h"
@@ -22,62 +21,63 @@
 
 #include <ostream>
 
+namespace app {
 namespace {
 
 /** \brief What was found and done, in all the forms it is handed out. */
 struct Result {
-  app::Model model; /**< as it was read; repaired when that is asked for */
-  app::Model free_points;
+  Model model; /**< as it was read; repaired when that is asked for */
+  Model free_points;
   pcl::RepairReport repair;
   pcl::repair::ModelSurvey survey;
   pcl::repair::FieldSlice slice;
-  std::vector<app::InspectionLayer> layers;
-  std::vector<app::InspectionPicture> pictures;
-  app::Warnings warnings;
+  std::vector<InspectionLayer> layers;
+  std::vector<InspectionPicture> pictures;
+  Warnings warnings;
 };
 
 /** All that can be known to fail before the work begins. */
 void
-checkFiles(const app::RepairSettings& settings)
+checkFiles(const RepairSettings& settings)
 {
-  const app::FileNames& names = settings.files;
+  const FileNames& names = settings.files;
   const std::string decisions = settings.dry_run ? settings.decisions : "";
   std::vector<std::string> files{
       names.output, settings.bridges, names.report, settings.inspect, decisions};
   if (!settings.inspect.empty())
-    for (const std::string& name : app::inspectionNames())
+    for (const std::string& name : inspectionNames())
       files.push_back(settings.inspect + "/" + name);
-  app::require(app::checkDifferentFiles({names.input(), settings.free_points}, files));
+  checkDifferentFiles({names.input(), settings.free_points}, files);
   for (const std::string& file : files)
-    app::require(app::checkReplaceable(file));
+    require(checkReplaceable(file));
   if (!names.output.empty())
-    app::require(app::checkMeshOutput(names.target()));
+    require(checkMeshOutput(names.target()));
   for (const std::string& file : {settings.bridges, decisions})
     if (!file.empty())
-      app::require(app::OutputFile::check(file));
+      require(OutputFile::check(file));
   if (!settings.inspect.empty())
-    app::require(app::OutputFolder::check(settings.inspect));
+    require(OutputFolder::check(settings.inspect));
   if (!names.report.empty() &&
-      !app::OutputFolder::bringsAlong(settings.inspect, names.report))
-    app::require(app::OutputFile::check(names.report));
+      !OutputFolder::bringsAlong(settings.inspect, names.report))
+    require(OutputFile::check(names.report));
 }
 
 void
-readInput(const app::RepairSettings& settings, Result& result)
+readInput(const RepairSettings& settings, Result& result)
 {
-  app::require(app::readMesh(settings.files.input(), result.model));
+  require(readMesh(settings.files.input(), result.model));
   if (!settings.free_points.empty())
-    app::require(app::readCloud(settings.free_points, result.free_points));
+    require(readCloud(settings.free_points, result.free_points));
   if (settings.repairs())
-    app::require(app::checkCoordinates(settings.files.target(), result.model));
-  app::noteShift(result.model);
+    checkCoordinates(settings.files.target(), result.model);
+  noteShift(result.model);
   result.warnings = result.model.warnings;
   for (const std::string& warning : result.free_points.warnings)
     result.warnings.push_back("free points: " + warning);
 }
 
-app::RepairTask
-taskOf(const app::RepairSettings& settings, const Result& result)
+RepairTask
+taskOf(const RepairSettings& settings, const Result& result)
 {
   return {settings.method,
           settings.free_points.empty() ? nullptr : &result.free_points.mesh.cloud,
@@ -85,58 +85,61 @@ taskOf(const app::RepairSettings& settings, const Result& result)
 }
 
 [[noreturn]] void
-failAbout(const app::RepairSettings& settings, const std::string& problem)
+failAbout(const RepairSettings& settings, const std::string& problem)
 {
-  throw app::Failure(app::nameForPeople(settings.files.input()) + ": " + problem);
+  throw Failure(nameForPeople(settings.files.input()) + ": " + problem);
 }
 
 /** \brief Find all that can be told about the model. */
 void
-survey(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
+survey(const RepairSettings& settings, ProgressBar& bar, Result& result)
 {
-  app::RepairTask task = taskOf(settings, result);
+  RepairTask task = taskOf(settings, result);
   task.method.survey = settings.surveyParameters();
-  result.survey = app::surveyMesh(task,
-                                  result.model.viewpoint,
-                                  bar,
-                                  result.model.mesh,
-                                  settings.inspect.empty() ? nullptr : &result.slice);
+  result.survey = surveyMesh(task,
+                             result.model.viewpoint,
+                             bar,
+                             result.model.mesh,
+                             settings.inspect.empty() ? nullptr : &result.slice);
   if (!result.survey.reading.problem.empty())
     failAbout(settings, result.survey.reading.problem);
 }
 
 void
-repair(const app::RepairSettings& settings, app::ProgressBar& bar, Result& result)
+repair(const RepairSettings& settings, ProgressBar& bar, Result& result)
 {
-  const app::Status status = app::repairMesh(taskOf(settings, result),
-                                             result.model.viewpoint,
-                                             bar,
-                                             result.model.mesh,
-                                             result.repair);
-  if (!status.ok())
-    failAbout(settings, status.message());
+  try {
+    repairMesh(taskOf(settings, result),
+               result.model.viewpoint,
+               bar,
+               result.model.mesh,
+               result.repair);
+  }
+  catch (const Failure& failure) {
+    failAbout(settings, failure.what());
+  }
 }
 
 void
 makeLayers(Result& result)
 {
   const auto& survey = result.survey;
-  result.layers = {app::showLoops(survey),
-                   app::showIslands(survey),
-                   app::showLines(survey),
-                   app::showLineNormals(survey),
-                   app::showLinePoints(survey),
-                   app::showOrigins(survey),
-                   app::showFreePoints(survey),
-                   app::showSlice(result.slice),
-                   app::showSection(survey, result.slice)};
+  result.layers = {showLoops(survey),
+                   showIslands(survey),
+                   showLines(survey),
+                   showLineNormals(survey),
+                   showLinePoints(survey),
+                   showOrigins(survey),
+                   showFreePoints(survey),
+                   showSlice(result.slice),
+                   showSection(survey, result.slice)};
 }
 
 /** \brief Draw the pictures, or say why there are none. */
 void
-drawPictures(const app::InspectionView& view, Result& result)
+drawPictures(const InspectionView& view, Result& result)
 {
-  const app::Display display;
+  const Display display;
   if (display.ready())
     result.pictures = drawInspection(result.survey, result.slice, result.layers, view);
   else
@@ -145,125 +148,116 @@ drawPictures(const app::InspectionView& view, Result& result)
 }
 
 /** \brief How the run ends if the files can be written. */
-app::Outcome
-judge(const app::RepairSettings& settings, const Result& result)
+Outcome
+judge(const RepairSettings& settings, const Result& result)
 {
   if (settings.dry_run) {
-    const app::RepairPlan plan = app::planRepair(result.survey, settings.method);
-    return plan.isEmpty() ? app::Outcome()
-                          : app::Outcome{app::INCOMPLETE, app::summarizePlan(plan), {}};
+    const RepairPlan plan = planRepair(result.survey, settings.method);
+    return plan.isEmpty() ? Outcome() : Outcome{INCOMPLETE, summarizePlan(plan), {}};
   }
   if (settings.repairs() && !result.repair.complete())
-    return {app::INCOMPLETE, app::tellShortfalls(result.repair, result.model.mesh), {}};
+    return {INCOMPLETE, tellShortfalls(result.repair, result.model.mesh), {}};
   return {};
 }
 
 nlohmann::json
-describe(const app::RepairSettings& settings,
-         const app::Outcome& outcome,
-         const Result& result)
+describe(const RepairSettings& settings, const Outcome& outcome, const Result& result)
 {
   nlohmann::json report =
-      settings.repairs()
-          ? app::describeRun(settings, result.repair, result.warnings)
-          : app::describeSurvey(settings, result.survey, result.warnings);
+      settings.repairs() ? describeRun(settings, result.repair, result.warnings)
+                         : describeSurvey(settings, result.survey, result.warnings);
   if (settings.dry_run)
-    app::describePlan(settings, result.survey, report);
+    describePlan(settings, result.survey, report);
   if (settings.repairs() && settings.surveys())
-    report["survey"] = app::describeSurvey(settings, result.survey, {});
+    report["survey"] = describeSurvey(settings, result.survey, {});
   const double seconds = report[settings.repairs() ? "seconds" : "total_seconds"];
-  app::addRunFacts({"pcl_repair_holes",
-                    settings.files.input(),
-                    settings.repairs() ? settings.files.output : "",
-                    outcome.code,
-                    seconds,
-                    result.model.remarks,
-                    result.model.shift},
-                   report);
+  addRunFacts({"pcl_repair_holes",
+               settings.files.input(),
+               settings.repairs() ? settings.files.output : "",
+               outcome.code,
+               seconds},
+              result.model,
+              report);
   return report;
 }
 
 void
-writeBridges(const std::string& path, const Result& result, app::OutputFolder& folder)
+writeBridges(const std::string& path, const Result& result, OutputFolder& folder)
 {
   const pcl::GlobalShift& shift = result.model.shift;
-  auto layer = app::showBridges(result.repair.bridges, shift);
+  auto layer = showBridges(result.repair.bridges, shift);
   if (!shift.isNone())
     shift.toGlobal(pcl::PCLPointCloud2(layer.cloud), layer.cloud);
-  app::writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(path));
+  writeVtkLines(layer.cloud, layer.lines, folder.addElsewhere(path));
 }
 
 /** \brief All files appear together or not at all. */
 void
-writeOutputs(const app::RepairSettings& settings,
-             const app::Outcome& outcome,
-             Result& result)
+writeOutputs(const RepairSettings& settings, const Outcome& outcome, Result& result)
 {
-  const app::FileNames& files = settings.files;
-  app::OutputFolder folder;
+  const FileNames& files = settings.files;
+  OutputFolder folder;
   if (!settings.inspect.empty()) {
-    app::require(folder.open(settings.inspect));
+    require(folder.open(settings.inspect));
     writeInspection(result.layers, result.pictures, result.model.shift, folder);
   }
   if (settings.repairs()) {
-    app::FileExtras extras{{}, result.model.viewpoint, result.model.remarks};
+    FileExtras extras{{}, result.model.viewpoint, result.model.remarks};
     if (settings.labels)
-      extras.properties.push_back(app::originProperty(result.repair));
-    app::writeMesh(files.target(),
-                   result.model.mesh,
-                   extras,
-                   folder.addElsewhere(files.output),
-                   result.warnings);
+      extras.properties.push_back(originProperty(result.repair));
+    writeMesh(files.target(),
+              result.model.mesh,
+              extras,
+              folder.addElsewhere(files.output),
+              result.warnings);
   }
   if (!settings.bridges.empty())
     writeBridges(settings.bridges, result, folder);
   if (settings.dry_run && !settings.decisions.empty())
-    app::writeDecisions(files.input(),
-                        proposeDecisions(result.survey, settings.method),
-                        folder.addElsewhere(settings.decisions));
+    writeDecisions(files.input(),
+                   proposeDecisions(result.survey, settings.method),
+                   folder.addElsewhere(settings.decisions));
   // Of many inputs there is one report, at the end.
   if (!files.report.empty() && !files.isBatch())
-    app::writeReport(describe(settings, outcome, result),
-                     folder.addElsewhere(files.report));
-  app::require(folder.commit());
+    writeReport(describe(settings, outcome, result), folder.addElsewhere(files.report));
+  require(folder.commit());
 }
 
 std::ostream&
-peopleStreamOf(const app::RepairSettings& settings)
+peopleStreamOf(const RepairSettings& settings)
 {
-  return app::peopleStream({settings.files.output,
-                            settings.files.report,
-                            settings.dry_run ? settings.decisions : ""});
+  return peopleStream({settings.files.output,
+                       settings.files.report,
+                       settings.dry_run ? settings.decisions : ""});
 }
 
 void
-sumUp(const app::RepairSettings& settings, const Result& result)
+sumUp(const RepairSettings& settings, const Result& result)
 {
   std::ostream& people = peopleStreamOf(settings);
   if (settings.surveys())
-    people << app::summarizeSurvey(settings, result.survey) << std::endl;
+    people << summarizeSurvey(settings, result.survey) << std::endl;
   if (settings.dry_run)
-    people << app::tellPlan(settings, result.survey) << std::flush;
+    people << tellPlan(settings, result.survey) << std::flush;
   if (settings.repairs())
-    people << app::summaryName(settings.files.output) << ": "
-           << app::summarizeRepair(result.repair) << std::endl;
+    people << summaryName(settings.files.output) << ": "
+           << summarizeRepair(result.repair) << std::endl;
 }
 
 std::string
-tellVerdict(const app::RepairSettings& settings, const Result& result)
+tellVerdict(const RepairSettings& settings, const Result& result)
 {
   if (settings.repairs())
-    return app::tellSurface(app::surfaceFacts(result.repair));
-  return settings.dry_run
-             ? app::summarizePlan(app::planRepair(result.survey, settings.method))
-             : "inspected";
+    return tellSurface(surfaceFacts(result.repair));
+  return settings.dry_run ? summarizePlan(planRepair(result.survey, settings.method))
+                          : "inspected";
 }
 
 /** \brief Everything up to the files. */
 void
-work(const app::RepairSettings& settings,
-     const app::InspectionView& view,
-     app::ProgressBar& bar,
+work(const RepairSettings& settings,
+     const InspectionView& view,
+     ProgressBar& bar,
      Result& result)
 {
   bar.show("reading", 0);
@@ -280,16 +274,14 @@ work(const app::RepairSettings& settings,
 }
 
 /** \brief One input, from its file to all that is written. */
-app::Outcome
-runOne(const app::RepairSettings& settings,
-       const app::InspectionView& view,
-       Result& result)
+Outcome
+runOne(const RepairSettings& settings, const InspectionView& view, Result& result)
 {
-  app::ProgressBar bar(settings.quiet);
+  ProgressBar bar(settings.quiet);
   work(settings, view, bar, result);
   if (!bar.show("writing", 0))
-    return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  app::Outcome outcome = judge(settings, result);
+    return {INTERRUPTED, stopped_by_signal, {}};
+  Outcome outcome = judge(settings, result);
   writeOutputs(settings, outcome, result);
   bar.clear();
   if (!settings.quiet)
@@ -299,29 +291,30 @@ runOne(const app::RepairSettings& settings,
   return outcome;
 }
 
-app::Outcome
-run(app::RepairSettings& settings, const app::InspectionView& view)
+Outcome
+run(RepairSettings& settings, const InspectionView& view)
 {
   Result result;
   if (!settings.files.isBatch()) {
     checkFiles(settings);
-    app::require(app::takeDecisions(settings));
+    takeDecisions(settings);
     return runOne(settings, view, result);
   }
-  const auto work = [&](const app::FileNames& files, nlohmann::json& report) {
-    app::RepairSettings one = settings;
+  const auto work = [&](const FileNames& files, nlohmann::json& report) {
+    RepairSettings one = settings;
     one.files = files;
     Result its_result;
-    const app::Outcome outcome = runOne(one, view, its_result);
+    const Outcome outcome = runOne(one, view, its_result);
     if (outcome.succeeded())
       report = describe(one, outcome, its_result);
     return outcome;
   };
-  return app::runBatch(
+  return runBatch(
       {"pcl_repair_holes", settings.files, settings.quiet, !settings.dry_run}, work);
 }
 
 } // namespace
+} // namespace app
 
 int
 main(int argc, char** argv)
@@ -331,5 +324,5 @@ main(int argc, char** argv)
   app::CommandLine line(app::repairUsage(), settings.quiet);
   app::addRepairOptions(line, settings);
   app::addViewOptions(line, view);
-  return app::runApp(line, argc, argv, [&] { return run(settings, view); });
+  return app::runApp(line, argc, argv, [&] { return app::run(settings, view); });
 }

@@ -7,9 +7,9 @@
 #include "io/output_file.h"
 #include "io/output_folder.h"
 #include "io/point_columns.h"
+#include "render/camera.h"
 #include "render/display.h"
 #include "render/drawing.h"
-#include "render/view_choice.h"
 #include "repair/decision_proposal.h"
 #include "report/hole_report.h"
 #include "report/verdict.h"
@@ -24,78 +24,78 @@
 #include <iostream>
 #include <optional>
 
+namespace app {
 namespace {
 
 namespace fs = std::filesystem;
 
 /** Picture files of a folder, numbered so that they sort like the stages. */
 std::string
-pictureName(std::size_t stage, const std::vector<app::Stage>& stages)
+pictureName(std::size_t stage, const std::vector<Stage>& stages)
 {
   return std::to_string(stage + 1) + "_" + stages[stage].name + ".png";
 }
 
 /** All that can be known to fail before the work begins. */
 void
-checkOutputs(const app::ViewerSettings& settings)
+checkOutputs(const ViewerSettings& settings)
 {
-  if (!settings.offScreen() && !app::hasDisplay())
-    throw app::Failure("no X display to open a window on: set DISPLAY, or use "
-                       "--screenshot FILE.png");
-  app::require(app::checkDifferentFiles(
-      {settings.task.input, settings.task.free_points}, {settings.screenshot}));
+  if (!settings.offScreen() && !hasDisplay())
+    throw Failure(
+        "no X display to open a window on: set DISPLAY, or use --screenshot FILE.png");
+  checkDifferentFiles({settings.task.input, settings.task.free_points},
+                      {settings.screenshot});
   for (const std::string& file : {settings.screenshot, settings.decisions})
     if (!file.empty())
-      app::require(app::OutputFile::check(file));
+      require(OutputFile::check(file));
   if (!settings.folder.empty())
-    app::require(app::OutputFolder::check(settings.folder));
+    require(OutputFolder::check(settings.folder));
 }
 
 /** A stage that this input does not have is told before the long work. */
 void
-checkStage(const app::ViewerSettings& settings, bool from_cloud)
+checkStage(const ViewerSettings& settings, bool from_cloud)
 {
-  const auto& names = app::stageNames();
+  const auto& names = stageNames();
   const std::string name = "'" + settings.task.input + "'";
   const bool of_mesh = settings.stage == names.back();
   const bool of_cloud =
       std::find(names.begin(), names.begin() + 4, settings.stage) != names.begin() + 4;
   if (from_cloud && of_mesh)
-    throw app::Failure(name + " is a cloud; it has no stage 'mesh' (try base)");
+    throw Failure(name + " is a cloud; it has no stage 'mesh' (try base)");
   if (from_cloud && !settings.decisions.empty())
-    throw app::Failure(name + " is a cloud; --decisions are about a mesh");
+    throw Failure(name + " is a cloud; --decisions are about a mesh");
   if (!from_cloud && of_cloud)
-    throw app::Failure(name + " is a mesh; it has no stage '" + settings.stage +
-                       "' (try mesh, or --points-only)");
+    throw Failure(name + " is a mesh; it has no stage '" + settings.stage +
+                  "' (try mesh, or --points-only)");
 }
 
-app::StageCamera
-aim(const app::InspectionView& view, const app::ViewerRun& run)
+StageCamera
+aim(const InspectionView& view, const ViewerRun& run)
 {
-  app::StageCamera camera;
+  StageCamera camera;
   camera.positions = run.survey.model.positions;
   if (camera.positions.empty())
-    for (const auto& position :
-         app::readPositions(run.input.mesh.cloud, run.input.shift))
+    for (const auto& position : readPositions(run.input.mesh.cloud, run.input.shift))
       if (position.allFinite())
         camera.positions.push_back(position.cast<double>());
-  camera.view = view.view ? *view.view : app::chooseView(run.survey);
-  camera.up = view.up ? *view.up : app::chooseUp(run.survey, camera.view);
+  camera.view = view.view ? *view.view : chooseView(run.survey);
+  camera.up = view.up ? *view.up : chooseUp(run.survey, camera.view);
   return camera;
 }
 
-app::StageView
-makeView(const app::ViewerSettings& settings, const app::ViewerRun& run)
+StageView
+makeView(const ViewerSettings& settings, const ViewerRun& run)
 {
-  const app::StageCamera camera = aim(settings.view, run);
-  return {app::makeStages(run, camera.view),
+  const StageCamera camera = aim(settings.view, run);
+  return {makeStages(run, camera.view),
           camera,
           fs::path(settings.task.input).filename().string()};
 }
 
 /** Bridges and what follows take longest: a picture of what comes before needs none. */
 bool
-needsRepair(const app::ViewerSettings& settings)
+needsRepair(const ViewerSettings& settings)
 {
   if (settings.screenshot.empty() || !settings.folder.empty() || settings.stage.empty())
     return true;
@@ -107,8 +107,8 @@ needsRepair(const app::ViewerSettings& settings)
 
 /** The stage asked for, else the given one. */
 std::size_t
-chosenStage(const app::ViewerSettings& settings,
-            const std::vector<app::Stage>& stages,
+chosenStage(const ViewerSettings& settings,
+            const std::vector<Stage>& stages,
             std::size_t otherwise)
 {
   for (std::size_t i = 0; i < stages.size(); ++i)
@@ -120,38 +120,38 @@ chosenStage(const app::ViewerSettings& settings,
 /** Pictures of the stages appear together or not at all: not after a signal either.
  * \return whether one came */
 bool
-writePictures(const app::ViewerSettings& settings, app::StageView& view)
+writePictures(const ViewerSettings& settings, StageView& view)
 {
   const auto& stages = view.stages();
-  const app::Display display;
+  const Display display;
   if (!display.ready())
-    throw app::Failure("no X display to draw with: set DISPLAY or install Xvfb");
-  app::Painter painter(settings.view.width, settings.view.height);
-  app::OutputFolder folder;
-  const auto draw = [&](std::size_t stage, app::OutputFile& file) {
+    throw Failure("no X display to draw with: set DISPLAY or install Xvfb");
+  Painter painter(settings.view.width, settings.view.height);
+  OutputFolder folder;
+  const auto draw = [&](std::size_t stage, OutputFile& file) {
     const std::string bytes =
         drawStage(view, stage, settings.view.width, settings.view.height, painter);
     if (bytes.empty())
-      throw app::Failure("the picture could not be drawn");
+      throw Failure("the picture could not be drawn");
     file.text(bytes);
   };
   if (!settings.folder.empty())
-    app::require(folder.open(settings.folder));
+    require(folder.open(settings.folder));
   if (!settings.screenshot.empty())
     draw(chosenStage(settings, stages, stages.size() - 1),
          folder.addElsewhere(settings.screenshot));
   const std::size_t pictures = settings.folder.empty() ? 0 : stages.size();
-  for (std::size_t i = 0; !app::interrupted() && i < pictures; ++i)
+  for (std::size_t i = 0; !interrupted() && i < pictures; ++i)
     draw(i, folder.add(pictureName(i, stages)));
-  if (app::interrupted())
+  if (interrupted())
     return true;
-  app::require(folder.commit());
+  require(folder.commit());
   return false;
 }
 
 /** The picture goes beside no earlier one of the same name. */
 void
-keepScreenshot(const app::ViewerSettings& settings,
+keepScreenshot(const ViewerSettings& settings,
                const std::string& stage,
                const std::string& bytes)
 {
@@ -160,8 +160,8 @@ keepScreenshot(const app::ViewerSettings& settings,
   std::error_code ignored;
   for (int i = 2; fs::exists(name, ignored); ++i)
     name = stem + "_" + std::to_string(i) + ".png";
-  app::OutputFile file;
-  app::Status status = file.open(name);
+  OutputFile file;
+  Status status = file.open(name);
   if (status.ok()) {
     file.text(bytes);
     status = file.commit();
@@ -173,15 +173,14 @@ keepScreenshot(const app::ViewerSettings& settings,
 }
 
 std::string
-keepDecisions(const app::ViewerSettings& settings,
-              const pcl::repair::Decisions& decisions)
+keepDecisions(const ViewerSettings& settings, const pcl::repair::Decisions& decisions)
 {
   if (settings.decisions.empty())
     return "There is no file to write: it is named by --decisions FILE.";
-  app::OutputFile file;
-  app::Status status = file.open(settings.decisions);
+  OutputFile file;
+  Status status = file.open(settings.decisions);
   if (status.ok()) {
-    app::writeDecisions(settings.task.input, decisions, file);
+    writeDecisions(settings.task.input, decisions, file);
     status = file.commit();
   }
   return status.ok() ? "Written to " + settings.decisions + "." : status.message();
@@ -189,18 +188,16 @@ keepDecisions(const app::ViewerSettings& settings,
 
 /** \return whether a signal closed it */
 bool
-showWindow(const app::ViewerSettings& settings,
-           const app::ViewerRun& run,
-           app::StageView& view)
+showWindow(const ViewerSettings& settings, const ViewerRun& run, StageView& view)
 {
-  app::ViewerWindow window(view,
-                           settings.view.width,
-                           settings.view.height,
-                           "pcl_repair_viewer: " + settings.task.input,
-                           [&](const std::string& stage, const std::string& bytes) {
-                             keepScreenshot(settings, stage, bytes);
-                           });
-  std::optional<app::DecisionDesk> desk;
+  ViewerWindow window(view,
+                      settings.view.width,
+                      settings.view.height,
+                      "pcl_repair_viewer: " + settings.task.input,
+                      [&](const std::string& stage, const std::string& bytes) {
+                        keepScreenshot(settings, stage, bytes);
+                      });
+  std::optional<DecisionDesk> desk;
   if (!run.from_cloud && run.problem.empty()) {
     desk.emplace(proposeDecisions(run.survey, settings.task.method),
                  run.survey,
@@ -212,54 +209,54 @@ showWindow(const app::ViewerSettings& settings,
   }
   window.goTo(chosenStage(settings, view.stages(), 0));
   while (window.update())
-    if (app::interrupted())
+    if (interrupted())
       return true;
   return false;
 }
 
 void
-sumUp(const app::ViewerSettings& settings, const app::ViewerRun& run)
+sumUp(const ViewerSettings& settings, const ViewerRun& run)
 {
   if (settings.quiet || (run.problem.empty() && !run.repaired))
     return;
   std::cout << settings.task.input << ": "
-            << (run.repaired ? app::summarizeRepair(run.repair) : run.problem)
-            << std::endl;
+            << (run.repaired ? summarizeRepair(run.repair) : run.problem) << std::endl;
 }
 
 /** Whether something stays open is no matter of this program's exit code. */
 std::string
-tellVerdict(const app::ViewerRun& run)
+tellVerdict(const ViewerRun& run)
 {
-  return run.repaired ? app::tellSurface(app::surfaceFacts(run.repair)) : "shown";
+  return run.repaired ? tellSurface(surfaceFacts(run.repair)) : "shown";
 }
 
-app::Outcome
-run(app::ViewerSettings& settings)
+Outcome
+run(ViewerSettings& settings)
 {
-  app::ViewerRun run;
+  ViewerRun run;
   checkOutputs(settings);
-  app::require(app::readDecisionsIfAny(settings.decisions,
-                                       settings.task.method.survey.decisions));
+  require(
+      readDecisionsIfAny(settings.decisions, settings.task.method.survey.decisions));
   settings.task.repairs = needsRepair(settings);
-  app::ProgressBar bar(settings.quiet);
+  ProgressBar bar(settings.quiet);
   bar.show("reading", 0);
-  app::require(readForViewer(settings.task, run));
+  readForViewer(settings.task, run);
   checkStage(settings, run.from_cloud);
-  app::require(runForViewer(settings.task, bar, run));
+  runForViewer(settings.task, bar, run);
   if (!bar.show("drawing", 0))
-    return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  app::StageView view = makeView(settings, run);
+    return {INTERRUPTED, stopped_by_signal, {}};
+  StageView view = makeView(settings, run);
   bar.clear();
   sumUp(settings, run);
   if (!settings.offScreen() && showWindow(settings, run, view))
-    return {app::INTERRUPTED, "stopped by a signal", {}};
+    return {INTERRUPTED, "stopped by a signal", {}};
   if (settings.offScreen() && writePictures(settings, view))
-    return {app::INTERRUPTED, app::stopped_by_signal, {}};
-  return {app::DONE, "", run.input.warnings, {tellVerdict(run), &std::cout}};
+    return {INTERRUPTED, stopped_by_signal, {}};
+  return {DONE, "", run.input.warnings, {tellVerdict(run), &std::cout}};
 }
 
 } // namespace
+} // namespace app
 
 int
 main(int argc, char** argv)
@@ -267,5 +264,5 @@ main(int argc, char** argv)
   app::ViewerSettings settings;
   app::CommandLine line(app::viewerUsage(), settings.quiet);
   app::addViewerOptions(line, settings);
-  return app::runApp(line, argc, argv, [&] { return run(settings); });
+  return app::runApp(line, argc, argv, [&] { return app::run(settings); });
 }

@@ -68,7 +68,7 @@ finished(const Batch& batch,
 {
   if (outcome.code == BAD_INPUT || report.is_null()) {
     report = json::object();
-    addRunFacts({batch.program, input, "", outcome.code, 0, {}}, report);
+    addRunFacts({batch.program, input, "", outcome.code, 0}, {}, report);
   }
   if (outcome.code != DONE)
     report["reason"] = outcome.reason;
@@ -96,7 +96,7 @@ planBatch(const Batch& batch)
     items.push_back({{input}, output, all.folder, all.report, all.format});
     outputs.push_back(output);
   }
-  require(checkDifferentFiles(all.inputs, outputs));
+  checkDifferentFiles(all.inputs, outputs);
   for (const FileNames& item : items)
     require(checkReplaceable(item.output));
   if (batch.writes)

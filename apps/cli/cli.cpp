@@ -71,11 +71,11 @@ tellVerdict(const Outcome& outcome)
                             << onOneLine(outcome.verdict.facts) << std::endl;
 }
 
-Status
-sameFile(const std::string& first, const std::string& second)
+[[noreturn]] void
+failAboutSame(const std::string& first, const std::string& second)
 {
-  return Status::error("'" + first + "' and '" + second +
-                       "' are the same file; give each its own name");
+  throw Failure("'" + first + "' and '" + second +
+                "' are the same file; give each its own name");
 }
 
 /** What tells whether two names stand for one file. */
@@ -99,7 +99,7 @@ identityOf(const std::string& path)
   return identity;
 }
 
-Status
+void
 checkDifferentPaths(const std::vector<std::string>& paths)
 {
   std::map<std::string, std::string> by_name;
@@ -108,15 +108,14 @@ checkDifferentPaths(const std::vector<std::string>& paths)
     const Identity identity = identityOf(path);
     const auto [named, is_new_name] = by_name.emplace(identity.canonical, path);
     if (!is_new_name)
-      return sameFile(named->second, path);
+      failAboutSame(named->second, path);
     if (identity.number == 0)
       continue;
     const auto [numbered, is_new_number] =
         by_number.emplace(std::pair(identity.device, identity.number), path);
     if (!is_new_number)
-      return sameFile(numbered->second, path);
+      failAboutSame(numbered->second, path);
   }
-  return {};
 }
 
 } // namespace
@@ -154,9 +153,11 @@ runApp(CommandLine& command_line,
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   installInterruptHandlers();
   const std::string& program = command_line.program();
-  const Status status = command_line.parse(argc, argv);
-  if (!status.ok()) {
-    complain(program, status.message());
+  try {
+    command_line.parse(argc, argv);
+  }
+  catch (const Failure& failure) {
+    complain(program, failure.what());
     return BAD_INPUT;
   }
   if (command_line.given("help"))
@@ -185,14 +186,14 @@ peopleStream(const std::vector<std::string>& outputs)
   return is_taken ? std::cerr : std::cout;
 }
 
-Status
+void
 checkDifferentFiles(const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs)
 {
   if (std::count(inputs.begin(), inputs.end(), standard_stream) > 1)
-    return Status::error("standard input ('-') can be read once only");
+    throw Failure("standard input ('-') can be read once only");
   if (std::count(outputs.begin(), outputs.end(), standard_stream) > 1)
-    return Status::error("standard output ('-') can take one output only");
+    throw Failure("standard output ('-') can take one output only");
   std::vector<std::string> paths(inputs);
   paths.insert(paths.end(), outputs.begin(), outputs.end());
   paths.erase(std::remove_if(paths.begin(),
@@ -201,7 +202,7 @@ checkDifferentFiles(const std::vector<std::string>& inputs,
                                return path.empty() || isStandardStream(path);
                              }),
               paths.end());
-  return checkDifferentPaths(paths);
+  checkDifferentPaths(paths);
 }
 
 } // namespace app

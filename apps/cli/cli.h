@@ -60,7 +60,7 @@ peopleStream(const std::vector<std::string>& outputs);
 
 /** \brief Fails when two of the given files are the same one; empty names are none. "-"
  * may stand for standard input once and for standard output once. */
-Status
+void
 checkDifferentFiles(const std::vector<std::string>& inputs,
                     const std::vector<std::string>& outputs);
 

@@ -10,130 +10,114 @@ namespace {
 namespace po = boost::program_options;
 
 template <typename Number>
-Status
+void
 checkRange(const std::string& name, Number value, std::pair<Number, Number> range)
 {
   if (value >= range.first && value <= range.second)
-    return {};
+    return;
   std::ostringstream text;
   text << "--" << name << " must be from " << range.first << " to " << range.second
        << ", not " << value;
-  return Status::error(text.str());
+  throw Failure(text.str());
 }
 
 } // namespace
 
 void
-OptionGroup::add(const std::string& name,
-                 const po::value_semantic* type,
-                 const std::string& help,
-                 Take take)
+OptionGroup::Waiting::operator()(const std::string& help)
 {
-  options_.add_options()(name.c_str(), type, help.c_str());
-  takes_.emplace_back(name.substr(0, name.find(',')), std::move(take));
+  auto add = group.options_.add_options();
+  if (type == nullptr)
+    add(name.c_str(), help.c_str());
+  else
+    add(name.c_str(), type, help.c_str());
+  group.takes_.emplace_back(name.substr(0, name.find(',')), std::move(take));
 }
 
-void
-OptionGroup::flag(const std::string& name,
-                  const std::string& help,
-                  std::function<void()> act)
+OptionGroup::Waiting
+OptionGroup::flag(const std::string& name, std::function<void()> act)
 {
-  options_.add_options()(name.c_str(), help.c_str());
-  takes_.emplace_back(name.substr(0, name.find(',')),
-                      [act = std::move(act)](const Variable&) {
-                        act();
-                        return Status();
-                      });
+  const auto take = [act = std::move(act)](const Variable&) { act(); };
+  return {*this, name, nullptr, take};
 }
 
-void
+OptionGroup::Waiting
 OptionGroup::parsed(const std::string& name,
-                    const std::string& help,
-                    std::function<Status(const std::string&)> take,
+                    std::function<void(const std::string&)> take,
                     const std::string& default_text)
 {
   auto* type = po::value<std::string>();
   if (!default_text.empty())
     type->default_value(default_text);
-  add(name, type, help, [take = std::move(take)](const Variable& variable) {
-    return variable.defaulted() ? Status() : take(variable.as<std::string>());
-  });
+  return {*this, name, type, [take = std::move(take)](const Variable& variable) {
+            if (!variable.defaulted())
+              take(variable.as<std::string>());
+          }};
 }
 
-void
-OptionGroup::text(const std::string& name, std::string& value, const std::string& help)
+OptionGroup::Waiting
+OptionGroup::text(const std::string& name, std::string& value)
 {
-  const auto take = [&value](const std::string& given) {
-    value = given;
-    return Status();
-  };
-  parsed(name, help, take, value);
+  const auto take = [&value](const std::string& given) { value = given; };
+  return parsed(name, take, value);
 }
 
-void
-OptionGroup::name(const std::string& option,
-                  std::string& value,
-                  const std::string& help)
+OptionGroup::Waiting
+OptionGroup::name(const std::string& option, std::string& value)
 {
   const std::string long_name = option.substr(0, option.find(','));
-  parsed(option, help, [&value, long_name](const std::string& given) {
+  return parsed(option, [&value, long_name](const std::string& given) {
     value = given;
-    return given.empty() ? Status::error("--" + long_name + " needs a name") : Status();
+    if (given.empty())
+      throw Failure("--" + long_name + " needs a name");
   });
 }
 
-void
-OptionGroup::texts(const std::string& name,
-                   std::vector<std::string>& values,
-                   const std::string& help)
+OptionGroup::Waiting
+OptionGroup::texts(const std::string& name, std::vector<std::string>& values)
 {
   using Texts = std::vector<std::string>;
-  add(name, po::value<Texts>()->composing(), help, [&values](const Variable& variable) {
+  const auto take = [&values](const Variable& variable) {
     const Texts given = variable.as<Texts>();
     values.insert(values.end(), given.begin(), given.end());
-    return Status();
-  });
+  };
+  return {*this, name, po::value<Texts>()->composing(), take};
 }
 
-void
-OptionGroup::addCount(const std::string& name,
-                      long long value,
-                      std::pair<long long, long long> range,
-                      const std::function<void(long long)>& set,
-                      const std::string& help)
+OptionGroup::Waiting
+OptionGroup::wholeNumber(const std::string& name,
+                         long long value,
+                         std::pair<long long, long long> range,
+                         const std::function<void(long long)>& set)
 {
   const auto take = [name, range, set](const Variable& variable) {
     const auto number = variable.as<long long>();
-    const Status status = checkRange(name, number, range);
-    if (status.ok() && !variable.defaulted())
+    checkRange(name, number, range);
+    if (!variable.defaulted())
       set(number);
-    return status;
   };
-  add(name, po::value<long long>()->default_value(value), help, take);
+  return {*this, name, po::value<long long>()->default_value(value), take};
 }
 
-void
-OptionGroup::real(const std::string& name,
-                  double& value,
-                  double lowest,
-                  double highest,
-                  const std::string& help)
+OptionGroup::Waiting
+OptionGroup::real(const std::string& name, double& value, double lowest, double highest)
 {
   std::ostringstream few_digits;
   few_digits << value;
   const auto take = [&value, name, lowest, highest](const Variable& variable) {
     value = variable.as<double>();
-    return checkRange(name, value, {lowest, highest});
+    checkRange(name, value, {lowest, highest});
   };
-  add(name, po::value<double>()->default_value(value, few_digits.str()), help, take);
+  auto* const type = po::value<double>()->default_value(value, few_digits.str());
+  return {*this, name, type, take};
 }
 
 CommandLine::CommandLine(Usage usage, bool& quiet) : usage_(std::move(usage))
 {
   options_.options_.add_options()("help,h", "print this text and stop")(
       "version", "print the version and stop");
-  options_.flag(
-      "quiet,q", quiet, "print nothing but errors: no progress, no summary, no notes");
+  options_.flag("quiet,q",
+                quiet)("print nothing but errors: no progress, no summary, no notes");
   options_.options_.add_options()(
       "force",
       "write over files that hold points without triangles and were not written by "
@@ -143,7 +127,7 @@ CommandLine::CommandLine(Usage usage, bool& quiet) : usage_(std::move(usage))
 void
 CommandLine::positional(const std::string& name, std::string& value)
 {
-  hidden_.text(name, value, "");
+  hidden_.text(name, value)("");
   positional_.add(name.c_str(), 1);
   required_.push_back(name);
 }
@@ -153,10 +137,8 @@ CommandLine::positional(const std::string& name,
                         std::vector<std::string>& values,
                         bool is_required)
 {
-  hidden_.parsed(name, "", [&values](const std::string& value) {
-    values.push_back(value);
-    return Status();
-  });
+  hidden_.parsed(name,
+                 [&values](const std::string& value) { values.push_back(value); })("");
   positional_.add(name.c_str(), 1);
   if (is_required)
     required_.push_back(name);
@@ -165,21 +147,19 @@ CommandLine::positional(const std::string& name,
 void
 CommandLine::morePositionals(const std::string& name, std::vector<std::string>& values)
 {
-  hidden_.texts(name, values, "");
+  hidden_.texts(name, values)("");
   positional_.add(name.c_str(), -1);
 }
 
-Status
+void
 CommandLine::takeAll(const OptionGroup& group) const
 {
-  Status status;
   for (const auto& [name, take] : group.takes_)
-    if (status.ok() && arguments_.count(name) != 0)
-      status = take(arguments_[name]);
-  return status;
+    if (arguments_.count(name) != 0)
+      take(arguments_[name]);
 }
 
-Status
+void
 CommandLine::parse(int argc, const char* const* argv)
 {
   try {
@@ -192,21 +172,17 @@ CommandLine::parse(int argc, const char* const* argv)
               arguments_);
   }
   catch (const po::error& error) {
-    return Status::error(std::string(error.what()) + " (try --help)");
+    throw Failure(std::string(error.what()) + " (try --help)");
   }
   if (given("help") || given("version"))
-    return {};
+    return;
   for (const std::string& name : required_)
     if (!given(name))
-      return Status::error(name + " is missing (try --help)");
-  Status status;
+      throw Failure(name + " is missing (try --help)");
   for (const OptionGroup* group : {&hidden_, &options_, &method_})
-    if (status.ok())
-      status = takeAll(*group);
+    takeAll(*group);
   for (const auto& check : checks_)
-    if (status.ok())
-      status = check();
-  return status;
+    check();
 }
 
 std::string
@@ -218,22 +194,17 @@ CommandLine::help() const
        << options_.options_ << "\n";
   if (!method_.options_.options().empty())
     text << method_.options_ << "\n";
-  text
-      << "Examples:\n"
-      << usage_.examples
-      << "\nExit codes: 0 done; 1 bad usage or bad input, nothing written; 2 done, but "
-         "something\nwas left undone (stderr says what); 130 stopped by Ctrl-C.\n";
+  text << "Examples:\n"
+       << usage_.examples
+       << "\nExit codes: 0 done; 1 bad usage or bad input, nothing written; 2 done, "
+          "but something\nwas left undone (stderr says what); 130 stopped by Ctrl-C.\n";
   return text.str();
 }
 
 void
 addThreads(CommandLine& command_line, unsigned int& threads)
 {
-  command_line.options().count(
-      "threads",
-      threads,
-      0,
-      1024,
+  command_line.options().count("threads", threads, 0, 1024)(
       "number of threads, 0 = all; the result is the same for any");
 }
 

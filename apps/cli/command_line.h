@@ -24,106 +24,91 @@ struct Usage {
 
 /** \brief Options under one heading of the help. Each is bound to a variable, which has
  * to outlive the command line; the value that it has when it is bound is the default.
- */
+ * What describes an option is called with its text for the help, which adds it. */
 class OptionGroup {
+  using Variable = boost::program_options::variable_value;
+  using Take = std::function<void(const Variable&)>;
+
+  /** \brief An option that waits for its text. */
+  struct [[nodiscard]] Waiting {
+    OptionGroup& group;
+    std::string name;
+    const boost::program_options::value_semantic* type; /**< null: a flag */
+    Take take;
+
+    void
+    operator()(const std::string& help);
+  };
+
 public:
   explicit OptionGroup(const std::string& heading) : options_(heading, 88, 50) {}
 
+  Waiting
+  flag(const std::string& name, std::function<void()> act);
+
   /** \brief What makes \a value what it is \a when_given. */
-  void
-  flag(const std::string& name,
-       bool& value,
-       const std::string& help,
-       bool when_given = true)
+  Waiting
+  flag(const std::string& name, bool& value, bool when_given = true)
   {
-    flag(name, help, [&value, when_given] { value = when_given; });
+    return flag(name, [&value, when_given] { value = when_given; });
   }
-  void
-  flag(const std::string& name, const std::string& help, std::function<void()> act);
 
   /** \brief A text; one that is not empty is told as the default. */
-  void
-  text(const std::string& name, std::string& value, const std::string& help);
+  Waiting
+  text(const std::string& name, std::string& value);
 
   /** \brief A text that must not be empty. */
-  void
-  name(const std::string& option, std::string& value, const std::string& help);
+  Waiting
+  name(const std::string& option, std::string& value);
 
   /** \brief A text that may come several times. */
-  void
-  texts(const std::string& name,
-        std::vector<std::string>& values,
-        const std::string& help);
+  Waiting
+  texts(const std::string& name, std::vector<std::string>& values);
 
-  /** \brief A text that \a take understands, or says why not. It is not called with the
-   * default. */
-  void
+  /** \brief A text that \a take understands, or else throws a Failure. It is not called
+   * with the default. */
+  Waiting
   parsed(const std::string& name,
-         const std::string& help,
-         std::function<Status(const std::string&)> take,
+         std::function<void(const std::string&)> take,
          const std::string& default_text = "");
 
   /** \brief A whole number from \a lowest to \a highest. */
   template <typename Count>
-  void
-  count(const std::string& name,
-        Count& value,
-        long long lowest,
-        long long highest,
-        const std::string& help)
+  Waiting
+  count(const std::string& name, Count& value, long long lowest, long long highest)
   {
-    addCount(
-        name,
-        static_cast<long long>(value),
-        {lowest, highest},
-        [&value](long long number) { value = static_cast<Count>(number); },
-        help);
+    const auto set = [&value](long long number) { value = static_cast<Count>(number); };
+    return wholeNumber(name, static_cast<long long>(value), {lowest, highest}, set);
   }
 
   /** \brief A real number from \a lowest to \a highest. */
-  void
-  real(const std::string& name,
-       double& value,
-       double lowest,
-       double highest,
-       const std::string& help);
+  Waiting
+  real(const std::string& name, double& value, double lowest, double highest);
 
   /** \brief One of some words. */
   template <typename Value, std::size_t Size>
-  void
-  choice(const std::string& name,
-         Value& value,
-         const Word<Value> (&words)[Size],
-         const std::string& help)
+  Waiting
+  choice(const std::string& name, Value& value, const Word<Value> (&words)[Size])
   {
     const auto take = [&value, &words, name](const std::string& text) {
       for (const Word<Value>& word : words)
         if (text == word.word) {
           value = word.value;
-          return Status();
+          return;
         }
-      return Status::error("--" + name + " must be " + listOf(words) + ", not '" +
-                           text + "'");
+      throw Failure("--" + name + " must be " + listOf(words) + ", not '" + text + "'");
     };
-    parsed(name, help, take, wordFor(words, value));
+    return parsed(name, take, wordFor(words, value));
   }
 
 private:
   friend class CommandLine;
-  using Variable = boost::program_options::variable_value;
-  using Take = std::function<Status(const Variable&)>;
 
-  void
-  addCount(const std::string& name,
-           long long value,
-           std::pair<long long, long long> range,
-           const std::function<void(long long)>& set,
-           const std::string& help);
-  void
-  add(const std::string& name,
-      const boost::program_options::value_semantic* type,
-      const std::string& help,
-      Take take);
+  Waiting
+  wholeNumber(const std::string& name,
+              long long value,
+              std::pair<long long, long long> range,
+              const std::function<void(long long)>& set);
 
   boost::program_options::options_description options_;
   std::vector<std::pair<std::string, Take>> takes_; /**< by name, in order */
@@ -168,14 +153,15 @@ public:
 
   /** \brief What is looked at when all values have been taken, in order. */
   void
-  then(std::function<Status()> check)
+  then(std::function<void()> check)
   {
     checks_.push_back(std::move(check));
   }
 
-  /** \brief Parse the arguments; abbreviations and unknown options are refused. Nothing
-   * is taken when the help or the version is asked for. */
-  Status
+  /** \brief Parse the arguments. Abbreviations, unknown options and values of no use
+   * are refused by a Failure. Nothing is taken when the help or the version is asked
+   * for. */
+  void
   parse(int argc, const char* const* argv);
 
   /** \brief Whether an option was given, be it with its default. */
@@ -195,7 +181,7 @@ public:
   }
 
 private:
-  Status
+  void
   takeAll(const OptionGroup& group) const;
 
   Usage usage_;
@@ -204,7 +190,7 @@ private:
   OptionGroup hidden_{""};
   boost::program_options::positional_options_description positional_;
   std::vector<std::string> required_;
-  std::vector<std::function<Status()>> checks_;
+  std::vector<std::function<void()>> checks_;
   boost::program_options::variables_map arguments_;
 };
 

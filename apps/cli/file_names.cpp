@@ -8,22 +8,20 @@ namespace {
 
 constexpr const char* further_names = "MORE";
 
-Status
+void
 sortNames(const FileRules& rules, FileNames& names)
 {
   if (names.isBatch() && !names.output.empty())
-    return Status::error("--output names one file, --output-folder a folder for one "
-                         "of each input; they do not go together");
+    throw Failure("--output names one file, --output-folder a folder for one of each "
+                  "input; they do not go together");
   const bool merges = rules.merges != nullptr && *rules.merges;
   const std::size_t count = names.inputs.size();
   if (names.isBatch() || count == 1 || (merges && !names.output.empty()))
-    return {};
+    return;
   if (merges || count > 2 || !names.output.empty())
-    return Status::error(std::string("several inputs need ") + rules.remedy +
-                         " (try --help)");
+    throw Failure(std::string("several inputs need ") + rules.remedy + " (try --help)");
   names.output = names.inputs.back();
   names.inputs.pop_back();
-  return {};
 }
 
 } // namespace
@@ -41,11 +39,10 @@ addFileNames(CommandLine& command_line, const FileRules& rules, FileNames& names
                               std::string(mesh_output_endings) +
                               "); all names without a dash are inputs then";
   OptionGroup& options = command_line.options();
-  options.name("output,o", names.output, to_file);
-  options.name("output-folder",
-               names.folder,
-               "write NAME.ply to this folder (made if missing) for each of any number "
-               "of inputs; --format chooses another ending");
+  options.name("output,o", names.output)(to_file);
+  options.name("output-folder", names.folder)(
+      "write NAME.ply to this folder (made if missing) for each of any number of "
+      "inputs; --format chooses another ending");
   command_line.positional(rules.input, names.inputs);
   command_line.positional(rules.output, names.inputs, false);
   command_line.morePositionals(further_names, names.inputs);
@@ -58,21 +55,15 @@ addFormatOption(CommandLine& command_line,
                 FileFormat& format,
                 std::function<bool()> is_needed)
 {
-  command_line.options().parsed(
-      "format",
-      "format of an output whose name does not tell it: " + list,
-      [&format](const std::string& name) {
-        format = formatOfName(name);
-        return format != FileFormat::UNKNOWN
-                   ? Status()
-                   : Status::error("--format '" + name + "' is not known (try --help)");
-      });
+  command_line.options().parsed("format", [&format](const std::string& name) {
+    format = formatOfName(name);
+    if (format == FileFormat::UNKNOWN)
+      throw Failure("--format '" + name + "' is not known (try --help)");
+  })("format of an output whose name does not tell it: " + list);
   command_line.then([&format, is_needed = std::move(is_needed)] {
-    return format == FileFormat::UNKNOWN || is_needed()
-               ? Status()
-               : Status::error(
-                     "--format is for outputs without an ending of their own; "
-                     "the ending of the output's name tells its format");
+    if (format != FileFormat::UNKNOWN && !is_needed())
+      throw Failure("--format is for outputs without an ending of their own; the "
+                    "ending of the output's name tells its format");
   });
 }
 
@@ -85,10 +76,8 @@ addFormatOption(CommandLine& command_line, FileNames& names, const std::string& 
   command_line.then([&names, what] {
     if (names.isBatch() && names.format == FileFormat::UNKNOWN)
       names.format = FileFormat::PLY;
-    return !names.isBatch() || isMeshOutput(names.target())
-               ? Status()
-               : Status::error("--format" + what +
-                               " must be one of ply, vtk, obj, off and stl");
+    if (names.isBatch() && !isMeshOutput(names.target()))
+      throw Failure("--format" + what + " must be one of ply, vtk, obj, off and stl");
   });
 }
 

@@ -41,22 +41,21 @@ addExtent(CommandLine& line,
           Extent& extent,
           const std::string& help)
 {
-  line.options().parsed(name, help, [&extent, name](const std::string& text) {
+  line.options().parsed(name, [&extent, name](const std::string& text) {
     double number = 0.0;
     std::string unit;
     if (!splitNumber(text, number, unit) || (!unit.empty() && unit != "%"))
-      return Status::error("--" + name +
-                           " must be a length in units of the cloud, or a share of the "
-                           "bounding box' diagonal such as 5%, not '" +
-                           text + "'");
+      throw Failure("--" + name +
+                    " must be a length in units of the cloud, or a share of the "
+                    "bounding box' diagonal such as 5%, not '" +
+                    text + "'");
     extent = unit.empty() ? Extent(number) : Extent(number / 100.0, true);
-    return Status();
-  });
+  })(help);
 }
 
 /** \brief Islands below 50 (triangles), 0.5% (of the area of all) or 2.5u2 (squared
  * units of the cloud). */
-Status
+void
 takeDroppedIslands(const std::string& text, SmallIslands& small)
 {
   double number = 0.0;
@@ -70,147 +69,95 @@ takeDroppedIslands(const std::string& text, SmallIslands& small)
   else if (is_number && unit == "u2")
     small.area = number;
   else
-    return Status::error("--drop-islands must be a number of triangles such as 50, a "
-                         "share of the whole area such as 0.5%, or an area in squared "
-                         "units of the cloud such as 2.5u2, not '" +
-                         text + "'");
-  return {};
+    throw Failure("--drop-islands must be a number of triangles such as 50, a share of "
+                  "the whole area such as 0.5%, or an area in squared units of the "
+                  "cloud such as 2.5u2, not '" +
+                  text + "'");
 }
 
 /** \brief A surface without a boundary leaves nothing open. */
-Status
+void
 checkWatertight(const CommandLine& line, RepairParameters& method)
 {
   if (!method.watertight)
-    return {};
+    return;
   const bool closes_less =
       line.given("close") && method.darning.close != CloseChoice::ALL;
   if (closes_less || line.given("greatest-hole-length") || line.given("greatest-hole"))
-    return Status::error(
+    throw Failure(
         std::string(
             "--watertight closes all that can be closed; it does not go with ") +
         (closes_less ? "--close holes or none" : "a greatest hole"));
   method.darning.close = CloseChoice::ALL;
-  return {};
 }
 
 void
 addDarningOptions(CommandLine& line, RepairParameters& method)
 {
   OptionGroup& options = line.method();
-  options.choice("darning",
-                 method.darning.choice,
-                 DARNING_CHOICES,
-                 "how simple holes are closed: fan (from the centroid), "
-                 "minimum-weight, completion "
-                 "(base algorithm, with free points as vertices), or automatic: "
-                 "completion where a "
-                 "hole holds enough free points, else minimum-weight");
-  options.real("edge-length",
-               method.refinement.edge_length,
-               ABOVE_ZERO,
-               1e6,
-               "edges of new triangles, in those of the surface around, above 0");
-  options.flag("no-refine",
-               method.refine,
-               "do not make new triangles as small as those around; not fair either",
-               false);
-  options.flag(
-      "no-fair", method.relax, "do not move new vertices to a smooth surface", false);
-  options.flag("pure", "the thesis alone: --darning fan --no-refine", [&method] {
+  options.choice("darning", method.darning.choice, DARNING_CHOICES)(
+      "how simple holes are closed: fan (from the centroid), minimum-weight, "
+      "completion (base algorithm, with free points as vertices), or automatic: "
+      "completion where a hole holds enough free points, else minimum-weight");
+  options.real("edge-length", method.refinement.edge_length, ABOVE_ZERO, 1e6)(
+      "edges of new triangles, in those of the surface around, above 0");
+  options.flag("no-refine", method.refine, false)(
+      "do not make new triangles as small as those around; not fair either");
+  options.flag("no-fair", method.relax, false)(
+      "do not move new vertices to a smooth surface");
+  options.flag("pure", [&method] {
     method.darning.choice = DarningChoice::FAN;
     method.refine = false;
-  });
+  })("the thesis alone: --darning fan --no-refine");
 }
 
 void
 addFieldOptions(OptionGroup& options, FieldParameters& field)
 {
-  options.real("interpolation",
-               field.interpolation,
-               0.0,
-               1000.0,
-               "k_i: how much more a boundary counts for places straight ahead of it, "
-               "0 or more");
-  options.real("falloff-exponent",
-               field.falloff_exponent,
-               ABOVE_ZERO,
-               100.0,
-               "chi: how fast the field falls off with distance, above 0; 1.7 for long "
-               "wide gaps");
-  options.real("near",
-               field.near,
-               0.0,
-               LARGEST,
-               "L1: distance up to which it does not, units of the cloud; 0: the mean "
-               "spacing of boundary points");
-  options.real("far",
-               field.far,
-               0.0,
-               LARGEST,
-               "L2: distance from which there is no field; 0: --room times the gap at "
-               "each place");
-  options.real(
-      "room", field.room, 1.0 + ABOVE_ZERO, 1e6, "gaps that L2 spans, above 1");
-  options.real("free-point-near",
-               field.free_point_near,
-               0.0,
-               LARGEST,
-               "R1: the same as L1 for the influence of a free point; 0: their mean "
-               "spacing");
-  options.real("free-point-far",
-               field.free_point_far,
-               0.0,
-               LARGEST,
-               "R2: the same as L2 for it; 0: half the mean gap");
-  options.real("free-point-exponent",
-               field.free_point_exponent,
-               ABOVE_ZERO,
-               100.0,
-               "gamma: how fast it falls off, above 0");
-  options.real("trust",
-               field.trust,
-               0.0,
-               BELOW_ONE,
-               "k_t: how far free points are to be trusted, 0 to less than 1");
+  options.real("interpolation", field.interpolation, 0.0, 1000.0)(
+      "k_i: how much more a boundary counts for places straight ahead of it, 0 or "
+      "more");
+  options.real("falloff-exponent", field.falloff_exponent, ABOVE_ZERO, 100.0)(
+      "chi: how fast the field falls off with distance, above 0; 1.7 for long wide "
+      "gaps");
+  options.real("near", field.near, 0.0, LARGEST)(
+      "L1: distance up to which it does not, units of the cloud; 0: the mean spacing "
+      "of boundary points");
+  options.real("far", field.far, 0.0, LARGEST)(
+      "L2: distance from which there is no field; 0: --room times the gap at each "
+      "place");
+  options.real("room", field.room, 1.0 + ABOVE_ZERO, 1e6)(
+      "gaps that L2 spans, above 1");
+  options.real("free-point-near", field.free_point_near, 0.0, LARGEST)(
+      "R1: the same as L1 for the influence of a free point; 0: their mean spacing");
+  options.real("free-point-far", field.free_point_far, 0.0, LARGEST)(
+      "R2: the same as L2 for it; 0: half the mean gap");
+  options.real("free-point-exponent", field.free_point_exponent, ABOVE_ZERO, 100.0)(
+      "gamma: how fast it falls off, above 0");
+  options.real("trust", field.trust, 0.0, BELOW_ONE)(
+      "k_t: how far free points are to be trusted, 0 to less than 1");
 }
 
 void
 addSurveyOptions(OptionGroup& options, pcl::repair::SurveyParameters& survey)
 {
-  options.choice(
-      "mode",
-      survey.field.mode,
-      FIELD_MODES,
+  options.choice("mode", survey.field.mode, FIELD_MODES)(
       "light: distances as they are; full: free points shorten ways and the surface "
       "stands in the way (slower)");
   addFieldOptions(options, survey.field);
-  options.count(
-      "simple-edges",
-      survey.simple_edges,
-      0,
-      MOST_EDGES,
+  options.count("simple-edges", survey.simple_edges, 0, MOST_EDGES)(
       "holes of up to so many edges are simple: they are closed without being divided");
-  options.real("hole-threshold",
-               survey.hole_threshold,
-               ABOVE_ZERO,
-               0.5,
-               "T: within a hole no line ends nearer to its origin than this share of "
-               "the boundary's length, above 0 to 0.5");
-  options.real("line-spacing",
-               survey.line_spacing,
-               ABOVE_ZERO,
-               1e6,
-               "least distance between the origins of force lines, in gaps, above 0");
-  options.real("bridge-spacing",
-               survey.bridge_spacing,
-               ABOVE_ZERO,
-               1e6,
-               "least distance between bridges, in lengths of the bridge, above 0");
+  options.real("hole-threshold", survey.hole_threshold, ABOVE_ZERO, 0.5)(
+      "T: within a hole no line ends nearer to its origin than this share of the "
+      "boundary's length, above 0 to 0.5");
+  options.real("line-spacing", survey.line_spacing, ABOVE_ZERO, 1e6)(
+      "least distance between the origins of force lines, in gaps, above 0");
+  options.real("bridge-spacing", survey.bridge_spacing, ABOVE_ZERO, 1e6)(
+      "least distance between bridges, in lengths of the bridge, above 0");
 }
 
 /** \brief What some options say about more than their own value. */
-Status
+void
 settle(const CommandLine& line, RepairParameters& method)
 {
   if (line.given("simple-edges"))
@@ -218,7 +165,6 @@ settle(const CommandLine& line, RepairParameters& method)
   method.relax = method.relax && method.refine;
   method.survey.orientation.room = method.survey.field.room;
   method.survey.tracker.room = method.survey.field.room;
-  return {};
 }
 
 } // namespace
@@ -227,9 +173,9 @@ void
 addSideOptions(CommandLine& command_line, pcl::ccaa::SideHints& told)
 {
   const auto add = [&](const std::string& name, auto& place, const std::string& help) {
-    command_line.options().parsed(name, help, [&place, name](const std::string& text) {
+    command_line.options().parsed(name, [&place, name](const std::string& text) {
       return parsePlace(name, text, place.emplace(Eigen::Vector3d::Zero()));
-    });
+    })(help);
   };
   add("viewpoint",
       told.told_viewpoint,
@@ -240,8 +186,8 @@ addSideOptions(CommandLine& command_line, pcl::ccaa::SideHints& told)
       "X,Y,Z: where the outer side looks, 0,0,1 for a terrain; goes before normals and "
       "viewpoints of the input");
   command_line.then([&told] {
-    return told.up && told.up->norm() < 1e-12 ? Status::error("--up must not be zero")
-                                              : Status();
+    if (told.up && told.up->norm() < 1e-12)
+      throw Failure("--up must not be zero");
   });
 }
 
@@ -249,41 +195,28 @@ void
 addWishOptions(CommandLine& command_line, RepairParameters& method)
 {
   OptionGroup& options = command_line.options();
-  options.choice(
-      "close",
-      method.darning.close,
-      CLOSE_CHOICES,
+  options.choice("close", method.darning.close, CLOSE_CHOICES)(
       "holes: what is a hole for sure; all: also outer borders, mouths of tubes, "
       "undecided boundaries and rims that nothing joins; none: only join islands");
-  options.flag("watertight",
-               method.watertight,
-               "close all that can be closed; exit code 2 where anything stays open");
-  options.choice(
-      "cap",
-      method.darning.cap,
-      CAPS,
+  options.flag("watertight", method.watertight)(
+      "close all that can be closed; exit code 2 where anything stays open");
+  options.choice("cap", method.darning.cap, CAPS)(
       "smooth: patches go on as the surface around does; flat: they lie in the plane "
-      "of "
-      "their rim; auto: flat over a large plane rim that the surface meets steeply, as "
-      "at the base of a bust");
-  options.parsed(
-      "drop-islands",
+      "of their rim; auto: flat over a large plane rim that the surface meets steeply, "
+      "as at the base of a bust");
+  options.parsed("drop-islands",
+                 [&method](const std::string& text) {
+                   return takeDroppedIslands(text, method.survey.dropped);
+                 })(
       "leave out islands of fewer triangles (50), or of less area: 0.5% of the whole, "
-      "or 2.5u2, squared units of the cloud; their points stay, but draw nothing",
-      [&method](const std::string& text) {
-        return takeDroppedIslands(text, method.survey.dropped);
-      });
-  options.count("greatest-hole",
-                method.darning.greatest_hole,
-                0,
-                MOST_EDGES,
-                "holes of more edges are left open, 0: no limit");
-  addExtent(
-      command_line,
-      "greatest-hole-length",
-      method.darning.greatest_length,
-      "longer holes are left open: units of the cloud, or 5% of the bounding box' "
-      "diagonal");
+      "or 2.5u2, squared units of the cloud; their points stay, but draw nothing");
+  options.count("greatest-hole", method.darning.greatest_hole, 0, MOST_EDGES)(
+      "holes of more edges are left open, 0: no limit");
+  addExtent(command_line,
+            "greatest-hole-length",
+            method.darning.greatest_length,
+            "longer holes are left open: units of the cloud, or 5% of the bounding "
+            "box' diagonal");
   addExtent(command_line,
             "greatest-bridge",
             method.survey.greatest_bridge,
@@ -295,8 +228,8 @@ void
 addMethodOptions(CommandLine& command_line, RepairParameters& method)
 {
   addSideOptions(command_line, method.survey.orientation.sides);
-  command_line.options().flag(
-      "no-join", method.join_islands, "leave islands apart", false);
+  command_line.options().flag("no-join", method.join_islands, false)(
+      "leave islands apart");
   addWishOptions(command_line, method);
   addDarningOptions(command_line, method);
   addSurveyOptions(command_line.method(), method.survey);

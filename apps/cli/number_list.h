@@ -31,16 +31,15 @@ parseList(const std::string& text, char separator, std::array<Number, count>& va
 }
 
 /** \brief Read X,Y,Z; fails with the name of the option in the message. */
-inline Status
+inline void
 parsePlace(const std::string& option, const std::string& text, Eigen::Vector3d& place)
 {
   std::array<double, 3> values{};
   if (!parseList(text, ',', values))
-    return Status::error("--" + option + " takes X,Y,Z, not '" + text + "'");
+    throw Failure("--" + option + " takes X,Y,Z, not '" + text + "'");
   place = Eigen::Vector3d(values[0], values[1], values[2]);
   if (!place.allFinite())
-    return Status::error("--" + option + " must be finite, not '" + text + "'");
-  return {};
+    throw Failure("--" + option + " must be finite, not '" + text + "'");
 }
 
 } // namespace app

@@ -3,11 +3,11 @@
 #include "progress.h"
 
 #include "io/interrupt.h"
+#include "io/wording.h"
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace app {
@@ -63,17 +63,10 @@ clockText(double seconds, bool coarse)
   if (coarse && seconds >= 10)
     step = seconds < 60 ? 5 : seconds < 600 ? 10 : 60;
   const auto whole = static_cast<long>(std::lround(seconds / step) * std::lround(step));
-  char text[32];
-  if (whole >= 3600)
-    std::snprintf(text,
-                  sizeof(text),
-                  "%ld:%02ld:%02ld",
-                  whole / 3600,
-                  whole / 60 % 60,
-                  whole % 60);
-  else
-    std::snprintf(text, sizeof(text), "%ld:%02ld", whole / 60, whole % 60);
-  return text;
+  const long minutes = whole / 60;
+  return minutes < 60
+             ? formatted("%ld:%02ld", minutes, whole % 60)
+             : formatted("%ld:%02ld:%02ld", minutes / 60, minutes % 60, whole % 60);
 }
 
 ProgressBar::ProgressBar(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) == 1) {}

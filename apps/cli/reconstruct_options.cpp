@@ -14,116 +14,80 @@ const Word<std::string> SEARCHES[] = {{"fast", "fast"}, {"kdtree", "kdtree"}};
 void
 addOutputs(OptionGroup& options, ReconstructSettings& settings)
 {
-  options.flag("repair",
-               settings.repair,
-               "then join the islands and close the holes, as pcl_repair_holes does");
-  options.flag("merge",
-               settings.merge,
-               "all inputs are views of one object and become one cloud, in which each "
-               "point keeps the viewpoint of its file");
-  options.flag("labels",
-               settings.labels,
-               "write which stage made each triangle as the face property 'stage': 0 "
-               "start, 1 base, 2 repair; PLY only");
-  options.flag("normals",
-               settings.normals,
-               "write a normal of the surface for each point, unless the cloud has "
-               "normals");
-  options.flag("dry-run",
-               settings.dry_run,
-               "say what would be read and how, and write nothing but the report");
-  options.text("report",
-               settings.files.report,
-               "write figures about the run to this JSON file, or to standard output "
-               "(-)");
+  options.flag("repair", settings.repair)(
+      "then join the islands and close the holes, as pcl_repair_holes does");
+  options.flag("merge", settings.merge)(
+      "all inputs are views of one object and become one cloud, in which each point "
+      "keeps the viewpoint of its file");
+  options.flag("labels", settings.labels)(
+      "write which stage made each triangle as the face property 'stage': 0 start, 1 "
+      "base, 2 repair; PLY only");
+  options.flag("normals", settings.normals)(
+      "write a normal of the surface for each point, unless the cloud has normals");
+  options.flag("dry-run", settings.dry_run)(
+      "say what would be read and how, and write nothing but the report");
+  options.text("report", settings.files.report)(
+      "write figures about the run to this JSON file, or to standard output (-)");
 }
 
 void
 addStageOptions(OptionGroup& options, ReconstructSettings& settings)
 {
-  options.choice(
-      "until",
-      settings.until,
-      STAGES,
+  options.choice("until", settings.until, STAGES)(
       "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
       "(correct triangles only) or base (what is missing between them, too)");
-  options.flag("measure-speedup",
-               settings.measure_speedup,
-               "also run the base stage alone, and print whether the stages before it "
-               "pay");
-  options.choice("search",
-                 settings.search,
-                 SEARCHES,
-                 "neighbour search: fast, or kdtree (PCL's own)");
-  options.count("neighbors",
-                settings.neighbors,
-                3,
-                64,
-                "neighbours looked at for each point, 3 to 64");
-  options.real("min-angle",
-               settings.minimum_angle,
-               0,
-               60,
-               "smallest angle between two edges at a point, in degrees, 0 to 60");
-  options.real(
-      "certified-angle",
-      settings.certified_minimum_angle,
-      0,
-      60,
-      "the same for edges that no other point speaks against, in degrees, 0 to "
-      "60");
-  options.real("max-length",
-               settings.length_factor,
-               1,
-               1e6,
-               "longest edge as a multiple of the spacing around it, 1 or more");
-  options.flag("plain",
-               settings.plain,
-               "shortest edges first and --min-angle alone, without asking for each "
-               "edge whether other points speak against it; faults and holes are more");
-  options.count(
-      "min-region",
-      settings.minimum_internal_points,
-      0,
-      1000000000,
-      "regions with fewer inner points than this are removed by the filter; 0 "
-      "keeps all");
+  options.flag("measure-speedup", settings.measure_speedup)(
+      "also run the base stage alone, and print whether the stages before it pay");
+  options.choice("search", settings.search, SEARCHES)(
+      "neighbour search: fast, or kdtree (PCL's own)");
+  options.count("neighbors", settings.neighbors, 3, 64)(
+      "neighbours looked at for each point, 3 to 64");
+  options.real("min-angle", settings.minimum_angle, 0, 60)(
+      "smallest angle between two edges at a point, in degrees, 0 to 60");
+  options.real("certified-angle", settings.certified_minimum_angle, 0, 60)(
+      "the same for edges that no other point speaks against, in degrees, 0 to 60");
+  options.real("max-length", settings.length_factor, 1, 1e6)(
+      "longest edge as a multiple of the spacing around it, 1 or more");
+  options.flag("plain", settings.plain)(
+      "shortest edges first and --min-angle alone, without asking for each edge "
+      "whether other points speak against it; faults and holes are more");
+  options.count("min-region", settings.minimum_internal_points, 0, 1000000000)(
+      "regions with fewer inner points than this are removed by the filter; 0 keeps "
+      "all");
 }
 
-Status
+void
 checkFiles(const ReconstructSettings& settings)
 {
   const FileNames& files = settings.files;
   if (files.isBatch() && settings.merge)
-    return Status::error("--merge makes one mesh, --output-folder one of each input; "
-                         "they do not go together");
+    throw Failure("--merge makes one mesh, --output-folder one of each input; they do "
+                  "not go together");
   if (!files.isBatch() && files.output.empty() && !settings.dry_run)
-    return Status::error("OUTPUT_MESH is missing (try --help)");
+    throw Failure("OUTPUT_MESH is missing (try --help)");
   if (settings.labels && !settings.dry_run && !holdsFaceProperties(files.target()))
-    return Status::error("--labels needs an output that ends in .ply, not '" +
-                         files.output + "'");
-  return {};
+    throw Failure("--labels needs an output that ends in .ply, not '" + files.output +
+                  "'");
 }
 
-Status
+void
 checkStages(const ReconstructSettings& settings)
 {
   if (settings.measure_speedup && settings.until != "base")
-    return Status::error("--measure-speedup compares with the stage base; it does not "
-                         "go with --until " +
-                         settings.until);
+    throw Failure(
+        "--measure-speedup compares with the stage base; it does not go with --until " +
+        settings.until);
   if (settings.repair && settings.until != "base")
-    return Status::error("--repair closes what the stage base leaves; it does not go "
-                         "with --until " +
-                         settings.until);
+    throw Failure(
+        "--repair closes what the stage base leaves; it does not go with --until " +
+        settings.until);
   if (settings.normals && settings.until == "start")
-    return Status::error("--normals needs triangles that are wound alike; it does not "
-                         "go with --until start");
-  return {};
+    throw Failure("--normals needs triangles that are wound alike; it does not go with "
+                  "--until start");
 }
 
 /** What is to be closed matters only where something is closed. */
-Status
+void
 checkNeedsRepair(const CommandLine& line, const ReconstructSettings& settings)
 {
   for (const char* name : {"close",
@@ -134,11 +98,10 @@ checkNeedsRepair(const CommandLine& line, const ReconstructSettings& settings)
                            "greatest-hole-length",
                            "greatest-bridge"})
     if (!settings.repair && line.given(name))
-      return Status::error("--" + std::string(name) + " needs --repair");
+      throw Failure("--" + std::string(name) + " needs --repair");
   if (settings.labels && line.given("drop-islands"))
-    return Status::error("--labels tells the stage of each triangle that the "
-                         "reconstruction made; it does not go with --drop-islands");
-  return {};
+    throw Failure("--labels tells the stage of each triangle that the reconstruction "
+                  "made; it does not go with --drop-islands");
 }
 
 } // namespace
@@ -148,11 +111,10 @@ reconstructUsage()
 {
   Usage usage;
   usage.program = "pcl_ccaa_reconstruct";
-  usage.synopsis = "INPUT_CLOUD OUTPUT_MESH [options]\n"
-                   "       pcl_ccaa_reconstruct INPUT_CLOUD... -o OUTPUT_MESH --merge "
-                   "[options]\n"
-                   "       pcl_ccaa_reconstruct INPUT_CLOUD... --output-folder DIR "
-                   "[options]";
+  usage.synopsis =
+      "INPUT_CLOUD OUTPUT_MESH [options]\n"
+      "       pcl_ccaa_reconstruct INPUT_CLOUD... -o OUTPUT_MESH --merge [options]\n"
+      "       pcl_ccaa_reconstruct INPUT_CLOUD... --output-folder DIR [options]";
   usage.summary =
       R"(Connects the points of a cloud with triangles. Needs no normals and no settings. The
 mesh keeps all points of the cloud, in order and with all fields (colours, normals,

@@ -171,7 +171,7 @@ sidesForRepair(const ReconstructSettings& settings, const ReconstructResult& res
 
 } // namespace
 
-Status
+void
 runReconstruction(const ReconstructSettings& settings,
                   ProgressBar& bar,
                   ReconstructResult& result)
@@ -184,38 +184,35 @@ runReconstruction(const ReconstructSettings& settings,
   else
     reconstruct<pcl::PointXYZ>(settings, bar, result);
   if (!result.chain.cancelled && result.chain.points == 0)
-    return Status::error("the reconstruction failed, perhaps for lack of memory");
+    throw Failure("the reconstruction failed, perhaps for lack of memory");
   result.stages = stageTimes(settings, result);
   noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
   if (settings.hasFilter())
     result.topology = topologyOf(model.mesh.polygons,
                                  pointCount(model.mesh.cloud),
                                  pcl::ccaa::resolveThreads(settings.threads));
-  return {};
 }
 
-Status
+void
 repairResult(const ReconstructSettings& settings,
              ProgressBar& bar,
              ReconstructResult& result)
 {
   if (result.model.mesh.polygons.empty())
-    return {};
+    return;
   RepairTask task;
   task.method = settings.method;
   task.threads = settings.threads;
   task.method.survey.orientation.sides = sidesForRepair(settings, result);
   pcl::RepairReport report;
-  const Status status =
-      repairMesh(task, result.model.viewpoint, bar, result.model.mesh, report);
-  if (!status.ok() || report.cancelled)
-    return status;
+  repairMesh(task, result.model.viewpoint, bar, result.model.mesh, report);
+  if (report.cancelled)
+    return;
   result.labels.resize(report.input_triangles, REPAIR_LABEL);
   result.labels.resize(report.origins.size(), REPAIR_LABEL);
   result.stages.emplace_back("repair", totalSeconds(report.seconds));
   result.topology = report.after;
   result.repair = std::move(report);
-  return status;
 }
 
 void

@@ -88,7 +88,7 @@ struct ReconstructResult {
 
 /** \brief Mesh the cloud of \a result; its fields stay byte for byte. Fails when the
  * run could not be finished; after a signal the result is of no use. */
-Status
+void
 runReconstruction(const ReconstructSettings& settings,
                   ProgressBar& bar,
                   ReconstructResult& result);
@@ -100,7 +100,7 @@ addNormals(ReconstructResult& result);
 
 /** \brief Join the islands of \a result and close its holes. Fails as repairMesh()
  * does; after a signal the result is of no use. */
-Status
+void
 repairResult(const ReconstructSettings& settings,
              ProgressBar& bar,
              ReconstructResult& result);

@@ -5,79 +5,65 @@
 namespace app {
 namespace {
 
-Status
+void
 checkManyInputs(const RepairSettings& settings)
 {
   if (!settings.inspect.empty() || !settings.bridges.empty() ||
       !settings.decisions.empty())
-    return Status::error("--inspect, --bridges and --decisions are about one model; "
-                         "they do not go with --output-folder");
+    throw Failure("--inspect, --bridges and --decisions are about one model; they do "
+                  "not go with --output-folder");
   if (settings.labels && !holdsFaceProperties(settings.files.target()))
-    return Status::error("--labels needs --format ply");
-  return {};
+    throw Failure("--labels needs --format ply");
 }
 
 /** Options that do not go together, or ask for nothing. */
-Status
+void
 checkOutputs(const CommandLine& line, const RepairSettings& settings)
 {
   const FileNames& files = settings.files;
   if (line.given("inspect") && settings.inspect.empty())
-    return Status::error("--inspect needs the name of a folder");
+    throw Failure("--inspect needs the name of a folder");
   if (!settings.repairs() && !settings.surveys() && !files.isBatch())
-    return Status::error("nothing is asked for: name an OUTPUT_MESH for the repaired "
-                         "surface, or use --inspect DIR or --dry-run to see what is "
-                         "missing (try --help)");
+    throw Failure(
+        "nothing is asked for: name an OUTPUT_MESH for the repaired surface, or use "
+        "--inspect DIR or --dry-run to see what is missing (try --help)");
   if (settings.dry_run && !settings.inspect.empty())
-    return Status::error("--dry-run writes nothing but the report; it does not go with "
-                         "--inspect");
+    throw Failure(
+        "--dry-run writes nothing but the report; it does not go with --inspect");
   if (files.isBatch())
     return checkManyInputs(settings);
   if (files.output.empty() && (!settings.bridges.empty() || settings.labels))
-    return Status::error("--bridges and --labels tell about a repair; they need an "
-                         "OUTPUT_MESH");
+    throw Failure(
+        "--bridges and --labels tell about a repair; they need an OUTPUT_MESH");
   if (files.output.empty() && !settings.dry_run && !settings.decisions.empty())
-    return Status::error("--decisions is written with --dry-run and read with an "
-                         "OUTPUT_MESH");
+    throw Failure("--decisions is written with --dry-run and read with an OUTPUT_MESH");
   if (settings.labels && !holdsFaceProperties(files.target()))
-    return Status::error("--labels needs an output that ends in .ply, not '" +
-                         files.output + "'");
-  return {};
+    throw Failure("--labels needs an output that ends in .ply, not '" + files.output +
+                  "'");
 }
 
 void
 addRunOptions(OptionGroup& options, RepairSettings& settings)
 {
-  options.text(
-      "free-points", settings.free_points, "a cloud of points of the missing regions");
-  options.flag(
-      "dry-run",
-      settings.dry_run,
-      "say what would be repaired, and write nothing but the report; exit code "
-      "0: nothing to do, 2: something");
-  options.text("report",
-               settings.files.report,
-               "write figures about the model to this JSON file, or to standard output "
-               "(-)");
-  options.flag("labels",
-               settings.labels,
-               "write how each triangle came about as the face property 'origin': 0 "
-               "input, 1 fan, 2 minimum weight, 3 completion; PLY only");
-  options.text("bridges",
-               settings.bridges,
-               "write the bridges that were built, with normals and quality, to this "
-               ".vtk file");
-  options.text(
-      "inspect",
-      settings.inspect,
-      "write what was found to this folder (made if missing): .vtk and .pcd "
-      "files for pcl_viewer, PNG pictures, and legend.txt, which explains them");
-  options.flag("no-pictures", settings.pictures, "leave out the pictures", false);
-  options.text(
-      "decisions",
-      settings.decisions,
-      "with --dry-run write to this JSON file what would be done about each "
-      "boundary and junction; else do what it says, after you have changed it");
+  options.text("free-points",
+               settings.free_points)("a cloud of points of the missing regions");
+  options.flag("dry-run", settings.dry_run)(
+      "say what would be repaired, and write nothing but the report; exit code 0: "
+      "nothing to do, 2: something");
+  options.text("report", settings.files.report)(
+      "write figures about the model to this JSON file, or to standard output (-)");
+  options.flag("labels", settings.labels)(
+      "write how each triangle came about as the face property 'origin': 0 input, 1 "
+      "fan, 2 minimum weight, 3 completion; PLY only");
+  options.text("bridges", settings.bridges)(
+      "write the bridges that were built, with normals and quality, to this .vtk file");
+  options.text("inspect", settings.inspect)(
+      "write what was found to this folder (made if missing): .vtk and .pcd files for "
+      "pcl_viewer, PNG pictures, and legend.txt, which explains them");
+  options.flag("no-pictures", settings.pictures, false)("leave out the pictures");
+  options.text("decisions", settings.decisions)(
+      "with --dry-run write to this JSON file what would be done about each boundary "
+      "and junction; else do what it says, after you have changed it");
 }
 
 } // namespace
@@ -128,14 +114,14 @@ addRepairOptions(CommandLine& command_line, RepairSettings& settings)
   addMethodOptions(command_line, settings.method);
 }
 
-Status
+void
 takeDecisions(RepairSettings& settings)
 {
   if (settings.decisions.empty())
-    return {};
-  return settings.dry_run
-             ? readDecisionsIfAny(settings.decisions, settings.method.survey.decisions)
-             : readDecisions(settings.decisions, settings.method.survey.decisions);
+    return;
+  auto& decisions = settings.method.survey.decisions;
+  require(settings.dry_run ? readDecisionsIfAny(settings.decisions, decisions)
+                           : readDecisions(settings.decisions, decisions));
 }
 
 } // namespace app

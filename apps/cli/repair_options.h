@@ -58,7 +58,7 @@ addRepairOptions(CommandLine& command_line, RepairSettings& settings);
 
 /** \brief Read the file of decisions: there has to be one for a repair, there may be
  * one for a dry run, which writes it anew. */
-Status
+void
 takeDecisions(RepairSettings& settings);
 
 } // namespace app

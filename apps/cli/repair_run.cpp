@@ -48,7 +48,7 @@ surveyMesh(const RepairTask& task,
   return survey;
 }
 
-Status
+void
 repairMesh(const RepairTask& task,
            const Viewpoint& viewpoint,
            ProgressBar& bar,
@@ -69,10 +69,9 @@ repairMesh(const RepairTask& task,
   repair.process(mesh);
   report = repair.getReport();
   if (!report.reading.problem.empty())
-    return Status::error(report.reading.problem);
+    throw Failure(report.reading.problem);
   if (!report.cancelled && mesh.polygons.empty())
-    return Status::error("the repair failed, perhaps for lack of memory");
-  return {};
+    throw Failure("the repair failed, perhaps for lack of memory");
 }
 
 } // namespace app

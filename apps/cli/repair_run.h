@@ -33,7 +33,7 @@ surveyMesh(const RepairTask& task,
 
 /** \brief Repair a mesh in place; its points stay byte for byte and with the same
  * fields. Fails for a mesh that has no triangle. After a signal it is of no use. */
-Status
+void
 repairMesh(const RepairTask& task,
            const Viewpoint& viewpoint,
            ProgressBar& bar,

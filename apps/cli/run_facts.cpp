@@ -71,7 +71,7 @@ totalSeconds(const StageTimes& stages)
 }
 
 void
-addRunFacts(const RunFacts& facts, nlohmann::json& report)
+addRunFacts(const RunFacts& facts, const Model& model, nlohmann::json& report)
 {
   report["program"] = facts.program;
   report["version"] = version();
@@ -82,8 +82,8 @@ addRunFacts(const RunFacts& facts, nlohmann::json& report)
   report["exit_code"] = facts.exit_code;
   report["complete"] = facts.exit_code == DONE;
   report["seconds"] = facts.seconds;
-  report["global_shift"] = facts.shift.offset();
-  const std::string units = namedUnits(facts.remarks);
+  report["global_shift"] = model.shift.offset();
+  const std::string units = namedUnits(model.remarks);
   if (!units.empty())
     report["units"] = units;
 }

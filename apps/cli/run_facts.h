@@ -53,16 +53,13 @@ struct RunFacts {
   std::string input;
   std::string output; /**< empty: none */
   ExitCode exit_code = DONE;
-  double seconds = 0;          /**< of the work, without reading and writing files */
-  Remarks remarks;             /**< of the input; they may name units */
-  pcl::GlobalShift shift = {}; /**< of the input */
+  double seconds = 0; /**< of the work, without reading and writing files */
 };
 
-/** \brief Add program, version, input, output, exit_code, complete, seconds,
- * global_shift and, where
- * the input names any, units. */
+/** rief Add program, version, input, output, exit_code, complete, seconds, the
+ * global_shift of the model and, where its remarks name any, units. */
 void
-addRunFacts(const RunFacts& facts, nlohmann::json& report);
+addRunFacts(const RunFacts& facts, const Model& model, nlohmann::json& report);
 
 /** \brief Write \a report, readable, into an opened file. */
 void

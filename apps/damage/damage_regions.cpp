@@ -41,23 +41,21 @@ RegionMaker::RegionMaker(const Points& points,
     }
 }
 
-Status
+void
 RegionMaker::parseSphere(const std::string& text, Sphere& sphere) const
 {
   std::vector<double> numbers;
   if (!parseList(text, 4, numbers) || numbers[3] <= 0)
-    return Status::error("--sphere wants x,y,z,r with a positive r, not '" + text +
-                         "'");
+    throw Failure("--sphere wants x,y,z,r with a positive r, not '" + text + "'");
   const Eigen::Vector3d place(numbers[0], numbers[1], numbers[2]);
   if (absolute_)
     sphere.center = place - shift_;
   else
     sphere.center = box_.min() + place.cwiseProduct(box_.sizes());
   sphere.radius = numbers[3] * (absolute_ ? 1.0 : box_.diagonal().norm());
-  return {};
 }
 
-Status
+void
 RegionMaker::parseSlab(const std::string& text, Slab& slab) const
 {
   std::vector<double> numbers;
@@ -67,15 +65,13 @@ RegionMaker::parseSlab(const std::string& text, Slab& slab) const
            : Eigen::Vector3d(0, 0, 0);
   const double length = normal.norm();
   if (!good || !(length > 0) || numbers[4] <= 0)
-    return Status::error(
-        "--slab wants nx,ny,nz,offset,thickness with a normal that is not "
-        "zero and a positive thickness, not '" +
-        text + "'");
+    throw Failure("--slab wants nx,ny,nz,offset,thickness with a normal that is not "
+                  "zero and a positive thickness, not '" +
+                  text + "'");
   if (absolute_)
     slab = {normal / length, numbers[3] - normal.dot(shift_) / length, numbers[4] / 2};
   else
     slab = slabInShares(normal / length, numbers[3], numbers[4]);
-  return {};
 }
 
 Slab

@@ -41,11 +41,11 @@ public:
   RegionMaker(const Points& points, bool absolute, const pcl::GlobalShift& shift = {});
 
   /** \brief From "x,y,z,r". */
-  Status
+  void
   parseSphere(const std::string& text, Sphere& sphere) const;
 
   /** \brief From "nx,ny,nz,offset,thickness". */
-  Status
+  void
   parseSlab(const std::string& text, Slab& slab) const;
 
   /** \brief A sphere of \a size diagonals around a random point. */

@@ -4,7 +4,6 @@
 #include "damage_run.h"
 
 #include "damage_patches.h"
-#include "io/model_subset.h"
 #include "io/point_columns.h"
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 namespace app {
 namespace {
 
-Status
+void
 markRegions(const DamageSettings& settings,
             const Points& points,
             RandomNumbers& random,
@@ -23,23 +22,18 @@ markRegions(const DamageSettings& settings,
   const RegionMaker maker(points, settings.absolute, settings.shift);
   for (const std::string& text : settings.spheres) {
     Sphere sphere;
-    const Status status = maker.parseSphere(text, sphere);
-    if (!status.ok())
-      return status;
+    maker.parseSphere(text, sphere);
     markSphere(sphere, points, removed);
   }
   for (const std::string& text : settings.slabs) {
     Slab slab;
-    const Status status = maker.parseSlab(text, slab);
-    if (!status.ok())
-      return status;
+    maker.parseSlab(text, slab);
     markSlab(slab, points, removed);
   }
   for (unsigned int i = 0; i < settings.random_spheres; ++i)
     markSphere(maker.randomSphere(settings.sphere_size, random), points, removed);
   for (unsigned int i = 0; i < settings.random_slabs; ++i)
     markSlab(maker.randomSlab(settings.slab_size, random), points, removed);
-  return {};
 }
 
 void
@@ -108,6 +102,75 @@ addNoise(const Damage& damage,
   }
 }
 
+void
+takeCloud(const pcl::PCLPointCloud2& cloud,
+          const std::vector<char>& wanted,
+          pcl::PCLPointCloud2& part)
+{
+  const auto count = std::count(wanted.begin(), wanted.end(), 1);
+  part.header = cloud.header;
+  part.fields = cloud.fields;
+  part.is_bigendian = cloud.is_bigendian;
+  part.is_dense = cloud.is_dense;
+  part.point_step = cloud.point_step;
+  part.data.clear();
+  part.data.reserve(static_cast<std::size_t>(count) * cloud.point_step);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i] != 0)
+      part.data.insert(
+          part.data.end(), pointAt(cloud, i), pointAt(cloud, i) + cloud.point_step);
+  // A whole organised cloud stays organised.
+  const bool is_whole = part.data.size() == cloud.data.size();
+  part.width = is_whole ? cloud.width : static_cast<pcl::uindex_t>(count);
+  part.height = is_whole ? cloud.height : 1;
+  part.row_step = part.width * part.point_step;
+}
+
+bool
+hasFlagged(const pcl::Vertices& polygon, const std::vector<char>& flags, char flag)
+{
+  return std::any_of(
+      polygon.vertices.begin(), polygon.vertices.end(), [&](pcl::index_t corner) {
+        return flags[static_cast<std::size_t>(corner)] == flag;
+      });
+}
+
+/** The points of \a mesh with a flag, in order and with all fields, and of the
+ * polygons given those whose corners all have one. */
+pcl::PolygonMesh
+takePoints(const pcl::PolygonMesh& mesh,
+           const std::vector<char>& wanted,
+           const std::vector<pcl::Vertices>& polygons)
+{
+  pcl::PolygonMesh part;
+  part.header = mesh.header;
+  takeCloud(mesh.cloud, wanted, part.cloud);
+  std::vector<pcl::index_t> new_index(wanted.size(), 0);
+  pcl::index_t next = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i] != 0)
+      new_index[i] = next++;
+  for (const pcl::Vertices& polygon : polygons) {
+    if (hasFlagged(polygon, wanted, 0))
+      continue;
+    part.polygons.push_back(polygon);
+    for (pcl::index_t& corner : part.polygons.back().vertices)
+      corner = new_index[static_cast<std::size_t>(corner)];
+  }
+  return part;
+}
+
+/** Sort the polygons into those that touch no flagged point and the others. */
+void
+splitPolygons(const std::vector<pcl::Vertices>& polygons,
+              const std::vector<char>& flagged,
+              std::vector<pcl::Vertices>& untouched,
+              std::vector<pcl::Vertices>& touched)
+{
+  for (const pcl::Vertices& polygon : polygons)
+    (hasFlagged(polygon, flagged, 1) ? touched : untouched).push_back(polygon);
+}
+
 /** The part that was taken out, unmoved, with the rim its triangles end at. */
 pcl::PolygonMesh
 takeRemoved(const pcl::PolygonMesh& mesh,
@@ -123,7 +186,7 @@ takeRemoved(const pcl::PolygonMesh& mesh,
 
 } // namespace
 
-Status
+void
 planDamage(const DamageSettings& settings,
            const pcl::PolygonMesh& mesh,
            RandomNumbers& random,
@@ -131,17 +194,14 @@ planDamage(const DamageSettings& settings,
 {
   damage.points = readPositions(mesh.cloud, settings.shift);
   damage.removed.assign(damage.points.size(), 0);
-  const Status status = markRegions(settings, damage.points, random, damage.removed);
-  if (!status.ok())
-    return status;
+  markRegions(settings, damage.points, random, damage.removed);
   markPatches(settings, mesh, damage.points, random, damage.removed);
   damage.kept = chooseKept(damage.removed, settings.keep, random);
   const auto lost = std::count(damage.removed.begin(), damage.removed.end(), 1);
   if (static_cast<std::size_t>(lost) == damage.points.size())
-    return Status::error("the regions hold every point; nothing would be left");
+    throw Failure("the regions hold every point; nothing would be left");
   if (settings.noise > 0)
     damage.deviation = settings.noise * meanSpacing(damage.points);
-  return {};
 }
 
 std::vector<DamagePart>

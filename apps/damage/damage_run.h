@@ -45,7 +45,7 @@ struct Damage {
 
 /** \brief Decide what becomes of each point. Fails for regions that cannot be
  * understood or that hold every point. */
-Status
+void
 planDamage(const DamageSettings& settings,
            const pcl::PolygonMesh& mesh,
            RandomNumbers& random,

@@ -2,8 +2,10 @@
 // Part of PclSurfaceRepair: what a survey found, as coloured points, lines and faces.
 #pragma once
 
+#include <pcl/surface_ccaa/global_shift.h>
+#include <pcl/surface_repair/repair_report.h>
 #include <pcl/PCLPointCloud2.h>
-#include <pcl/Vertices.h>
+#include <pcl/PolygonMesh.h>
 
 #include "inspection_colors.h"
 #include "survey/model_survey.h"
@@ -67,6 +69,20 @@ showSlice(const pcl::repair::FieldSlice& slice);
 InspectionLayer
 showSection(const pcl::repair::ModelSurvey& survey,
             const pcl::repair::FieldSlice& slice);
+
+/** \brief The bridges as they were built, less the shift, coloured by quality,
+ * with their normals, the islands that they join and whether they divide a
+ * hole. */
+InspectionLayer
+showBridges(const std::vector<pcl::RepairBridge>& bridges,
+            const pcl::GlobalShift& shift);
+
+/** \brief What boundaries and bridges enclose, as it lies in the repaired mesh: the
+ * contours of closed holes by the method that closed them, those that stay open by
+ * their reason.
+ * \param[in] mesh the repaired one */
+InspectionLayer
+showContours(const pcl::RepairReport& report, const pcl::PolygonMesh& mesh);
 
 /** \brief The lines of a survey that have a length, between islands first, then those
  * within holes; points at equal distances of about the source spacing. */

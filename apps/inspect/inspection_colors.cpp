@@ -96,6 +96,58 @@ colorOf(LineEnd end)
 }
 
 Rgb
+colorOf(pcl::TriangleOrigin origin)
+{
+  switch (origin) {
+  case pcl::TriangleOrigin::INPUT:
+    break;
+  case pcl::TriangleOrigin::FAN:
+    return {235, 170, 50};
+  case pcl::TriangleOrigin::MINIMUM_WEIGHT:
+    return {60, 140, 225};
+  case pcl::TriangleOrigin::COMPLETION:
+    return {185, 105, 215};
+  }
+  return {225, 225, 220};
+}
+
+Rgb
+colorOf(pcl::OpenReason reason)
+{
+  switch (reason) {
+  case pcl::OpenReason::NONE:
+    break;
+  case pcl::OpenReason::OUTER_BORDER:
+    return colorOf(pcl::repair::BoundaryClass::OUTER_BORDER);
+  case pcl::OpenReason::TUBE_MOUTH:
+    return {0, 115, 115};
+  case pcl::OpenReason::DIFFERENT_OBJECTS:
+    return {90, 110, 140};
+  case pcl::OpenReason::DEPTH_JUMP:
+    return {75, 190, 150};
+  case pcl::OpenReason::SEEN_EMPTY:
+    return {60, 150, 190};
+  case pcl::OpenReason::NOT_JOINED:
+    return {160, 85, 20};
+  case pcl::OpenReason::UNDECIDED:
+    return colorOf(pcl::repair::BoundaryClass::UNDECIDED);
+  case pcl::OpenReason::ONE_SIDED:
+    return {215, 120, 230};
+  case pcl::OpenReason::TOO_LARGE:
+    return {130, 0, 20};
+  case pcl::OpenReason::NO_DARN:
+    return {215, 25, 30};
+  case pcl::OpenReason::NOT_MANIFOLD:
+    return {255, 100, 90};
+  case pcl::OpenReason::INTERSECTION:
+    return {235, 0, 130};
+  case pcl::OpenReason::NOT_WANTED:
+    return {110, 110, 110};
+  }
+  return colorOf(pcl::TriangleOrigin::MINIMUM_WEIGHT);
+}
+
+Rgb
 colorOfBridge(double strength)
 {
   return mix({155, 215, 90}, {0, 105, 45}, std::clamp(strength, 0.0, 1.0));

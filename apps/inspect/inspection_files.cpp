@@ -4,9 +4,9 @@
 
 #include "io/point_columns.h"
 #include "io/position_check.h"
+#include "io/wording.h"
 #include "io/writers.h"
 
-#include <cstdio>
 #include <set>
 
 namespace app {
@@ -29,16 +29,9 @@ void
 explain(const InspectionLayer& layer, OutputFile& file)
 {
   file.text("\n" + layer.name + ": " + layer.title + "\n");
-  for (const LegendEntry& entry : layer.legend) {
-    char color[32];
-    std::snprintf(color,
-                  sizeof(color),
-                  "  #%02x%02x%02x  ",
-                  entry.color[0],
-                  entry.color[1],
-                  entry.color[2]);
-    file.text(color + entry.meaning + "\n");
-  }
+  for (const auto& [color, meaning] : layer.legend)
+    file.text(formatted("  #%02x%02x%02x  ", color[0], color[1], color[2]) + meaning +
+              "\n");
   if (!layer.columns.empty())
     file.text("  fields: " + layer.columns + "\n");
 }

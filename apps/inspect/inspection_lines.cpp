@@ -49,13 +49,12 @@ addLineLegend(const std::vector<ForceLine>& lines, LayerBuilder& builder)
     if (counts[end] == 0)
       continue;
     const auto line_end = static_cast<LineEnd>(end);
-    const std::string count = " (" + std::to_string(counts[end]) + ")";
     if (line_end == LineEnd::BRIDGE) {
       builder.addLegend(colorOfBridge(1.0), "strong bridge");
-      builder.addLegend(colorOfBridge(0.0), "weak bridge; in all" + count);
+      builder.addLegend(colorOfBridge(0.0), "weak bridge; in all", counts[end]);
     }
     else
-      builder.addLegend(colorOf(line_end), describe(line_end) + count);
+      builder.addLegend(colorOf(line_end), describe(line_end), counts[end]);
   }
 }
 
@@ -98,31 +97,24 @@ visibleLines(const ModelSurvey& survey)
 InspectionLayer
 showLines(const ModelSurvey& survey)
 {
-  LayerBuilder builder("lines.vtk", "Force lines by end and strength");
-  FieldArray& normals = builder.realField("line_normal", 3);
-  FieldArray& numbers = builder.wholeField("line");
-  FieldArray& ends = builder.wholeField("end");
-  FieldArray& qualities = builder.realField("quality");
+  LayerBuilder builder("lines.vtk",
+                       "Force lines by end and strength",
+                       {"line_normal", "line", "end", "quality"});
   const std::vector<ForceLine> lines = visibleLines(survey);
   const double strong_quality = strongQuality(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const ForceLine& line = lines[i];
-    pcl::index_t last = -1;
-    for (std::size_t k = 0; k < line.points.size(); ++k) {
-      last = builder.addPoint(line.points[k], colorOfLine(line, strong_quality));
-      appendDirection(normals, line.normals[k]);
-      numbers.append(static_cast<std::int32_t>(i));
-      ends.append(static_cast<std::int32_t>(line.end));
-      qualities.append(static_cast<float>(line.quality));
-    }
-    const std::size_t size = line.points.size();
-    builder.addLine(last + 1 - static_cast<pcl::index_t>(size), size, false);
+    const Rgb color = colorOfLine(line, strong_quality);
+    builder.addCurve(line.points.size(), false, [&](std::size_t k) {
+      builder.addPoint(
+          line.points[k], color, line.normals[k], i, line.end, line.quality);
+    });
   }
   addLineLegend(lines, builder);
   return builder.finish(
-      "line_normal: external normal along the line; line: number; "
-      "end: 0 bridge, 1 repelled, 2 no field, 3 out of reach, 4 too "
-      "long, 5 crosses the surface, 6 wrong side; quality: mean force");
+      "line_normal: external normal along the line; line: number; end: 0 bridge, 1 "
+      "repelled, 2 no field, 3 out of reach, 4 too long, 5 crosses the surface, 6 "
+      "wrong side; quality: mean force");
 }
 
 InspectionLayer
@@ -148,51 +140,45 @@ showLineNormals(const ModelSurvey& survey)
 InspectionLayer
 showLinePoints(const ModelSurvey& survey)
 {
-  LayerBuilder builder("line_points.pcd", "Points of the bridges");
-  FieldArray& normals = builder.realField("normal", 3);
-  FieldArray& curvatures = builder.realField("curvature");
-  FieldArray& numbers = builder.wholeField("line");
+  LayerBuilder builder(
+      "line_points.pcd", "Points of the bridges", {"normal", "curvature", "line"});
   const std::vector<ForceLine> lines = visibleLines(survey);
   const double strong_quality = strongQuality(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const ForceLine& line = lines[i];
-    for (std::size_t k = 0; line.end == LineEnd::BRIDGE && k < line.points.size();
-         ++k) {
-      builder.addPoint(line.points[k], colorOfLine(line, strong_quality));
-      appendDirection(normals, line.normals[k]);
-      curvatures.append(static_cast<float>(line.quality));
-      numbers.append(static_cast<std::int32_t>(i));
-    }
+    const std::size_t points = line.end == LineEnd::BRIDGE ? line.points.size() : 0;
+    for (std::size_t k = 0; k < points; ++k)
+      builder.addPoint(line.points[k],
+                       colorOfLine(line, strong_quality),
+                       line.normals[k],
+                       line.quality,
+                       i);
   }
-  return builder.finish(
-      "normal_x ...: external normal; curvature: quality of the line; "
-      "line: as in lines.vtk");
+  return builder.finish("normal_x ...: external normal; curvature: quality of the "
+                        "line; line: as in lines.vtk");
 }
 
 InspectionLayer
 showOrigins(const ModelSurvey& survey)
 {
-  LayerBuilder builder("origins.pcd", "Boundary points that the field acts on");
-  FieldArray& normals = builder.realField("normal", 3);
-  FieldArray& forces = builder.realField("curvature");
-  FieldArray& outward = builder.realField("outward");
-  FieldArray& holes = builder.wholeField("hole");
+  LayerBuilder builder("origins.pcd",
+                       "Boundary points that the field acts on",
+                       {"normal", "curvature", "outward", "hole"});
   for (const SurveyedField* field : allFields(survey))
     for (const auto& place : field->origins) {
       const auto& force = place.force;
       builder.addPoint(place.origin.point.position,
-                       force.outward > 0.0 ? ATTRACTED : REPELLED);
-      appendDirection(normals, force.normal);
-      forces.append(static_cast<float>(force.force.norm()));
-      outward.append(static_cast<float>(force.outward));
-      holes.append(indexOrMinusOne(field->hole));
+                       force.outward > 0.0 ? ATTRACTED : REPELLED,
+                       Eigen::Vector3d(force.normal),
+                       force.force.norm(),
+                       force.outward,
+                       field->hole);
     }
   builder.addLegend(ATTRACTED, "attracted: a line can begin here");
   builder.addLegend(REPELLED, "repelled");
-  return builder.finish(
-      "normal_x ...: normal of the line that begins here; curvature: |f|; "
-      "outward: share of it away from the surface; hole: the loop, "
-      "for lines within a hole, else -1");
+  return builder.finish("normal_x ...: normal of the line that begins here; curvature: "
+                        "|f|; outward: share of it away from the surface; hole: the "
+                        "loop, for lines within a hole, else -1");
 }
 
 } // namespace app

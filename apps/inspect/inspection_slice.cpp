@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: a slice through the field and the surface, coloured.
 #include <Eigen/Geometry>
 
+#include "io/wording.h"
 #include "layer_builder.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace app {
 namespace {
@@ -34,10 +34,9 @@ addTensionLegend(double strong, LayerBuilder& builder)
   constexpr int steps = 4;
   for (int i = steps; i >= 0; --i) {
     const double share = static_cast<double>(i) / steps;
-    char text[64];
-    std::snprintf(
-        text, sizeof(text), "|H| %.3g%s", share * strong, i == steps ? " or more" : "");
-    builder.addLegend(colorOfTension(share), text);
+    builder.addLegend(
+        colorOfTension(share),
+        formatted("|H| %.3g%s", share * strong, i == steps ? " or more" : ""));
   }
 }
 
@@ -66,16 +65,16 @@ cut(const IncompleteModel& model,
 InspectionLayer
 showSlice(const FieldSlice& slice)
 {
-  LayerBuilder builder("slice.vtk", "Tension |H| on a plane through the model");
-  FieldArray& tensions = builder.realField("tension");
+  LayerBuilder builder(
+      "slice.vtk", "Tension |H| on a plane through the model", {"tension"});
   const double strong = strongTension(slice);
   for (std::size_t row = 0; row < slice.rows; ++row)
     for (std::size_t column = 0; column < slice.columns; ++column) {
       const double tension = slice.tension[row * slice.columns + column];
       builder.addPoint(slice.corner + static_cast<double>(column) * slice.across +
                            static_cast<double>(row) * slice.up,
-                       colorOfTension(tension / strong));
-      tensions.append(static_cast<float>(tension));
+                       colorOfTension(tension / strong),
+                       tension);
     }
   for (std::size_t row = 1; row < slice.rows; ++row)
     for (std::size_t column = 1; column < slice.columns; ++column) {

@@ -1,41 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: puts an inspection layer together, point by point.
+// Part of PclSurfaceRepair: puts a layer of an inspection together.
 #include "layer_builder.h"
 
 #include <utility>
 
 namespace app {
 
-using Field = pcl::PCLPointField;
+static_assert(static_cast<std::int32_t>(pcl::repair::NONE) == -1, "as it is written");
 
-LayerBuilder::LayerBuilder(std::string name, std::string title)
+LayerBuilder::LayerBuilder(std::string name,
+                           std::string title,
+                           const std::vector<std::string>& fields)
+: fields_{colourArray()}
 {
   layer_.name = std::move(name);
   layer_.title = std::move(title);
-  fields_.push_back(colourArray());
+  for (const std::string& field : fields)
+    fields_.push_back({field, pcl::PCLPointField::FLOAT32, 1, {}});
 }
 
 pcl::index_t
-LayerBuilder::addPoint(const Eigen::Vector3d& position, const Rgb& color)
+LayerBuilder::addPlace(const Eigen::Vector3d& position, const Rgb& color)
 {
-  for (int axis = 0; axis < 3; ++axis)
-    positions_.push_back(static_cast<float>(position[axis]));
+  for (const double coordinate : position)
+    positions_.push_back(static_cast<float>(coordinate));
   appendColour(fields_.front(), color[0], color[1], color[2]);
   return static_cast<pcl::index_t>(positions_.size() / 3 - 1);
 }
 
-FieldArray&
-LayerBuilder::wholeField(const std::string& name)
+void
+LayerBuilder::put(FieldArray& field, const Eigen::Vector3d& direction)
 {
-  fields_.push_back({name, Field::INT32, 1, {}});
-  return fields_.back();
-}
-
-FieldArray&
-LayerBuilder::realField(const std::string& name, std::size_t count)
-{
-  fields_.push_back({name, Field::FLOAT32, count, {}});
-  return fields_.back();
+  field.type = pcl::PCLPointField::FLOAT32;
+  field.count = 3;
+  for (const double share : direction)
+    field.append(static_cast<float>(share));
 }
 
 void
@@ -52,8 +51,7 @@ LayerBuilder::addLine(pcl::index_t first, std::size_t points, bool closed)
 void
 LayerBuilder::addFace(const std::vector<pcl::index_t>& corners)
 {
-  layer_.faces.emplace_back();
-  layer_.faces.back().vertices = corners;
+  layer_.faces.emplace_back().vertices = corners;
 }
 
 void
@@ -62,25 +60,18 @@ LayerBuilder::addLegend(const Rgb& color, const std::string& meaning)
   layer_.legend.push_back({color, meaning});
 }
 
+void
+LayerBuilder::addLegend(const Rgb& color, const std::string& meaning, std::size_t count)
+{
+  addLegend(color, meaning + " (" + std::to_string(count) + ")");
+}
+
 InspectionLayer
 LayerBuilder::finish(const std::string& columns)
 {
   layer_.columns = columns;
-  assembleCloud(positions_, {fields_.begin(), fields_.end()}, layer_.cloud);
+  assembleCloud(positions_, fields_, layer_.cloud);
   return std::move(layer_);
-}
-
-void
-appendDirection(FieldArray& field, const Eigen::Vector3d& direction)
-{
-  for (int axis = 0; axis < 3; ++axis)
-    field.append(static_cast<float>(direction[axis]));
-}
-
-std::int32_t
-indexOrMinusOne(std::size_t index)
-{
-  return index == pcl::repair::NONE ? -1 : static_cast<std::int32_t>(index);
 }
 
 } // namespace app

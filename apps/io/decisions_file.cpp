@@ -9,7 +9,6 @@
 #include "wording.h"
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -200,11 +199,8 @@ tellJunction(std::size_t number, const JunctionDecision& junction)
 void
 writeDecisions(const std::string& input, const Decisions& decisions, OutputFile& file)
 {
-  char checksum[32];
-  std::snprintf(checksum,
-                sizeof(checksum),
-                "%016llx",
-                static_cast<unsigned long long>(decisions.mesh.checksum));
+  const std::string checksum =
+      formatted("%016llx", static_cast<unsigned long long>(decisions.mesh.checksum));
   Json document = {{"format", FORMAT},
                    {"mesh",
                     {{"file", input},

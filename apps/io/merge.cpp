@@ -8,6 +8,7 @@
 #include "point_columns.h"
 #include "point_table.h"
 #include "remarks.h"
+#include "wording.h"
 
 #include <algorithm>
 #include <cstring>
@@ -51,7 +52,7 @@ differingFields(const std::vector<NamedModel>& parts)
         names.push_back(field.name);
   std::string text;
   for (const std::string& name : names)
-    text += (text.empty() ? "" : ", ") + name;
+    addToList(text, name);
   return text;
 }
 
@@ -110,8 +111,8 @@ shareViewpoints(std::vector<NamedModel>& parts, Model& whole)
   };
   const bool all_known = std::all_of(parts.begin(), parts.end(), is_known);
   if (!all_known && std::any_of(parts.begin(), parts.end(), is_known))
-    whole.warnings.push_back("the sensor's place is not told by all clouds; none is "
-                             "used");
+    whole.warnings.push_back(
+        "the sensor's place is not told by all clouds; none is used");
   const bool as_double =
       std::any_of(parts.begin(), parts.end(), [](const NamedModel& part) {
         return needsDouble(part.model.viewpoint);
@@ -161,18 +162,17 @@ mergeRemarks(const std::vector<NamedModel>& parts, Model& whole)
   }
   if (units_differ)
     whole.warnings.push_back(
-        "not all clouds name the same units; coordinates are taken "
-        "as they are");
+        "not all clouds name the same units; coordinates are taken as they are");
 }
 
 } // namespace
 
-Status
+void
 mergeModels(std::vector<NamedModel>& parts, Model& whole)
 {
   if (parts.size() == 1) {
     whole = std::move(parts.front().model);
-    return {};
+    return;
   }
   mergeRemarks(parts, whole);
   alignPositions(parts);
@@ -189,7 +189,7 @@ mergeModels(std::vector<NamedModel>& parts, Model& whole)
     allocateCloud(planTable(commonColumns(parts), Naming::PCL), points, cloud);
   }
   catch (const Failure& failure) {
-    return Status::error(std::string("the clouds cannot be merged: ") + failure.what());
+    throw Failure(std::string("the clouds cannot be merged: ") + failure.what());
   }
   std::size_t first = 0;
   for (NamedModel& part : parts) {
@@ -199,7 +199,6 @@ mergeModels(std::vector<NamedModel>& parts, Model& whole)
     part.model.mesh.cloud.data = {};
   }
   whole.shift = pcl::GlobalShift::of(cloud);
-  return {};
 }
 
 } // namespace app

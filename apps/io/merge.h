@@ -21,7 +21,7 @@ struct NamedModel {
  * as vp_x, vp_y, vp_z; where not all are known, none does, and a note says so.
  * Coordinates stay as they are; a note tells of units that differ. Fails when there are
  * more points than PCL can index. */
-Status
+void
 mergeModels(std::vector<NamedModel>& parts, Model& whole);
 
 } // namespace app

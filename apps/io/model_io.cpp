@@ -8,6 +8,7 @@
 #include "position_check.h"
 #include "readers.h"
 #include "remarks.h"
+#include "wording.h"
 #include "writers.h"
 
 #include <algorithm>
@@ -76,14 +77,15 @@ parse(FileFormat format, Wanted wanted, InputFile& file, Model& model)
   try {
     parseAs(format, contents, file, model);
     if (with_polygons)
-      require(checkPolygonIndices(model.mesh.polygons, pointCount(model.mesh.cloud)));
+      checkPolygonIndices(model.mesh.polygons, pointCount(model.mesh.cloud));
     else
       model.mesh.polygons.clear();
+    checkPositions(model);
+    return {};
   }
   catch (const Failure& failure) {
     return Status::error(failure.what());
   }
-  return checkPositions(model);
 }
 
 Status
@@ -117,7 +119,7 @@ warnAboutLostFields(const pcl::PCLPointCloud2& cloud,
   for (const pcl::PCLPointField& field : cloud.fields)
     if (field.name != "_" &&
         std::find(kept.begin(), kept.end(), field.name) == kept.end())
-      lost += (lost.empty() ? "" : ", ") + field.name;
+      addToList(lost, field.name);
   if (!lost.empty())
     warnings.push_back(format + " cannot hold the fields " + lost);
 }
@@ -142,14 +144,13 @@ isMeshOutput(const Target& target)
   return holdsPolygons(target.format);
 }
 
-Status
+void
 checkCoordinates(const Target& target, const Model& model)
 {
-  if (target.format != FileFormat::STL || model.shift.isNone() ||
-      !hasDoublePositions(model.mesh.cloud))
-    return {};
-  return Status::error("STL holds single precision only, too coarse for coordinates as "
-                       "large as these; write .ply, .vtk, .obj or .off");
+  if (target.format == FileFormat::STL && !model.shift.isNone() &&
+      hasDoublePositions(model.mesh.cloud))
+    throw Failure("STL holds single precision only, too coarse for coordinates as "
+                  "large as these; write .ply, .vtk, .obj or .off");
 }
 
 bool
@@ -235,8 +236,7 @@ writeMesh(const Target& target,
   if (target.format == FileFormat::STL) {
     writeStl(mesh, file);
     warnings.push_back(
-        "STL holds triangles only: no points without a triangle, no order "
-        "of points");
+        "STL holds triangles only: no points without a triangle, no order of points");
     if (hasDoublePositions(mesh.cloud))
       warnings.push_back("STL holds single precision only: positions were rounded");
     warnAboutLostFields(mesh.cloud, {"x", "y", "z"}, "STL", warnings);

@@ -70,7 +70,7 @@ isMeshOutput(const Target& target);
 
 /** \brief Fails when the coordinates of \a model are too large for the format (doubles,
  * for STL): what it would hold is of no use. */
-Status
+void
 checkCoordinates(const Target& target, const Model& model);
 
 /** \brief Whether the format can hold points without a triangle (STL cannot). */

@@ -5,6 +5,7 @@
 #include "point_table.h"
 #include "polygon_builder.h"
 #include "readers.h"
+#include "wording.h"
 
 #include <algorithm>
 #include <map>
@@ -245,7 +246,7 @@ private:
     std::string names;
     for (const PlyProperty& property : element.properties)
       if (!isIndexList(property))
-        names += (names.empty() ? "" : ", ") + property.name;
+        addToList(names, property.name);
     if (!names.empty())
       model_.warnings.push_back("the faces' properties (" + names +
                                 ") are not taken over");
@@ -260,6 +261,10 @@ private:
       throw Failure("its faces have no list of vertex indices");
     warnAboutFaceProperties(element);
     PolygonBuilder builder(model_.mesh.polygons);
+    // Faces of fewer corners than three take less room, but are not kept.
+    constexpr std::size_t least_bytes = 4;
+    model_.mesh.polygons.reserve(
+        std::min(element.rows, scanner_.remaining() / least_bytes));
     std::vector<std::int64_t> corners;
     for (std::size_t row = 0; row < element.rows; ++row) {
       check(readFace(properties, corners), element, row);

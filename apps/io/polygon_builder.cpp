@@ -16,6 +16,7 @@ PolygonBuilder::addPolygon(const std::vector<std::int64_t>& corners)
     return;
   }
   pcl::Vertices polygon;
+  polygon.vertices.reserve(corners.size());
   for (const std::int64_t corner : corners) {
     if (corner < 0 || corner > std::numeric_limits<pcl::index_t>::max())
       throw Failure("a face refers to vertex " + std::to_string(corner) +
@@ -48,15 +49,14 @@ PolygonBuilder::finish(Warnings& warnings) const
                        " with fewer than three corners left out");
 }
 
-Status
+void
 checkPolygonIndices(const std::vector<pcl::Vertices>& polygons, std::size_t vertices)
 {
   for (const pcl::Vertices& polygon : polygons)
     for (const pcl::index_t corner : polygon.vertices)
       if (corner < 0 || static_cast<std::size_t>(corner) >= vertices)
-        return Status::error("a face refers to vertex " + std::to_string(corner) +
-                             ", but there are only " + std::to_string(vertices));
-  return {};
+        throw Failure("a face refers to vertex " + std::to_string(corner) +
+                      ", but there are only " + std::to_string(vertices));
 }
 
 } // namespace app

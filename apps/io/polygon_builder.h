@@ -37,7 +37,7 @@ private:
 };
 
 /** \brief Fails for the first polygon with a corner that is not below \a vertices. */
-Status
+void
 checkPolygonIndices(const std::vector<pcl::Vertices>& polygons, std::size_t vertices);
 
 } // namespace app

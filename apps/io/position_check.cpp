@@ -46,7 +46,7 @@ warnAboutFloats(Model& model)
 
 } // namespace
 
-Status
+void
 checkPositions(Model& model)
 {
   constexpr double most = std::numeric_limits<float>::max();
@@ -57,13 +57,12 @@ checkPositions(Model& model)
     if (!position.allFinite())
       model.mesh.cloud.is_dense = false;
     else if (!(position.cwiseAbs().maxCoeff() <= most))
-      return Status::error("its point " + std::to_string(i) +
-                           " is too far away: " + placeText(position, " "));
+      throw Failure("its point " + std::to_string(i) +
+                    " is too far away: " + placeText(position, " "));
   }
   model.shift = pcl::GlobalShift::of(model.mesh.cloud);
   if (!hasDoublePositions(model.mesh.cloud))
     warnAboutFloats(model);
-  return {};
 }
 
 void
@@ -88,16 +87,15 @@ countUsablePoints(const pcl::PCLPointCloud2& cloud, std::size_t enough)
   return different.size();
 }
 
-Status
+void
 requireTrianglePoints(const pcl::PCLPointCloud2& cloud, const std::string& name)
 {
   const std::size_t usable = countUsablePoints(cloud, 3);
-  if (usable >= 3)
-    return {};
-  return Status::error(name +
-                       ": of at least three points needed (finite, at different "
-                       "places) there " +
-                       (usable == 1 ? "is " : "are ") + std::to_string(usable));
+  if (usable < 3)
+    throw Failure(name +
+                  ": of at least three points needed (finite, at different "
+                  "places) there " +
+                  (usable == 1 ? "is " : "are ") + std::to_string(usable));
 }
 
 } // namespace app

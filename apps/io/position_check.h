@@ -13,7 +13,7 @@ namespace app {
 /** \brief Set is_dense and the shift; fail for a double beyond the range of floats.
  * Warn when positions in float32 lie so far from the origin that digits are lost in the
  * file already: steps of more than a hundredth of the mean spacing. */
-Status
+void
 checkPositions(Model& model);
 
 /** \brief "596600,5420300,300": as many digits as a double surely has. */
@@ -31,7 +31,7 @@ countUsablePoints(const pcl::PCLPointCloud2& cloud, std::size_t enough);
 
 /** \brief Fails, with a sentence about \a name, when there are not enough usable points
  * for a triangle. */
-Status
+void
 requireTrianglePoints(const pcl::PCLPointCloud2& cloud, const std::string& name);
 
 } // namespace app

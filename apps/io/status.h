@@ -17,9 +17,9 @@ enum ExitCode {
   INTERRUPTED = 130 /**< stopped by a signal; nothing was written */
 };
 
-/** \brief Success, or one sentence a user can act on. A
- * step that can fail shows it in its signature; a program goes from one to the next by
- * require(). */
+/** \brief Success, or one sentence a user can act on. What has to do with files tells
+ * how it went in this way, since its caller may go on all the same; all else throws a
+ * Failure. */
 class [[nodiscard]] Status {
 public:
   Status() = default;
@@ -50,7 +50,7 @@ private:
   std::string message_;
 };
 
-/** \brief A failed step in the course of a program, which runGuarded() ends. */
+/** \brief One sentence a user can act on. Ends a reader, or, by runGuarded(), a run. */
 class Failure : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

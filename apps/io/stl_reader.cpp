@@ -65,6 +65,7 @@ readBinary(const InputFile& file,
            Model& model)
 {
   PolygonBuilder builder(model.mesh.polygons);
+  model.mesh.polygons.reserve(facets);
   std::vector<std::int64_t> corners(3);
   const char* facet = file.begin() + header_bytes;
   for (std::size_t i = 0; i < facets; ++i, facet += facet_bytes) {

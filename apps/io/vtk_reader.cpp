@@ -5,7 +5,6 @@
 #include "polygon_builder.h"
 #include "readers.h"
 #include "remarks.h"
-#include "vtk_cells.h"
 #include "vtk_values.h"
 
 namespace app {

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: arrays of numbers inside a legacy VTK file.
 #pragma once
 
+#include "polygon_builder.h"
 #include "scalar_types.h"
 #include "text_scanner.h"
 
@@ -43,15 +44,20 @@ public:
     return true;
   }
 
-  bool
-  isBinary() const
-  {
-    return is_binary_;
-  }
-
 private:
   TextScanner& scanner_;
   bool is_binary_;
 };
+
+/** \brief Add the polygons and strips among the cells of an unstructured grid; a note
+ * tells how many others were left out.
+ * \param[in] cells one after the other, each as its number of corners and the corners
+ * \param[in] types one a cell
+ * \return false when the numbers do not fit together */
+bool
+addSurfaceCells(const std::vector<std::int64_t>& cells,
+                const std::vector<std::int64_t>& types,
+                PolygonBuilder& builder,
+                Warnings& warnings);
 
 } // namespace app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace app {
@@ -33,6 +34,23 @@ inline std::string
 pluralHas(std::size_t count, const std::string& word)
 {
   return plural(count, word) + (count == 1 ? " has" : " have");
+}
+
+/** \brief A short text as printf() has it. */
+template <typename... Values>
+std::string
+formatted(const char* format, Values... values)
+{
+  char text[256];
+  std::snprintf(text, sizeof(text), format, values...);
+  return text;
+}
+
+/** \brief A list in a sentence: what is added to it stands behind commas. */
+inline void
+addToList(std::string& list, const std::string& what)
+{
+  list += (list.empty() ? "" : ", ") + what;
 }
 
 } // namespace app

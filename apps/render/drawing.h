@@ -8,7 +8,10 @@
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 
+#include "inspect/inspection_colors.h"
+
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,6 +19,31 @@ namespace app {
 
 /** \brief Red, green, blue, 0 to 1. */
 using Color = std::array<double, 3>;
+
+/** \brief Pale, so that lines and coloured parts stand out. */
+constexpr Rgb OUTER_SIDE_PALE{230, 230, 224};
+constexpr Rgb INNER_SIDE_PALE{158, 148, 138};
+
+/** \brief The inner side where the outer one is coloured. */
+constexpr Rgb INNER_SIDE_DARK{89, 89, 97};
+
+/** \brief Of edges that are drawn on faces: dark grey. */
+constexpr Color MESH_EDGE{0.15, 0.20, 0.28};
+
+constexpr Color
+toColor(const Rgb& color)
+{
+  return {color[0] / 255.0, color[1] / 255.0, color[2] / 255.0};
+}
+
+inline Rgb
+toRgb(const Color& color)
+{
+  Rgb bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<std::uint8_t>(std::lround(255.0 * color[i]));
+  return bytes;
+}
 
 /** \brief Faces in one colour, with another for their back, flat shaded: smoothing
  * would hide a triangle that sticks out. */

@@ -3,16 +3,88 @@
 #include "render/mesh_parts.h"
 
 #include <vtkCellArray.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 
 #include "io/point_columns.h"
-#include "render/layer_parts.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 namespace app {
+namespace {
+
+vtkSmartPointer<vtkCellArray>
+makeCells(const std::vector<pcl::Vertices>& cells)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> corners;
+  for (const auto& cell : cells) {
+    corners.assign(cell.vertices.begin(), cell.vertices.end());
+    array->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkCellArray>
+makeDots(std::size_t points)
+{
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  for (std::size_t i = 0; i < points; ++i) {
+    const auto index = static_cast<vtkIdType>(i);
+    array->InsertNextCell(1, &index);
+  }
+  return array;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkUnsignedCharArray>
+makeColors(const pcl::PCLPointCloud2& cloud)
+{
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetNumberOfComponents(3);
+  std::size_t offset = 0;
+  if (!findColour(cloud, offset))
+    return colors;
+  for (std::size_t i = 0; i < pointCount(cloud); ++i) {
+    std::uint32_t packed = 0;
+    std::memcpy(&packed, pointAt(cloud, i) + offset, sizeof(packed));
+    const std::array<unsigned char, 3> bytes{static_cast<unsigned char>(packed >> 16),
+                                             static_cast<unsigned char>(packed >> 8),
+                                             static_cast<unsigned char>(packed)};
+    colors->InsertNextTypedTuple(bytes.data());
+  }
+  return colors;
+}
+
+vtkSmartPointer<vtkPolyData>
+makePart(const InspectionLayer& layer)
+{
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  for (const auto& position : positionsOf(layer))
+    points->InsertNextPoint(position.data());
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(points);
+  part->SetLines(makeCells(layer.lines));
+  part->SetPolys(makeCells(layer.faces));
+  if (layer.lines.empty() && layer.faces.empty())
+    part->SetVerts(makeDots(pointCount(layer.cloud)));
+  part->GetPointData()->SetScalars(makeColors(layer.cloud));
+  return part;
+}
+
+std::vector<Eigen::Vector3d>
+positionsOf(const InspectionLayer& layer)
+{
+  std::vector<Eigen::Vector3d> positions;
+  for (const auto& position : readPositions(layer.cloud))
+    positions.push_back(position.cast<double>());
+  return positions;
+}
+
 namespace {
 
 using Edge = std::array<vtkIdType, 2>;
@@ -104,17 +176,6 @@ sortOutEdges(std::vector<Edge>& edges, MeshParts& parts)
   }
 }
 
-/** \brief Make a dot of each point whose entry in \a wanted is set. */
-void
-insertDots(const std::vector<bool>& wanted, vtkPolyData& part)
-{
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const auto index = static_cast<vtkIdType>(i);
-    if (wanted[i])
-      part.GetVerts()->InsertNextCell(1, &index);
-  }
-}
-
 /** \brief For each point whether some cell of \a cells uses it. */
 std::vector<bool>
 findUsed(vtkCellArray& cells, std::size_t points)
@@ -141,7 +202,8 @@ takeApart(const pcl::PolygonMesh& mesh, const pcl::GlobalShift& shift)
                      &parts.boundaries,
                      &parts.overfull,
                      &parts.free_points,
-                     &parts.boundary_points})
+                     &parts.boundary_points,
+                     &parts.internal_points})
     *part = makePart(points);
 
   std::vector<Edge> edges;
@@ -155,11 +217,16 @@ takeApart(const pcl::PolygonMesh& mesh, const pcl::GlobalShift& shift)
   }
   sortOutEdges(edges, parts);
 
-  std::vector<bool> free = findUsed(*parts.faces->GetPolys(), parts.positions.size());
-  free.flip();
-  insertDots(free, *parts.free_points);
-  insertDots(findUsed(*parts.boundaries->GetLines(), parts.positions.size()),
-             *parts.boundary_points);
+  const std::size_t points_drawn = parts.positions.size();
+  const auto used = findUsed(*parts.faces->GetPolys(), points_drawn);
+  const auto on_boundary = findUsed(*parts.boundaries->GetLines(), points_drawn);
+  for (std::size_t i = 0; i < points_drawn; ++i) {
+    vtkPolyData& part = !used[i]         ? *parts.free_points
+                        : on_boundary[i] ? *parts.boundary_points
+                                         : *parts.internal_points;
+    const auto index = static_cast<vtkIdType>(i);
+    part.GetVerts()->InsertNextCell(1, &index);
+  }
   return parts;
 }
 

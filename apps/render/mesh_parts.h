@@ -11,6 +11,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "inspect/inspection.h"
+
 #include <vector>
 
 namespace app {
@@ -22,6 +24,7 @@ struct MeshParts {
   vtkSmartPointer<vtkPolyData> overfull;    /**< edges with three or more polygons */
   vtkSmartPointer<vtkPolyData> free_points; /**< points of no polygon */
   vtkSmartPointer<vtkPolyData> boundary_points; /**< ends of boundary edges */
+  vtkSmartPointer<vtkPolyData> internal_points; /**< all others */
   std::vector<Eigen::Vector3d> positions;       /**< all finite points */
   vtkSmartPointer<vtkUnsignedCharArray> colors; /**< of these; null without colours */
   vtkSmartPointer<vtkPolyData> earlier_faces; /**< of the same mesh before something was
@@ -39,5 +42,19 @@ MeshParts
 takeApart(const pcl::PCLPointCloud2& cloud,
           const std::vector<pcl::Vertices>& polygons,
           const pcl::GlobalShift& shift = {});
+
+/** \brief The lines and faces of a layer, or a dot a point where it has neither, with a
+ * colour a point. */
+vtkSmartPointer<vtkPolyData>
+makePart(const InspectionLayer& layer);
+
+/** \brief Red, green and blue of each point from the field rgb or rgba; empty without
+ * it.
+ */
+vtkSmartPointer<vtkUnsignedCharArray>
+makeColors(const pcl::PCLPointCloud2& cloud);
+
+std::vector<Eigen::Vector3d>
+positionsOf(const InspectionLayer& layer);
 
 } // namespace app

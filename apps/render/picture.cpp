@@ -11,12 +11,11 @@
 namespace app {
 namespace {
 
-constexpr Color FRONT{0.62, 0.74, 0.86};     // grey blue
-constexpr Color BACK{0.95, 0.60, 0.15};      // orange: holes and flips stand out
-constexpr Color MESH_EDGE{0.15, 0.20, 0.28}; // dark grey
-constexpr Color BOUNDARY{0.85, 0.0, 0.05};   // red
-constexpr Color OVERFULL{0.85, 0.0, 0.85};   // magenta
-constexpr Color FREE{0.05, 0.15, 0.75};      // blue
+constexpr Color FRONT{0.62, 0.74, 0.86};   // grey blue
+constexpr Color BACK{0.95, 0.60, 0.15};    // orange: holes and flips stand out
+constexpr Color BOUNDARY{0.85, 0.0, 0.05}; // red
+constexpr Color OVERFULL{0.85, 0.0, 0.85}; // magenta
+constexpr Color FREE{0.05, 0.15, 0.75};    // blue
 
 vtkSmartPointer<vtkActor>
 makeSurface(const MeshParts& parts, const RenderSettings& settings)

@@ -23,26 +23,24 @@ addSize(OptionGroup& options, int& width, int& height, const std::string& help)
     std::array<int, 2> size{};
     if (!parseList(text, 'x', size) || size[0] < 1 || size[1] < 1 ||
         size[0] > largest || size[1] > largest)
-      return Status::error("--size takes WxH in pixels from 1x1 to 8192x8192, not '" +
-                           text + "'");
+      throw Failure("--size takes WxH in pixels from 1x1 to 8192x8192, not '" + text +
+                    "'");
     width = size[0];
     height = size[1];
-    return Status();
   };
-  options.parsed(
-      "size", help, take, std::to_string(width) + "x" + std::to_string(height));
+  options.parsed("size", take, std::to_string(width) + "x" + std::to_string(height))(
+      help);
 }
 
 /** A direction has a length. */
-Status
+void
 takeDirection(const std::string& option,
               const std::string& text,
               Eigen::Vector3d& direction)
 {
-  Status status = parsePlace(option, text, direction);
-  if (status.ok() && direction.norm() < 1e-12)
-    return Status::error("--" + option + " must not be zero");
-  return status;
+  parsePlace(option, text, direction);
+  if (direction.norm() < 1e-12)
+    throw Failure("--" + option + " must not be zero");
 }
 
 } // namespace
@@ -58,7 +56,7 @@ addRenderOptions(CommandLine& command_line, RenderSettings& settings)
     const auto take = [&direction, name](const std::string& text) {
       return takeDirection(name, text, direction);
     };
-    options.parsed(name, help, take, default_text);
+    options.parsed(name, take, default_text)(help);
   };
   addSize(options, settings.width, settings.height, "WxH in pixels");
   add_direction(
@@ -67,36 +65,25 @@ addRenderOptions(CommandLine& command_line, RenderSettings& settings)
                 settings.up,
                 "X,Y,Z: direction that points up in the picture",
                 "0,1,0");
-  options.parsed("focus",
-                 "X,Y,Z: place in the centre of the picture",
-                 [&settings](const std::string& text) {
-                   return parsePlace(
-                       "focus", text, settings.focus.emplace(Eigen::Vector3d::Zero()));
-                 });
-  options.real("zoom", settings.zoom, 1e-3, 1e6, "1 shows the whole object");
-  options.flag("edges", settings.edges, "draw the edges of the triangles");
-  options.flag("no-boundaries",
-               settings.boundaries,
-               "leave out boundary (red) and overfull (magenta) edges",
-               false);
-  options.choice(
-      "color-by",
-      settings.coloring,
-      COLORINGS,
+  options.parsed("focus", [&settings](const std::string& text) {
+    return parsePlace("focus", text, settings.focus.emplace(Eigen::Vector3d::Zero()));
+  })("X,Y,Z: place in the centre of the picture");
+  options.real("zoom", settings.zoom, 1e-3, 1e6)("1 shows the whole object");
+  options.flag("edges", settings.edges)("draw the edges of the triangles");
+  options.flag("no-boundaries", settings.boundaries, false)(
+      "leave out boundary (red) and overfull (magenta) edges");
+  options.choice("color-by", settings.coloring, COLORINGS)(
       "none: front faces grey, back faces orange; role: also free points (blue dots) "
       "and boundary points (red dots); component: a colour per connected component; "
       "rgb: the colours of the points");
-  options.text(
-      "new-since",
-      settings.new_since,
+  options.text("new-since", settings.new_since)(
       "MESH: an earlier state of the mesh; triangles that it has not are green");
-  options.real("point-size", settings.point_size, 0.1, 100.0, "size of dots in pixels");
+  options.real("point-size", settings.point_size, 0.1, 100.0)("size of dots in pixels");
   command_line.then([&settings] {
     const bool colors_faces =
         settings.coloring == Coloring::COMPONENT || settings.coloring == Coloring::RGB;
-    return colors_faces && !settings.new_since.empty()
-               ? Status::error("--new-since goes with --color-by none or role only")
-               : Status();
+    if (colors_faces && !settings.new_since.empty())
+      throw Failure("--new-since goes with --color-by none or role only");
   });
 }
 
@@ -107,9 +94,9 @@ addViewOptions(CommandLine& command_line, InspectionView& view)
   const auto add_direction = [&](const std::string& name,
                                  std::optional<Eigen::Vector3d>& direction,
                                  const std::string& help) {
-    options.parsed(name, help, [&direction, name](const std::string& text) {
+    options.parsed(name, [&direction, name](const std::string& text) {
       return takeDirection(name, text, direction.emplace(Eigen::Vector3d::Zero()));
-    });
+    })(help);
   };
   addSize(options, view.width, view.height, "of the pictures, WxH in pixels");
   add_direction("view",
@@ -121,12 +108,11 @@ addViewOptions(CommandLine& command_line, InspectionView& view)
                 "X,Y,Z: direction that points up in the pictures; without it y or z");
 }
 
-Status
+void
 checkPictureName(const std::string& name)
 {
-  return name.size() > 4 && name.substr(name.size() - 4) == ".png"
-             ? Status()
-             : Status::error("'" + name + "' must end in .png");
+  if (name.size() <= 4 || name.substr(name.size() - 4) != ".png")
+    throw Failure("'" + name + "' must end in .png");
 }
 
 } // namespace app

@@ -20,7 +20,7 @@ void
 addViewOptions(CommandLine& command_line, InspectionView& view);
 
 /** \brief Fails for a name of a picture that does not end in .png. */
-Status
+void
 checkPictureName(const std::string& name);
 
 } // namespace app

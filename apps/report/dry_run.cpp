@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace app {
 namespace {
@@ -59,16 +58,12 @@ std::string
 tellHole(const pcl::repair::BoundaryLoop& loop)
 {
   const auto place = loop.curve.points.front();
-  char text[160];
-  std::snprintf(text,
-                sizeof(text),
-                "  hole of %zu edges, length %g, at %g %g %g\n",
-                loop.curve.size(),
-                loop.length,
-                place.x(),
-                place.y(),
-                place.z());
-  return text;
+  return formatted("  hole of %zu edges, length %g, at %g %g %g\n",
+                   loop.curve.size(),
+                   loop.length,
+                   place.x(),
+                   place.y(),
+                   place.z());
 }
 
 } // namespace
@@ -118,7 +113,7 @@ summarizePlan(const RepairPlan& plan)
   std::string text;
   const auto tell = [&](std::size_t count, const char* word, const char* what) {
     if (count > 0)
-      text += (text.empty() ? "" : ", ") + plural(count, word) + what;
+      addToList(text, plural(count, word) + what);
   };
   tell(plan.holes, "hole", " to close");
   tell(plan.rims, "island rim", " to join");
@@ -139,18 +134,11 @@ tellPlan(const RepairSettings& settings, const ModelSurvey& survey)
   if (holes.size() > most_holes_told)
     text += "  and " + plural(holes.size() - most_holes_told, "smaller hole") + "\n";
   const auto& field = settings.method.survey.field;
-  char line[160] = "";
   if (field.near == 0 && survey.spacing > 0)
-    std::snprintf(line,
-                  sizeof(line),
-                  "  from the data: L1 %g (mean spacing of boundary points)\n",
-                  survey.spacing);
-  text += line;
-  if (field.far == 0) {
-    std::snprintf(
-        line, sizeof(line), "  from the data: L2 %g gaps, at each place\n", field.room);
-    text += line;
-  }
+    text += formatted("  from the data: L1 %g (mean spacing of boundary points)\n",
+                      survey.spacing);
+  if (field.far == 0)
+    text += formatted("  from the data: L2 %g gaps, at each place\n", field.room);
   return text;
 }
 

@@ -2,17 +2,14 @@
 // Part of PclSurfaceRepair: what is told about a repair.
 #include "hole_report.h"
 
-#include "inspect/layer_builder.h"
 #include "io/point_columns.h"
 #include "io/position_check.h"
 #include "io/wording.h"
 #include "mesh/cloud_access.h"
 #include "repair_details.h"
-#include "topology_report.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 namespace app {
@@ -143,16 +140,13 @@ placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
   if (hole.point < 0)
     return "";
   const auto point = static_cast<std::size_t>(hole.point);
-  char text[128];
   std::string place = "at point " + std::to_string(hole.point);
   if (point >= pointCount(mesh.cloud))
     return place;
   const Eigen::Vector3d position = pcl::ccaa::positionView(mesh.cloud)[point];
   if (hasDoublePositions(mesh.cloud))
     return place + ", " + placeText(position, " ");
-  std::snprintf(
-      text, sizeof(text), ", %g %g %g", position.x(), position.y(), position.z());
-  return place + text;
+  return place + formatted(", %g %g %g", position.x(), position.y(), position.z());
 }
 
 /** \brief Whether it is open because the user wants it so. */
@@ -220,11 +214,10 @@ summarizeRepair(const RepairReport& report)
     text += ", " + std::to_string(wanted) + " left open as asked for";
   if (report.reading.dropped_islands > 0)
     text += ", " + plural(report.reading.dropped_islands, "small island") + " dropped";
-  char seconds[64];
-  std::snprintf(seconds, sizeof(seconds), "; %.3f s", totalSeconds(report.seconds));
   return text + ", " + std::to_string(report.input_triangles) + " + " +
          plural(report.new_triangles, "triangle") + ", " +
-         summarizeTopology(report.after) + seconds;
+         summarizeTopology(report.after) +
+         formatted("; %.3f s", totalSeconds(report.seconds));
 }
 
 std::string

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: the facts about a mesh as a table and as JSON.
 #include "quality_report.h"
 
-#include "topology_report.h"
+#include "io/wording.h"
+#include "repair_details.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 #include <sstream>
 
@@ -60,10 +60,7 @@ toText(const T& value)
 std::string
 percent(const MeshFacts& facts, std::size_t count)
 {
-  char text[64];
-  std::snprintf(
-      text, sizeof(text), "%zu (%.2f %%)", count, 100 * facts.shareOfVertices(count));
-  return text;
+  return formatted("%zu (%.2f %%)", count, 100 * facts.shareOfVertices(count));
 }
 
 std::string
@@ -129,15 +126,12 @@ addHistogram(std::ostringstream& text,
     return;
   text << "  " << title << '\n';
   for (std::size_t i = 0; i < Bins; ++i) {
-    char line[64];
     const double share = static_cast<double>(bins[i]) / static_cast<double>(all);
-    std::snprintf(line,
-                  sizeof(line),
-                  "    %3zu - %3zu  %6.2f %%  ",
-                  i * degrees,
-                  (i + 1) * degrees,
-                  100 * share);
-    text << line << std::string(bins[i] * bar_width / most, '#') << '\n';
+    text << formatted("    %3zu - %3zu  %6.2f %%  ",
+                      i * degrees,
+                      (i + 1) * degrees,
+                      100 * share)
+         << std::string(bins[i] * bar_width / most, '#') << '\n';
   }
 }
 

@@ -6,14 +6,13 @@
 #include "hole_report.h"
 #include "io/point_columns.h"
 #include "io/remarks.h"
+#include "io/wording.h"
 #include "mesh/cloud_access.h"
 #include "repair_details.h"
 #include "run/threads.h"
-#include "topology_report.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace app {
 namespace {
@@ -223,7 +222,6 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
   const std::size_t count = pointCount(result.model.mesh.cloud);
   const auto points = static_cast<double>(count);
   const double seconds = totalSeconds(result.stages);
-  char text[256];
   std::string line = summaryName(settings.files.output) + ": " +
                      plural(count, "point") + ", " +
                      std::to_string(result.chain.free_points) + " free, " +
@@ -235,29 +233,24 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
             summarizeTopology(*result.topology);
   if (const std::string sides = describe(result.sides); !sides.empty())
     line += "; outer side by " + sides;
-  std::snprintf(text,
-                sizeof(text),
-                "; k %.4f, internal %.4f; %.3f s, us/point: %.2f (",
-                result.chain.connectedShare(),
-                result.chain.internalShare(),
-                seconds,
-                seconds * 1e6 / points);
-  line += text;
-  for (const auto& [stage, stage_seconds] : result.stages) {
-    std::snprintf(
-        text, sizeof(text), "%s %.2f", stage.c_str(), stage_seconds * 1e6 / points);
-    line += (stage == "search" ? "" : ", ") + std::string(text);
-  }
-  return line + ")";
+  std::string stages;
+  for (const auto& [stage, stage_seconds] : result.stages)
+    addToList(stages,
+              formatted("%s %.2f", stage.c_str(), stage_seconds * 1e6 / points));
+  return line +
+         formatted("; k %.4f, internal %.4f; %.3f s, us/point: %.2f (",
+                   result.chain.connectedShare(),
+                   result.chain.internalShare(),
+                   seconds,
+                   seconds * 1e6 / points) +
+         stages + ")";
 }
 
 std::string
 tabulateSpeedup(const pcl::SpeedupReport& speedup)
 {
-  char text[256];
-  std::snprintf(text,
-                sizeof(text),
-                "%9zu %7.4f %9.4f %9.4f %7.2f %8.3f %8.3f %8.3f  %s",
+  const std::string row =
+      formatted("%9zu %7.4f %9.4f %9.4f %7.2f %8.3f %8.3f %8.3f  %s",
                 speedup.points,
                 speedup.connected_share,
                 speedup.base_seconds,
@@ -267,9 +260,9 @@ tabulateSpeedup(const pcl::SpeedupReport& speedup)
                 speedup.start_cost * 1e6,
                 speedup.filter_cost * 1e6,
                 speedup.is_advantageous ? "yes" : "no");
-  return "        N       k   t_A [s]  t_BA [s]       S c_A [us] c_B [us] c_F [us]  "
-         "k c_A > c_B + c_F\n" +
-         std::string(text);
+  return "        N       k   t_A [s]  t_BA [s]       S c_A [us] c_B [us] c_F [us]  k "
+         "c_A > c_B + c_F\n" +
+         row;
 }
 
 } // namespace app

@@ -144,17 +144,34 @@ addJunction(pcl::repair::JunctionVerdict verdict,
   junction["along_ray"] = evidence.has_sight ? json(evidence.along_ray) : json(nullptr);
 }
 
+nlohmann::json
+describeTopology(const pcl::ccaa::SurfaceTopology& topology)
+{
+  return {{"pieces", topology.pieces},
+          {"boundary_loops", topology.boundary_loops},
+          {"euler_characteristic", topology.euler_characteristic},
+          {"genus", topology.genus ? nlohmann::json(*topology.genus) : nullptr},
+          {"watertight", topology.isWatertight()}};
+}
+
+std::string
+summarizeTopology(bool is_watertight, std::optional<long> genus, long characteristic)
+{
+  std::string text = is_watertight ? "watertight: yes" : "watertight: no";
+  if (genus)
+    text += ", genus " + std::to_string(*genus);
+  return text + ", Euler characteristic " + std::to_string(characteristic);
+}
+
 void
 Tally::add(const std::string& name, std::size_t times)
 {
-  const auto found =
-      std::find_if(counts_.begin(), counts_.end(), [&](const auto& entry) {
-        return entry.first == name;
-      });
-  if (found == counts_.end())
-    counts_.emplace_back(name, times);
-  else
-    found->second += times;
+  for (auto& [known, count] : counts_)
+    if (known == name) {
+      count += times;
+      return;
+    }
+  counts_.emplace_back(name, times);
 }
 
 std::string
@@ -162,7 +179,7 @@ Tally::text() const
 {
   std::string text;
   for (const auto& [name, count] : counts_)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+    addToList(text, std::to_string(count) + " " + name);
   return text;
 }
 
@@ -171,7 +188,7 @@ Tally::nouns() const
 {
   std::string text;
   for (const auto& [name, count] : counts_)
-    text += (text.empty() ? "" : ", ") + plural(count, name);
+    addToList(text, plural(count, name));
   return text;
 }
 

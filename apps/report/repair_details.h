@@ -6,8 +6,11 @@
 #include <pcl/surface_repair/repair_report.h>
 
 #include "cli/run_facts.h"
+#include "mesh/surface_topology.h"
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +44,29 @@ addJunction(pcl::repair::JunctionVerdict verdict,
             double confidence,
             const pcl::repair::JunctionEvidence& evidence,
             nlohmann::json& junction);
+
+/** \brief Keys `pieces`, `boundary_loops`, `euler_characteristic`, `genus`,
+ * `watertight` of a report. */
+nlohmann::json
+describeTopology(const pcl::ccaa::SurfaceTopology& topology);
+
+/** \brief Such as "watertight: yes, genus 0, Euler characteristic 2". */
+std::string
+summarizeTopology(bool is_watertight, std::optional<long> genus, long characteristic);
+
+inline std::string
+summarizeTopology(const pcl::ccaa::SurfaceTopology& topology)
+{
+  return summarizeTopology(
+      topology.isWatertight(), topology.genus, topology.euler_characteristic);
+}
+
+/** \brief An index as a number for people: -1 for none. */
+inline std::int32_t
+indexOrMinusOne(std::size_t index)
+{
+  return index == pcl::repair::NONE ? -1 : static_cast<std::int32_t>(index);
+}
 
 /** \brief "3 fan, 1 completion": how often each name comes up, in the order of first
  * appearance. */

@@ -4,13 +4,10 @@
 
 #include "cli/run_facts.h"
 #include "hole_report.h"
-#include "inspect/layer_builder.h"
 #include "io/wording.h"
 #include "repair_details.h"
 #include "run/threads.h"
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace app {
 namespace {
@@ -125,9 +122,8 @@ describeBridges(const ModelSurvey& survey)
 std::string
 row(const char* name, std::size_t count, const std::string& details)
 {
-  char head[64];
-  std::snprintf(head, sizeof(head), "  %-12s %7zu", name, count);
-  return head + (details.empty() ? "" : "  (" + details + ")") + "\n";
+  return formatted("  %-12s %7zu", name, count) +
+         (details.empty() ? "" : "  (" + details + ")") + "\n";
 }
 
 std::string
@@ -194,7 +190,7 @@ tellReading(const ReadingReport& reading)
   std::string text;
   const auto tell = [&](std::size_t count, const char* word, const char* what) {
     if (count > 0)
-      text += (text.empty() ? "" : ", ") + plural(count, word) + " " + what;
+      addToList(text, plural(count, word) + " " + what);
   };
   tell(reading.invalid_polygons, "invalid polygon", "left out");
   tell(reading.non_finite_points, "point", "left out: not finite");
@@ -263,9 +259,7 @@ summarizeSurvey(const RepairSettings& settings, const ModelSurvey& survey)
       tellIslands(survey) + tellLoops(survey) + tellLines(survey) + tellBridges(survey);
   text += row("free points", survey.model.free_points.size(), "");
   text += tellReading(survey.reading);
-  char seconds[64];
-  std::snprintf(seconds, sizeof(seconds), "  %.3f s", totalSeconds(survey.seconds));
-  return text + seconds;
+  return text + formatted("  %.3f s", totalSeconds(survey.seconds));
 }
 
 } // namespace app

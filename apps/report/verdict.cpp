@@ -17,20 +17,18 @@ tellSurface(const SurfaceFacts& facts)
   if (!facts.has_triangles)
     return "no triangles";
   std::string text;
-  const auto tell = [&](const std::string& what) {
-    text += (text.empty() ? "" : ", ") + what;
-  };
   if (facts.left_open > 0)
-    tell(plural(facts.left_open, "boundary") + " left open" +
-         (facts.reasons.empty() ? "" : " (" + facts.reasons + ")"));
+    addToList(text,
+              plural(facts.left_open, "boundary") + " left open" +
+                  (facts.reasons.empty() ? "" : " (" + facts.reasons + ")"));
   if (facts.open > 0)
-    tell(plural(facts.open, "border") + " open");
+    addToList(text, plural(facts.open, "border") + " open");
   if (facts.faults > 0)
-    tell(plural(facts.faults, "fault"));
+    addToList(text, plural(facts.faults, "fault"));
   if (text.empty())
-    tell("watertight");
+    addToList(text, "watertight");
   if (facts.pieces)
-    tell(plural(*facts.pieces, "piece"));
+    addToList(text, plural(*facts.pieces, "piece"));
   return text;
 }
 

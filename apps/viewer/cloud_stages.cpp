@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the viewer's stages from a cloud to a mesh.
-#include "viewer/cloud_stages.h"
-
-#include <vtkCellArray.h>
-
+#include "inspect/inspection_colors.h"
 #include "inspect/layer_builder.h"
 #include "io/point_columns.h"
-#include "render/layer_parts.h"
+#include "render/drawing.h"
 #include "render/mesh_parts.h"
 #include "render/point_colors.h"
-#include "render/surface_colors.h"
-#include "viewer/stage_builder.h"
-#include "viewer/stage_colors.h"
+#include "render/stage_builder.h"
+#include "viewer/stages.h"
 #include "viewer/viewer_run.h"
 
 #include <algorithm>
@@ -124,42 +120,17 @@ startStage(const ViewerRun& run)
   return stage.finish();
 }
 
-/** \brief Dots for the points that are neither free nor on a boundary. */
-vtkSmartPointer<vtkPolyData>
-internalPoints(const MeshParts& parts)
-{
-  std::vector<bool> internal(parts.positions.size(), true);
-  for (vtkPolyData* const others :
-       {parts.free_points.Get(), parts.boundary_points.Get()}) {
-    vtkIdType count = 0;
-    const vtkIdType* corners = nullptr;
-    vtkCellArray& dots = *others->GetVerts();
-    for (dots.InitTraversal(); dots.GetNextCell(count, corners) != 0;)
-      internal[static_cast<std::size_t>(corners[0])] = false;
-  }
-  auto part = vtkSmartPointer<vtkPolyData>::New();
-  part->SetPoints(parts.faces->GetPoints());
-  part->SetVerts(vtkSmartPointer<vtkCellArray>::New());
-  for (std::size_t i = 0; i < internal.size(); ++i) {
-    const auto index = static_cast<vtkIdType>(i);
-    if (internal[i])
-      part->GetVerts()->InsertNextCell(1, &index);
-  }
-  return part;
-}
-
 Stage
 filterStage(const ViewerRun& run)
 {
-  StageBuilder stage(
-      "filter",
-      "Filter: correct triangles",
-      "UmbrellaFilter keeps what is a correct surface. Around an internal "
-      "point its triangles close like an umbrella.");
+  StageBuilder stage("filter",
+                     "Filter: correct triangles",
+                     "UmbrellaFilter keeps what is a correct surface. Around an "
+                     "internal point its triangles close like an umbrella.");
   const MeshParts parts = partsOf(run.input, run.filtered);
   stage.addSurface(parts.faces, OUTER_SIDE_PALE, "triangles kept");
   stage.addMarks(Layer::POINTS,
-                 internalPoints(parts),
+                 parts.internal_points,
                  ROLE_INTERNAL,
                  SMALL_DOT,
                  "internal points");
@@ -197,11 +168,10 @@ addMesh(const Model& model,
 Stage
 baseStage(const ViewerRun& run)
 {
-  StageBuilder stage(
-      "base",
-      "Base: completed surface",
-      "The base algorithm keeps these triangles and adds what is missing "
-      "as far as there are points.");
+  StageBuilder stage("base",
+                     "Base: completed surface",
+                     "The base algorithm keeps these triangles and adds what is "
+                     "missing as far as there are points.");
   addMesh(run.input, run.filtered, run.added, stage);
   return stage.finish();
 }

@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: shows decisions in the viewer, and makes them by its keys.
 #include "viewer/decision_desk.h"
 
+#include "inspect/inspection_colors.h"
 #include "inspect/layer_builder.h"
-#include "render/layer_parts.h"
-#include "viewer/stage_colors.h"
+#include "render/mesh_parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -116,12 +116,10 @@ DecisionDesk::coloredLoops() const
   for (std::size_t k = 0; k < survey_.loops.size(); ++k) {
     const bool is_chosen = std::find(chosen.begin(), chosen.end(), k) != chosen.end();
     const auto& points = survey_.loops[k].curve.points;
-    pcl::index_t last = -1;
-    for (const auto& point : points)
-      last = builder.addPoint(
-          point, is_chosen ? CHOSEN : colorOf(editor_.decisions().loops[k]));
-    builder.addLine(
-        last + 1 - static_cast<pcl::index_t>(points.size()), points.size(), true);
+    builder.addCurve(points.size(), true, [&](std::size_t i) {
+      builder.addPoint(points[i],
+                       is_chosen ? CHOSEN : colorOf(editor_.decisions().loops[k]));
+    });
   }
   return builder.finish("");
 }

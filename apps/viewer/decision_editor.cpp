@@ -23,17 +23,12 @@ DecisionEditor::chosenLoops() const
 }
 
 void
-DecisionEditor::chooseNext()
+DecisionEditor::chooseNext(int places)
 {
-  if (size() > 0)
-    chosen_ = (chosen_ + 1) % size();
-}
-
-void
-DecisionEditor::choosePrevious()
-{
-  if (size() > 0)
-    chosen_ = (chosen_ + size() - 1) % size();
+  const auto count = static_cast<std::ptrdiff_t>(size());
+  const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(chosen_) + places + count;
+  if (count > 0)
+    chosen_ = static_cast<std::size_t>(next % count);
 }
 
 void
@@ -68,18 +63,6 @@ DecisionEditor::decide(bool yes)
     decisions_.loops[chosen_].wish = yes ? LoopWish::CLOSE : LoopWish::LEAVE_OPEN;
   else
     junction().join = yes;
-}
-
-void
-DecisionEditor::accept()
-{
-  decide(true);
-}
-
-void
-DecisionEditor::reject()
-{
-  decide(false);
 }
 
 void

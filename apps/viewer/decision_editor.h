@@ -42,10 +42,14 @@ public:
   std::vector<std::size_t>
   chosenLoops() const;
 
+  /** \brief Choose the one so many places on, round and round. */
   void
-  chooseNext();
+  chooseNext(int places = 1);
   void
-  choosePrevious();
+  choosePrevious()
+  {
+    chooseNext(-1);
+  }
 
   /** \brief Choose the loop whose centre is nearest to a line of sight. */
   void
@@ -53,11 +57,17 @@ public:
 
   /** \brief Close the loop, or join the junction. */
   void
-  accept();
+  accept()
+  {
+    decide(true);
+  }
 
   /** \brief Leave the loop open, or do not join the junction. */
   void
-  reject();
+  reject()
+  {
+    decide(false);
+  }
 
   /** \brief Flat, smooth, automatic, one after the other; of a loop only. */
   void

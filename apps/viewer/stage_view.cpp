@@ -69,17 +69,17 @@ keyNotes(const ViewState& state, bool decides)
 {
   std::vector<LegendNote> notes{{"Show or hide", "", false}};
   for (std::size_t i = 0; i < LAYERS; ++i)
-    notes.push_back({layerKeys()[i].key,
-                     layerKeys()[i].meaning,
+    notes.push_back({LAYER_KEYS[i].key,
+                     LAYER_KEYS[i].meaning,
                      !state.shows(static_cast<Layer>(i))});
-  notes.push_back({"Keys", "", false});
-  for (const KeyHelp& key : otherKeys())
-    notes.push_back({key.key, key.meaning, false});
-  if (!decides)
-    return notes;
-  notes.push_back({"Decide", "", false});
-  for (const KeyHelp& key : decisionKeys())
-    notes.push_back({key.key, key.meaning, false});
+  const auto add = [&](const char* heading, const auto& keys) {
+    notes.push_back({heading, "", false});
+    for (const KeyHelp& key : keys)
+      notes.push_back({key.key, key.meaning, false});
+  };
+  add("Keys", OTHER_KEYS);
+  if (decides)
+    add("Decide", DECISION_KEYS);
   return notes;
 }
 
@@ -208,10 +208,7 @@ std::string
 drawStage(StageView& view, std::size_t stage, int width, int height, Painter& painter)
 {
   ViewState state(view.stages().size());
-  Action action;
-  action.command = Command::GO_TO_STAGE;
-  action.stage = stage;
-  state.apply(action);
+  state.apply({Command::GO_TO_STAGE, stage, Layer::SURFACE});
   view.fit(width, height);
   return painter.draw(view.arrange(state, width, height, false));
 }

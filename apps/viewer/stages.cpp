@@ -2,15 +2,12 @@
 // Part of PclSurfaceRepair: the stages of the method as the viewer draws them.
 #include "viewer/stages.h"
 
-#include "inspect/bridge_layer.h"
+#include "inspect/inspection.h"
+#include "inspect/inspection_colors.h"
 #include "io/point_columns.h"
-#include "render/layer_parts.h"
+#include "render/drawing.h"
 #include "render/mesh_parts.h"
-#include "render/surface_colors.h"
-#include "viewer/cloud_stages.h"
-#include "viewer/hole_contours.h"
-#include "viewer/stage_builder.h"
-#include "viewer/stage_colors.h"
+#include "render/stage_builder.h"
 #include "viewer/viewer_run.h"
 
 namespace app {
@@ -53,11 +50,10 @@ addThinBoundary(const Background& background, StageBuilder& stage)
 Stage
 boundaryStage(const ModelSurvey& survey, const Background& background)
 {
-  StageBuilder stage(
-      "boundaries",
-      "Boundaries by class",
-      "Each boundary is told by itself: a hole, the rim of an island, or "
-      "the outer border of the surface.");
+  StageBuilder stage("boundaries",
+                     "Boundaries by class",
+                     "Each boundary is told by itself: a hole, the rim of an island, "
+                     "or the outer border of the surface.");
   addBackground(background, stage);
   stage.addLayer(Layer::LINES, showLoops(survey), THICK);
   stage.addLegend(Layer::INNER_SIDE, INNER_SIDE_PALE, "inner side");
@@ -69,11 +65,10 @@ boundaryStage(const ModelSurvey& survey, const Background& background)
 Stage
 lineStage(const ModelSurvey& survey, const Background& background)
 {
-  StageBuilder stage(
-      "lines",
-      "Force lines",
-      "From the boundaries lines run along the pull of the others. Those "
-      "that reach one may become bridges.");
+  StageBuilder stage("lines",
+                     "Force lines",
+                     "From the boundaries lines run along the pull of the others. "
+                     "Those that reach one may become bridges.");
   addBackground(background, stage);
   const InspectionLayer lines = showLines(survey);
   stage.addLayer(Layer::LINES, lines, MEDIUM);
@@ -92,8 +87,7 @@ bridgeStage(const ViewerRun& run, const Background& background)
   StageBuilder stage(
       "bridges",
       "Bridges",
-      "The best lines become bridges. They join islands and divide large "
-      "holes.");
+      "The best lines become bridges. They join islands and divide large holes.");
   addBackground(background, stage);
   stage.addLayer(Layer::LINES, showBridges(run.repair.bridges, run.input.shift), THICK);
   stage.addLayer(Layer::POINTS, background.free_points, DOT);
@@ -106,11 +100,10 @@ bridgeStage(const ViewerRun& run, const Background& background)
 Stage
 holeStage(const ViewerRun& run, const Background& background)
 {
-  StageBuilder stage(
-      "holes",
-      "Holes after bridging",
-      "Boundaries and bridges enclose holes. Each is closed by itself, or "
-      "left open for a reason.");
+  StageBuilder stage("holes",
+                     "Holes after bridging",
+                     "Boundaries and bridges enclose holes. Each is closed by itself, "
+                     "or left open for a reason.");
   addBackground(background, stage);
   stage.addLayer(Layer::LINES, showContours(run.repair, run.result), THICK);
   stage.addLayer(Layer::POINTS, background.free_points, DOT);
@@ -122,11 +115,10 @@ holeStage(const ViewerRun& run, const Background& background)
 Stage
 resultStage(const ViewerRun& run)
 {
-  StageBuilder stage(
-      "result",
-      "Result",
-      "All that was given is kept. What is new is as dense as the surface "
-      "around it, and smooth.");
+  StageBuilder stage("result",
+                     "Result",
+                     "All that was given is kept. What is new is as dense as the "
+                     "surface around it, and smooth.");
   for (const TriangleOrigin origin : {TriangleOrigin::INPUT,
                                       TriangleOrigin::FAN,
                                       TriangleOrigin::MINIMUM_WEIGHT,

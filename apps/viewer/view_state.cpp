@@ -47,69 +47,22 @@ commandKeys()
 
 } // namespace
 
-const std::array<KeyHelp, LAYERS>&
-layerKeys()
-{
-  static const std::array<KeyHelp, LAYERS> keys{{{"s", "surface"},
-                                                 {"i", "inner side"},
-                                                 {"e", "edges"},
-                                                 {"l", "lines"},
-                                                 {"m", "normals"},
-                                                 {"p", "points"}}};
-  return keys;
-}
-
-const std::vector<KeyHelp>&
-otherKeys()
-{
-  static const std::vector<KeyHelp> keys{{"n b", "next stage, back"},
-                                         {"1-9", "go to a stage"},
-                                         {"+ -", "thicker, thinner"},
-                                         {"r", "see the whole model"},
-                                         {"o", "from the other side"},
-                                         {"j", "screenshot"},
-                                         {"h", "hide or show keys"},
-                                         {"q", "quit"}};
-  return keys;
-}
-
-const std::vector<KeyHelp>&
-decisionKeys()
-{
-  static const std::vector<KeyHelp> keys{{". ,", "next, previous"},
-                                         {"k", "loop at the mouse"},
-                                         {"a", "close, join"},
-                                         {"x", "leave open, apart"},
-                                         {"c", "flat or smooth"},
-                                         {"u", "undo"},
-                                         {"w", "write the file"}};
-  return keys;
-}
-
 Action
 actionOf(const std::string& key_symbol)
 {
-  Action action;
   // Capitals do the same: the caps lock must not make the keys dead.
   std::string key = key_symbol;
   if (key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z')
     key[0] = static_cast<char>(key[0] - 'A' + 'a');
   const std::string digit = key.substr(0, 3) == "KP_" ? key.substr(3) : key;
   if (digit.size() == 1 && digit[0] >= '1' && digit[0] <= '9') {
-    action.command = Command::GO_TO_STAGE;
-    action.stage = static_cast<std::size_t>(digit[0] - '1');
-    return action;
+    return {Command::GO_TO_STAGE, static_cast<std::size_t>(digit[0] - '1'), {}};
   }
   for (std::size_t i = 0; i < LAYERS; ++i)
-    if (layerKeys()[i].key == key) {
-      action.command = Command::TOGGLE_LAYER;
-      action.layer = static_cast<Layer>(i);
-      return action;
-    }
+    if (LAYER_KEYS[i].key == key)
+      return {Command::TOGGLE_LAYER, 0, static_cast<Layer>(i)};
   const auto found = commandKeys().find(key);
-  if (found != commandKeys().end())
-    action.command = found->second;
-  return action;
+  return {found == commandKeys().end() ? Command::NONE : found->second, 0, {}};
 }
 
 bool

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: what the viewer shows, and the keys that change it.
 #pragma once
 
+#include "render/stage_builder.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,11 +11,6 @@
 #include <vector>
 
 namespace app {
-
-/** \brief What can be shown or hidden in every stage. */
-enum class Layer : std::uint8_t { SURFACE, INNER_SIDE, EDGES, LINES, NORMALS, POINTS };
-
-constexpr std::size_t LAYERS = 6;
 
 enum class Command : std::uint8_t {
   NONE,
@@ -51,21 +48,36 @@ actionOf(const std::string& key_symbol);
 
 /** \brief A key and what it does. */
 struct KeyHelp {
-  std::string key;
-  std::string meaning;
+  const char* key;
+  const char* meaning;
 };
 
 /** \brief The keys of the layers, in their order. */
-const std::array<KeyHelp, LAYERS>&
-layerKeys();
+constexpr std::array<KeyHelp, LAYERS> LAYER_KEYS{{{"s", "surface"},
+                                                  {"i", "inner side"},
+                                                  {"e", "edges"},
+                                                  {"l", "lines"},
+                                                  {"m", "normals"},
+                                                  {"p", "points"}}};
 
 /** \brief All other keys, for the help. */
-const std::vector<KeyHelp>&
-otherKeys();
+constexpr std::array<KeyHelp, 8> OTHER_KEYS{{{"n b", "next stage, back"},
+                                             {"1-9", "go to a stage"},
+                                             {"+ -", "thicker, thinner"},
+                                             {"r", "see the whole model"},
+                                             {"o", "from the other side"},
+                                             {"j", "screenshot"},
+                                             {"h", "hide or show keys"},
+                                             {"q", "quit"}}};
 
 /** \brief The keys by which decisions are made, for the help. */
-const std::vector<KeyHelp>&
-decisionKeys();
+constexpr std::array<KeyHelp, 7> DECISION_KEYS{{{". ,", "next, previous"},
+                                                {"k", "loop at the mouse"},
+                                                {"a", "close, join"},
+                                                {"x", "leave open, apart"},
+                                                {"c", "flat or smooth"},
+                                                {"u", "undo"},
+                                                {"w", "write the file"}}};
 
 /** \brief The stage and the layers that are shown. Edges and normals are hidden at
  * first: they would hide the rest. */

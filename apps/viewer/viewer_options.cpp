@@ -4,6 +4,7 @@
 
 #include "cli/method_options.h"
 #include "io/model_io.h"
+#include "io/wording.h"
 #include "render/render_options.h"
 #include "viewer/stages.h"
 
@@ -17,19 +18,20 @@ joinedStageNames()
 {
   std::string names;
   for (const std::string& name : stageNames())
-    names += (names.empty() ? "" : ", ") + name;
+    addToList(names, name);
   return names;
 }
 
-Status
+void
 checkChoices(const ViewerSettings& settings)
 {
   const auto& names = stageNames();
   if (!settings.stage.empty() &&
       std::find(names.begin(), names.end(), settings.stage) == names.end())
-    return Status::error("--stage must be one of " + joinedStageNames() + ", not '" +
-                         settings.stage + "'");
-  return settings.screenshot.empty() ? Status() : checkPictureName(settings.screenshot);
+    throw Failure("--stage must be one of " + joinedStageNames() + ", not '" +
+                  settings.stage + "'");
+  if (!settings.screenshot.empty())
+    checkPictureName(settings.screenshot);
 }
 
 } // namespace
@@ -37,49 +39,42 @@ checkChoices(const ViewerSettings& settings)
 Usage
 viewerUsage()
 {
-  return {"pcl_repair_viewer",
-          "INPUT [options]",
-          "Shows how a cloud becomes a surface and a surface is repaired, stage by "
-          "stage:\n"
-          "cloud, start, filter, base, boundaries, lines, bridges, holes, result. A "
-          "mesh\n"
-          "begins with itself (stage mesh) in place of the first four. In the window n "
-          "and b\n"
-          "step through the stages; the other keys are listed there.\n\n"
-          "INPUT   cloud " +
-              std::string(cloud_endings) + "\n        or mesh " + mesh_endings,
-          "  pcl_repair_viewer bunny.pcd\n"
-          "  pcl_repair_viewer scan.ply --stage boundaries\n"
-          "  pcl_repair_viewer scan.ply --screenshot scan.png\n"
-          "  pcl_repair_viewer scan.ply --screenshots pictures --size 1200x800\n"};
+  return {
+      "pcl_repair_viewer",
+      "INPUT [options]",
+      "Shows how a cloud becomes a surface and a surface is repaired, stage by stage:\n"
+      "cloud, start, filter, base, boundaries, lines, bridges, holes, result. A mesh\n"
+      "begins with itself (stage mesh) in place of the first four. In the window n and "
+      "b\n"
+      "step through the stages; the other keys are listed there.\n\n"
+      "INPUT   cloud " +
+          std::string(cloud_endings) + "\n        or mesh " + mesh_endings,
+      "  pcl_repair_viewer bunny.pcd\n"
+      "  pcl_repair_viewer scan.ply --stage boundaries\n"
+      "  pcl_repair_viewer scan.ply --screenshot scan.png\n"
+      "  pcl_repair_viewer scan.ply --screenshots pictures --size 1200x800\n"};
 }
 
 void
 addViewerOptions(CommandLine& command_line, ViewerSettings& settings)
 {
   OptionGroup& options = command_line.options();
-  options.text("stage",
-               settings.stage,
-               "stage to be shown: " + joinedStageNames() +
-                   "; without it the first in the window, the result in a picture");
-  options.name("screenshot",
-               settings.screenshot,
-               "open no window, write a picture of the stage to this PNG file");
+  options.text("stage", settings.stage)(
+      "stage to be shown: " + joinedStageNames() +
+      "; without it the first in the window, the result in a picture");
+  options.name("screenshot", settings.screenshot)(
+      "open no window, write a picture of the stage to this PNG file");
   options.name("screenshots",
-               settings.folder,
-               "open no window, write a picture of every stage to this folder (made if "
-               "missing)");
+               settings.folder)("open no window, write a picture of every stage to "
+                                "this folder (made if missing)");
   addViewOptions(command_line, settings.view);
-  options.flag("points-only",
-               settings.task.points_only,
-               "take the points of a mesh alone, as a cloud");
+  options.flag("points-only", settings.task.points_only)(
+      "take the points of a mesh alone, as a cloud");
   options.text("free-points",
-               settings.task.free_points,
-               "a cloud of points of the missing regions");
-  options.text("decisions",
-               settings.decisions,
-               "JSON file of decisions about boundaries and junctions of a mesh: read "
-               "if it is there, written by the key w");
+               settings.task.free_points)("a cloud of points of the missing regions");
+  options.text("decisions", settings.decisions)(
+      "JSON file of decisions about boundaries and junctions of a mesh: read if it is "
+      "there, written by the key w");
   addThreads(command_line, settings.task.threads);
   command_line.then([&settings] { return checkChoices(settings); });
   addMethodOptions(command_line, settings.task.method);

@@ -13,24 +13,21 @@
 namespace app {
 namespace {
 
-Status
+void
 readInput(const ViewerTask& task, ViewerRun& run)
 {
-  const Status status = readModel(task.input, run.input);
-  if (!status.ok())
-    return status;
+  require(readModel(task.input, run.input));
   if (task.points_only)
     run.input.mesh.polygons.clear();
   // A file for meshes that has no polygons holds a cloud.
   run.from_cloud = run.input.mesh.polygons.empty();
   noteShift(run.input);
-  return run.from_cloud
-             ? requireTrianglePoints(run.input.mesh.cloud, nameForPeople(task.input))
-             : Status();
+  if (run.from_cloud)
+    requireTrianglePoints(run.input.mesh.cloud, nameForPeople(task.input));
 }
 
 /** \brief The chain up to a stage; the triangles of its start stage come first. */
-Status
+void
 runChain(const ViewerTask& task,
          const char* until,
          ProgressBar& bar,
@@ -42,24 +39,23 @@ runChain(const ViewerTask& task,
   settings.threads = task.threads;
   settings.sides = task.method.survey.orientation.sides;
   result.model = run.input;
-  return runReconstruction(settings, bar, result);
+  runReconstruction(settings, bar, result);
 }
 
-Status
+void
 reconstruct(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
 {
   ReconstructResult start;
   ReconstructResult base;
-  Status status = runChain(task, "start", bar, run, start);
-  if (status.ok() && !interrupted())
-    status = runChain(task, "base", bar, run, base);
-  if (!status.ok() || interrupted())
-    return status;
+  runChain(task, "start", bar, run, start);
+  if (!interrupted())
+    runChain(task, "base", bar, run, base);
+  if (interrupted())
+    return;
   run.start = std::move(start.model.mesh.polygons);
   for (std::size_t t = 0; t < base.model.mesh.polygons.size(); ++t)
     (base.labels[t] == 0 ? run.filtered : run.added)
         .push_back(std::move(base.model.mesh.polygons[t]));
-  return {};
 }
 
 /** \brief The mesh that is repaired. */
@@ -74,27 +70,26 @@ completeMesh(const ViewerRun& run)
 
 } // namespace
 
-Status
+void
 readForViewer(const ViewerTask& task, ViewerRun& run)
 {
-  const Status status = readInput(task, run);
-  if (!status.ok() || task.free_points.empty())
-    return status;
-  return readCloud(task.free_points, run.free_points);
+  readInput(task, run);
+  if (!task.free_points.empty())
+    require(readCloud(task.free_points, run.free_points));
 }
 
-Status
+void
 runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
 {
   if (run.from_cloud) {
-    const Status status = reconstruct(task, bar, run);
-    if (!status.ok() || interrupted())
-      return status;
+    reconstruct(task, bar, run);
+    if (interrupted())
+      return;
   }
   run.result = completeMesh(run);
   if (run.result.polygons.empty()) {
     run.problem = "no triangle could be made of these points";
-    return {};
+    return;
   }
   const RepairTask repair{task.method,
                           task.free_points.empty() ? nullptr
@@ -103,11 +98,11 @@ runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
   run.survey = surveyMesh(repair, run.input.viewpoint, bar, run.result);
   run.problem = run.survey.reading.problem;
   if (!run.problem.empty() && task.method.survey.decisions)
-    return Status::error(nameForPeople(task.input) + ": " + run.problem);
+    throw Failure(nameForPeople(task.input) + ": " + run.problem);
   if (!run.problem.empty() || !task.repairs || interrupted())
-    return {};
+    return;
   run.repaired = true;
-  return repairMesh(repair, run.input.viewpoint, bar, run.result, run.repair);
+  repairMesh(repair, run.input.viewpoint, bar, run.result, run.repair);
 }
 
 } // namespace app

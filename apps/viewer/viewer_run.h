@@ -42,12 +42,12 @@ struct ViewerRun {
 };
 
 /** \brief Read the input and the free points; fails for input that is of no use. */
-Status
+void
 readForViewer(const ViewerTask& task, ViewerRun& run);
 
 /** \brief Make a mesh of a cloud, survey and repair it. After a signal the run is of no
  * use. */
-Status
+void
 runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run);
 
 } // namespace app

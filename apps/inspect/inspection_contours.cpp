@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the holes of a repair as coloured lines.
-#include "viewer/hole_contours.h"
-
-#include "inspect/layer_builder.h"
 #include "io/point_columns.h"
-#include "viewer/stage_colors.h"
+#include "layer_builder.h"
 
 #include <algorithm>
 #include <map>
@@ -74,29 +71,25 @@ endOf(const pcl::RepairedHole& hole)
 }
 
 Rgb
-colorOf(const HoleEnd& end)
+colorOfEnd(const HoleEnd& end)
 {
-  return end.first == OpenReason::NONE ? app::colorOf(end.second)
-                                       : app::colorOf(end.first);
+  return end.first == OpenReason::NONE ? colorOf(end.second) : colorOf(end.first);
 }
 
 /** \brief Draws edges of the mesh. */
 class ContourBuilder {
 public:
   ContourBuilder(const pcl::PolygonMesh& mesh, const pcl::GlobalShift& shift)
-  : builder_("contours.vtk", "Holes after bridging")
-  , numbers_(builder_.wholeField("hole"))
+  : builder_("contours.vtk", "Holes after bridging", {"hole"})
   , positions_(readPositions(mesh.cloud, shift))
   {}
 
   void
   add(const DirectedEdge& edge, const Rgb& color, std::size_t hole)
   {
-    const pcl::index_t first = builder_.addPoint(positionOf(edge.from), color);
-    builder_.addPoint(positionOf(edge.to), color);
+    const pcl::index_t first = builder_.addPoint(positionOf(edge.from), color, hole);
+    builder_.addPoint(positionOf(edge.to), color, hole);
     builder_.addLine(first, 2, false);
-    for (int end = 0; end < 2; ++end)
-      numbers_.append(static_cast<std::int32_t>(hole));
   }
 
   LayerBuilder&
@@ -113,7 +106,6 @@ private:
   }
 
   LayerBuilder builder_;
-  FieldArray& numbers_;
   std::vector<Eigen::Vector3f> positions_;
 };
 
@@ -130,7 +122,7 @@ addClosed(const pcl::RepairReport& report,
     return std::pair(edge.patch, edge.ends());
   };
   for (const DirectedEdge& edge : singleEdges(std::move(edges), key))
-    contours.add(edge, colorOf(endOf(report.holes[edge.patch])), edge.patch);
+    contours.add(edge, colorOfEnd(endOf(report.holes[edge.patch])), edge.patch);
 }
 
 /** \brief Follow the boundary from the point of each open hole. */
@@ -150,7 +142,7 @@ addOpen(const pcl::RepairReport& report,
     // Each edge is taken once, so this ends in any mesh.
     for (auto at = next.find(hole.point); at != next.end();) {
       const DirectedEdge edge = at->second;
-      contours.add(edge, colorOf(endOf(hole)), i);
+      contours.add(edge, colorOfEnd(endOf(hole)), i);
       next.erase(at);
       at = next.find(edge.to);
     }
@@ -158,7 +150,7 @@ addOpen(const pcl::RepairReport& report,
 }
 
 void
-addLegend(const pcl::RepairReport& report, LayerBuilder& layer)
+addContourLegend(const pcl::RepairReport& report, LayerBuilder& layer)
 {
   std::map<HoleEnd, std::size_t> counts;
   for (const pcl::RepairedHole& hole : report.holes)
@@ -167,7 +159,7 @@ addLegend(const pcl::RepairReport& report, LayerBuilder& layer)
     const std::string what = end.first == OpenReason::NONE
                                  ? std::string("closed by ") + describe(end.second)
                                  : std::string("open: ") + describe(end.first);
-    layer.addLegend(colorOf(end), what + " (" + std::to_string(count) + ")");
+    layer.addLegend(colorOfEnd(end), what, count);
   }
 }
 
@@ -180,7 +172,7 @@ showContours(const pcl::RepairReport& report, const pcl::PolygonMesh& mesh)
   ContourBuilder contours(mesh, pcl::GlobalShift(report.reading.global_shift));
   addClosed(report, edges, contours);
   addOpen(report, edges, contours);
-  addLegend(report, contours.layer());
+  addContourLegend(report, contours.layer());
   return contours.layer().finish("hole: number, as in the report");
 }
 

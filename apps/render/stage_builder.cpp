@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: puts a stage of the viewer together.
-#include "viewer/stage_builder.h"
+// Part of PclSurfaceRepair: what is drawn of one step of the method.
+#include "render/stage_builder.h"
 
 #include <vtkProperty.h>
 
 #include "io/point_columns.h"
 #include "render/drawing.h"
-#include "render/layer_parts.h"
-#include "render/surface_colors.h"
+#include "render/mesh_parts.h"
 
 #include <utility>
 
 namespace app {
 namespace {
-
-constexpr Color MESH_EDGE{0.15, 0.20, 0.28};
 
 std::string
 withCount(const std::string& meaning, vtkIdType count)
