@@ -4,6 +4,8 @@
 set(psr_doc_tests "${CMAKE_CURRENT_SOURCE_DIR}/documentation")
 add_test(NAME Documentation.LinksLeadToFiles
          COMMAND bash "${psr_doc_tests}/links_test.sh" "${PROJECT_SOURCE_DIR}")
+add_test(NAME Documentation.RoomsUseWhatTheLayoutAllows
+         COMMAND bash "${psr_doc_tests}/rooms_test.sh" "${PROJECT_SOURCE_DIR}")
 add_test(NAME Documentation.NotationNamesWhatIsInTheCode
          COMMAND bash "${psr_doc_tests}/notation_test.sh" names "${PROJECT_SOURCE_DIR}")
 add_test(NAME Documentation.NotationHasEveryTagOfTheCode

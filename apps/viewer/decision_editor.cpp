@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: decisions that are made while looking at them.
 #include "viewer/decision_editor.h"
 
+#include <Eigen/Geometry>
+
 #include "io/decisions_file.h"
 
 #include <utility>
