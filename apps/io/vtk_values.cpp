@@ -45,26 +45,26 @@ addCell(std::int64_t type, std::vector<std::int64_t>& corners, PolygonBuilder& b
 ScalarType
 vtkType(std::string_view name)
 {
-  using Field = pcl::ccaa::PointFieldNames;
+  using Kinds = pcl::ccaa::PointFieldNames;
   static const std::array<std::pair<std::string_view, ScalarType>, 14> names{
-      {{"char", Field::INT8},
-       {"unsigned_char", Field::UINT8},
-       {"signed_char", Field::INT8},
-       {"short", Field::INT16},
-       {"unsigned_short", Field::UINT16},
-       {"int", Field::INT32},
-       {"unsigned_int", Field::UINT32},
-       {"long", Field::INT64},
-       {"unsigned_long", Field::UINT64},
-       {"vtktypeint64", Field::INT64},
-       {"vtktypeuint64", Field::UINT64},
-       {"vtkIdType", Field::INT32},
-       {"float", Field::FLOAT32},
-       {"double", Field::FLOAT64}}};
+      {{"char", Kinds::INT8},
+       {"unsigned_char", Kinds::UINT8},
+       {"signed_char", Kinds::INT8},
+       {"short", Kinds::INT16},
+       {"unsigned_short", Kinds::UINT16},
+       {"int", Kinds::INT32},
+       {"unsigned_int", Kinds::UINT32},
+       {"long", Kinds::INT64},
+       {"unsigned_long", Kinds::UINT64},
+       {"vtktypeint64", Kinds::INT64},
+       {"vtktypeuint64", Kinds::UINT64},
+       {"vtkIdType", Kinds::INT32},
+       {"float", Kinds::FLOAT32},
+       {"double", Kinds::FLOAT64}}};
   for (const auto& [spelling, type] : names)
     if (spelling == name)
       return type;
-  return name == "vtktypeint32" ? static_cast<ScalarType>(Field::INT32) : ScalarType{0};
+  return name == "vtktypeint32" ? static_cast<ScalarType>(Kinds::INT32) : ScalarType{0};
 }
 
 bool
