@@ -31,6 +31,8 @@ case $check in
     tag='\b(E|EC|ED|D|C|T|L)[34]\.[0-9]+-[0-9]+\b'
     missing=$(comm -23 <(code | xargs grep -ohE "$tag" | sort -u) \
       <(grep -oE "$tag" "$page" | sort -u))
+    missing+=$(comm -23 <(grep -ohE "$tag" "$page" doc/concepts/*.md | sort -u) \
+      <(code | xargs grep -ohE "$tag" | sort -u))
     ;;
 esac
 if [[ -n $missing ]]; then

@@ -9,7 +9,8 @@
 namespace pcl {
 namespace ccaa {
 
-/** \brief Take triangles away until every one of some points has a single fan: the fan
+/** \brief Take triangles away until every one of some points has a single fan (C3.4-2):
+ * the fan
  * with given triangles stays, else the one with the most triangles, else the one with
  * the earliest (row 3 of table T3.4-1, for points where two stretches of front were
  * left touching each other).

@@ -11,7 +11,8 @@
 namespace pcl {
 namespace ccaa {
 
-/** \brief The tangent plane at a point with a zero direction in it. */
+/** \brief The tangent plane at a point with a zero direction in it, in which neighbours
+ * are ordered by angle (GK02). */
 class TangentFrame {
 public:
   /** \param[in] origin the point \param[in] normal of any length but zero

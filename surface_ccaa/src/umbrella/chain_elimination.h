@@ -14,7 +14,7 @@ namespace pcl {
 namespace ccaa {
 
 /** \brief Delete triangles as table T3.4-1 says until every vertex has at most one
- * chain of live triangles; C3.4-3 (row 2) is left to removeSmallRegions().
+ * chain of live triangles (C3.4-2); C3.4-3 (row 2) is left to removeSmallRegions().
  *
  * Works in synchronous rounds, so that the result does not depend on the order of
  * points: all points under examination decide on the state at the start of the round,

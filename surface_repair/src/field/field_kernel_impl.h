@@ -100,7 +100,7 @@ weigh(const Task& task, const Lanes& q_1, std::size_t place, View& view)
   Lanes m = q_1 * (view.inverse * view.inverse);
   if constexpr (EFFECTIVE)
     m = m * effectiveShare(task, block, tau);
-  if constexpr (INTERPOLATION) { // 1 + k_i (1 + s . n) / 2 (E4.426-1)
+  if constexpr (INTERPOLATION) { // 1 + k_i (1 + s . n) / 2 (E4.427-2, E4.426-1)
     const Lanes along = view.s[0] * load(block + NORMAL_X * LANES) +
                         view.s[1] * load(block + NORMAL_Y * LANES) +
                         view.s[2] * load(block + NORMAL_Z * LANES); // of n / h
@@ -164,8 +164,8 @@ addBlocks(const Task& task, std::size_t first, int pass, Lanes (&h)[9])
     }
 }
 
-/** H = sum of h m d s^T (E4.43-3; B changes nothing because s is perpendicular to d).
- */
+/** H = sum of h m d s^T (E4.46-2; A of E4.43-3 is m d s^T as in E4.43-4, and B changes
+ * nothing because s is perpendicular to d). */
 template <typename M>
 void
 sumOf(const Task& task, double* tension)

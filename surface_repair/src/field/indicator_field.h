@@ -76,7 +76,8 @@ public:
   const SourceSet&
   sources() const;
 
-  /** \brief Tension at one point. A source at the point itself does not count; the
+  /** \brief Tension at one point: H n is h d Q (E4.427-8), and tensions of sources add
+   * (E4.43-2). A source at the point itself does not count; the
    * tension is zero where the position is not finite or nothing reaches (L_2 = 0). */
   Tension
   tensionAt(const FieldQuery& query) const;

@@ -174,9 +174,9 @@ public:
   }
 
   /** \brief Whether the chain pays on the input cloud (C3.1-1): run the base algorithm
-   * alone, then the chain, and compare. Labels, report and normals are those of the
-   * chain's run afterwards. Errors (PCL_ERROR, a report of zeros): as for a run; no
-   * base algorithm. */
+   * alone, then the chain, and compare (T3.5-1). Labels, report and normals are those
+   * of the chain's run afterwards. Errors (PCL_ERROR, a report of zeros): as for a run;
+   * no base algorithm. */
   SpeedupReport
   measureSpeedup();
 
