@@ -105,12 +105,10 @@ Chain::selectPoints()
 {
   run_.point_count = input_.points.size;
   const Indices& selection = *input_.selection;
-  const auto outside = findIndexOutside(selection, run_.point_count);
-  if (outside != selection.end()) {
-    PCL_ERROR("[pcl::ConsecutiveReconstruction::performReconstruction] index %d is "
-              "outside the cloud of %zu points\n",
-              static_cast<int>(*outside),
-              run_.point_count);
+  const std::string fault = indexFault(selection, run_.point_count);
+  if (!fault.empty()) {
+    PCL_ERROR("[pcl::ConsecutiveReconstruction::performReconstruction] %s\n",
+              fault.c_str());
     return false;
   }
   run_.points = selectUsablePoints(input_.points, input_.selection, run_.loop());

@@ -40,11 +40,7 @@ faultOf(const CloudInput& input, const GreedyParameters& parameters)
 {
   if (const char* wrong = outOfRange(parameters))
     return std::string(wrong) + " is out of range";
-  const auto outside = findIndexOutside(*input.selection, input.points.size);
-  if (outside != input.selection->end())
-    return "index " + std::to_string(*outside) + " is outside the cloud of " +
-           std::to_string(input.points.size) + " points";
-  return {};
+  return indexFault(*input.selection, input.points.size);
 }
 
 /** The usable points and who is near whom; the rows live in either of two stores. */

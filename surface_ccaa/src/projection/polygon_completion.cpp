@@ -254,10 +254,9 @@ faultOf(const CompletionInput& input, const CompletionParameters& parameters)
 {
   if (const char* wrong = outOfRange(parameters))
     return std::string(wrong) + " is out of range";
-  const auto outside = findIndexOutside(*input.selection, input.points.size);
-  if (outside != input.selection->end())
-    return "index " + std::to_string(*outside) + " is outside the cloud of " +
-           std::to_string(input.points.size) + " points";
+  const std::string fault = indexFault(*input.selection, input.points.size);
+  if (!fault.empty())
+    return fault;
   const std::size_t points =
       input.partial_mesh == nullptr ? 0 : pointCount(input.partial_mesh->cloud);
   if (points != 0 && points != input.points.size)

@@ -15,5 +15,15 @@ findIndexOutside(const Indices& indices, std::size_t point_count)
   });
 }
 
+std::string
+indexFault(const Indices& indices, std::size_t point_count)
+{
+  const auto outside = findIndexOutside(indices, point_count);
+  if (outside == indices.end())
+    return {};
+  return "index " + std::to_string(*outside) + " is outside the cloud of " +
+         std::to_string(point_count) + " points";
+}
+
 } // namespace ccaa
 } // namespace pcl

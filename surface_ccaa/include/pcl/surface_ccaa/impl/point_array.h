@@ -6,6 +6,7 @@
 #include <pcl/types.h>
 
 #include <cstddef>
+#include <string>
 
 namespace pcl {
 
@@ -46,6 +47,10 @@ pointArrayOf(const PointCloud<PointT>& cloud)
  * are. */
 Indices::const_iterator
 findIndexOutside(const Indices& indices, std::size_t point_count);
+
+/** \brief What is wrong with indices of a cloud, for messages; empty: nothing is. */
+std::string
+indexFault(const Indices& indices, std::size_t point_count);
 
 } // namespace ccaa
 } // namespace pcl
