@@ -11,6 +11,7 @@
 #include "support/shapes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -117,6 +118,21 @@ readingOf(const ccaa::test::Shape& shape)
                    nullptr,
                    ccaa::LoopContext())
       .model;
+}
+
+/** \brief Two levels, the second one lower, joined by a cliff that lacks its middle. */
+inline ccaa::test::Shape
+brokenCliff(double height)
+{
+  ccaa::test::Shape shape =
+      without(ccaa::test::grid(24, 24), [](const Position& center) {
+        return center.x() > 11.0 && center.x() < 12.0 &&
+               std::abs(center.y() - 12.0) < 5.0;
+      });
+  for (Position& vertex : shape.vertices)
+    if (vertex.x() > 11.5)
+      vertex.z() -= height;
+  return shape;
 }
 
 } // namespace test

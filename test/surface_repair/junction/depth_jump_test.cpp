@@ -5,40 +5,37 @@
 
 #include "boundary/extraction.h"
 #include "junction/depth_jump.h"
-#include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace repair {
 namespace {
 
-using namespace ccaa::test;
+using test::brokenCliff;
 using test::modelOf;
 
 const Position ABOVE(12.0, 12.0, 1000.0);
 const Position BESIDE(1000.0, 12.0, 500.0);
 
-/** Two levels, the second one lower, joined by a cliff that lacks its middle. */
+/** The cliff as it is seen from a place. */
 IncompleteModel
-brokenCliff(double height)
+cliffFrom(const Position& sensor, double height)
 {
-  Shape shape = grid(24, 24);
-  for (Position& vertex : shape.vertices)
-    if (vertex.x() > 11.5)
-      vertex.z() -= height;
-  const auto is_lost = [&](const Triangle& triangle) {
-    Position center = Position::Zero();
-    for (const pcl::index_t corner : triangle)
-      center += shape.vertices[static_cast<std::size_t>(corner)] / 3.0;
-    return center.x() > 11.0 && center.x() < 12.0 && std::abs(center.y() - 12.0) < 5.0;
-  };
-  shape.triangles.erase(
-      std::remove_if(shape.triangles.begin(), shape.triangles.end(), is_lost),
-      shape.triangles.end());
-  return modelOf(shape);
+  IncompleteModel model = modelOf(brokenCliff(height));
+  model.viewpoints.assign(model.positions.size(), sensor);
+  return model;
+}
+
+/** One level as seen from above, the other one from beside. */
+IncompleteModel
+cliffFromTwoPlaces(double height)
+{
+  IncompleteModel model = modelOf(brokenCliff(height));
+  for (const Position& vertex : model.positions)
+    model.viewpoints.push_back(vertex.x() > 11.5 ? ABOVE : BESIDE);
+  return model;
 }
 
 /** Whether the one hole of a model is a jump. */
@@ -55,41 +52,27 @@ isJump(const IncompleteModel& model)
 
 TEST(DepthJump, AGapBetweenTwoDepthsIsOne)
 {
-  IncompleteModel model = brokenCliff(10.0);
-  model.viewpoints.assign(model.positions.size(), ABOVE);
-  EXPECT_TRUE(isJump(model));
+  EXPECT_TRUE(isJump(cliffFrom(ABOVE, 10)));
 }
 
-TEST(DepthJump, AHoleWithinALevelIsNone)
-{
-  IncompleteModel model = brokenCliff(0.0);
-  model.viewpoints.assign(model.positions.size(), ABOVE);
-  EXPECT_FALSE(isJump(model));
-}
+TEST(DepthJump, AHoleWithinALevelIsNone) { EXPECT_FALSE(isJump(cliffFrom(ABOVE, 0))); }
 
-TEST(DepthJump, AGapOfAFewEdgesIsNone)
-{
-  IncompleteModel model = brokenCliff(2.5);
-  model.viewpoints.assign(model.positions.size(), ABOVE);
-  EXPECT_FALSE(isJump(model));
-}
+TEST(DepthJump, AGapOfAFewEdgesIsNone) { EXPECT_FALSE(isJump(cliffFrom(ABOVE, 2.5))); }
 
 TEST(DepthJump, AGapThatTheSensorLooksIntoIsNone)
 {
-  IncompleteModel model = brokenCliff(10.0);
-  model.viewpoints.assign(model.positions.size(), BESIDE);
-  EXPECT_FALSE(isJump(model));
+  EXPECT_FALSE(isJump(cliffFrom(BESIDE, 10)));
 }
 
 TEST(DepthJump, AGapWhoseRimTwoSensorsHaveMeasuredIsNone)
 {
-  IncompleteModel model = brokenCliff(10.0);
-  for (const Position& vertex : model.positions)
-    model.viewpoints.push_back(vertex.x() > 11.5 ? ABOVE : BESIDE);
-  EXPECT_FALSE(isJump(model));
+  EXPECT_FALSE(isJump(cliffFromTwoPlaces(10)));
 }
 
-TEST(DepthJump, WithoutASensorThereIsNone) { EXPECT_FALSE(isJump(brokenCliff(10.0))); }
+TEST(DepthJump, WithoutASensorThereIsNone)
+{
+  EXPECT_FALSE(isJump(modelOf(brokenCliff(10))));
+}
 
 /** Whether the border, or else the hole, of a level is an outline. */
 bool
@@ -104,19 +87,15 @@ isOutlineOf(const IncompleteModel& model, bool border)
 
 TEST(Outline, OfALevelIsItsBorderAndNotItsHole)
 {
-  IncompleteModel model = brokenCliff(0.0);
-  model.viewpoints.assign(model.positions.size(), ABOVE);
+  const IncompleteModel model = cliffFrom(ABOVE, 0);
   EXPECT_TRUE(isOutlineOf(model, true));
   EXPECT_FALSE(isOutlineOf(model, false));
 }
 
 TEST(Outline, IsUnknownWithoutTheOneSensorThatHasMeasuredItAll)
 {
-  IncompleteModel model = brokenCliff(0.0);
-  EXPECT_FALSE(isOutlineOf(model, true));
-  for (const Position& vertex : model.positions)
-    model.viewpoints.push_back(vertex.x() > 11.5 ? ABOVE : BESIDE);
-  EXPECT_FALSE(isOutlineOf(model, true));
+  EXPECT_FALSE(isOutlineOf(modelOf(brokenCliff(0)), true));
+  EXPECT_FALSE(isOutlineOf(cliffFromTwoPlaces(0), true));
 }
 
 } // namespace

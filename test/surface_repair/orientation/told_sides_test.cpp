@@ -14,7 +14,6 @@
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pcl {
 namespace repair {
@@ -95,22 +94,10 @@ TEST(ToldSides, NewTrianglesFaceTheViewpointToo)
   EXPECT_GE(facingShare(repaired.polygons, points, view.sensor), LEAST_SHARE);
 }
 
-/** Two levels, the second one lower, joined by a cliff that lacks its middle. */
-Shape
-brokenCliff()
-{
-  Shape shape = repair::test::without(grid(24, 24), [](const Position& center) {
-    return center.x() > 11.0 && center.x() < 12.0 && std::abs(center.y() - 12.0) < 5.0;
-  });
-  for (Position& vertex : shape.vertices)
-    if (vertex.x() > 11.5)
-      vertex.z() -= 10.0;
-  return shape;
-}
-
 TEST(ToldSides, AJumpInDepthIsClosedIfTheUserWantsAllClosed)
 {
-  const auto mesh = make_shared<PolygonMesh>(toPolygonMesh(brokenCliff()));
+  const auto mesh =
+      make_shared<PolygonMesh>(toPolygonMesh(repair::test::brokenCliff(10.0)));
   for (const bool all : {false, true}) {
     ForceLineHoleRepair repair;
     repair.setInputMesh(mesh);
