@@ -123,9 +123,9 @@ isOutline(const BoundaryCurve& curve,
   const Position* sensor = onlySensor(vertices, model);
   if (sensor == nullptr)
     return false;
-  BoundaryCurve view = curve; // on the unit sphere around the sensor
-  for (Position& point : view.points)
-    point = (point - *sensor).normalized();
+  BoundaryCurve view; // on the unit sphere around the sensor
+  for (const Position& point : curve.points)
+    view.points.push_back((point - *sensor).normalized());
   const Position center = centerOf(view);
   double radius = 0.0; // squared
   for (const Position& point : view.points)

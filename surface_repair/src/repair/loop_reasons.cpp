@@ -35,29 +35,28 @@ reasonForRim(const ModelSurvey& survey, std::size_t loop)
 
 /** What its class says. */
 OpenReason
-reasonByClass(const ModelSurvey& survey, std::size_t loop)
+reasonByClass(const ModelSurvey& survey, std::size_t number)
 {
-  if (survey.model.islands[survey.loops[loop].island].one_sided)
+  const BoundaryLoop& loop = survey.loops[number];
+  const LoopClass& found = survey.classes[number];
+  const IncompleteModel& model = survey.model;
+  if (model.islands[loop.island].one_sided)
     return OpenReason::ONE_SIDED;
-  switch (survey.classes[loop].boundary_class) {
+  switch (found.boundary_class) {
   case BoundaryClass::HOLE:
-    return isDepthJump(fillAreaOf(survey.loops[loop].curve),
-                       survey.loops[loop].curve,
-                       survey.loops[loop].vertices,
-                       survey.model)
+    return isDepthJump(fillAreaOf(loop.curve), loop.curve, loop.vertices, model)
                ? OpenReason::DEPTH_JUMP
                : OpenReason::NONE;
   case BoundaryClass::ISLAND_RIM:
-    return reasonForRim(survey, loop);
+    return reasonForRim(survey, number);
   case BoundaryClass::OUTER_BORDER:
     return OpenReason::OUTER_BORDER;
   case BoundaryClass::UNDECIDED:
     break;
   }
-  if (isOutline(survey.loops[loop].curve, survey.loops[loop].vertices, survey.model))
+  if (isOutline(loop.curve, loop.vertices, model))
     return OpenReason::OUTER_BORDER;
-  return survey.classes[loop].evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH
-                                                     : OpenReason::UNDECIDED;
+  return found.evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH : OpenReason::UNDECIDED;
 }
 
 /** A loop stays as it is because the user wants it so. */
@@ -74,9 +73,9 @@ OpenReason
 reasonByChoice(const ModelSurvey& survey,
                CloseChoice choice,
                std::size_t loop,
+               OpenReason by_class,
                bool is_of_input)
 {
-  const OpenReason by_class = reasonByClass(survey, loop);
   if (by_class == OpenReason::ONE_SIDED)
     return by_class;
   if (choice == CloseChoice::ALL)
@@ -107,7 +106,7 @@ reasonForLoop(const ModelSurvey& survey, CloseChoice choice, std::size_t loop)
   case LoopWish::AUTO:
     break;
   }
-  return reasonByChoice(survey, choice, loop, input_loop != NONE);
+  return reasonByChoice(survey, choice, loop, by_class, input_loop != NONE);
 }
 
 } // namespace repair
