@@ -128,19 +128,6 @@ append(const std::vector<T>& more, std::vector<T>& list)
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/** Entries of vertices that have another number now. */
-Positions
-renumbered(const Positions& entries,
-           const std::vector<pcl::index_t>& number,
-           std::size_t count)
-{
-  Positions now(count, Position::Constant(std::numeric_limits<double>::quiet_NaN()));
-  for (std::size_t v = 0; v < std::min(entries.size(), number.size()); ++v)
-    if (number[v] != pcl::UNAVAILABLE)
-      now[static_cast<std::size_t>(number[v])] = entries[v];
-  return now;
-}
-
 } // namespace
 
 ClosedHoles
@@ -197,6 +184,10 @@ addToModel(const ccaa::LoopContext& context,
   append(closed.triangles, model.triangles);
   append(closed.positions, model.positions);
   append(closed.point_of_vertex, model.point_of_vertex);
+  if (!model.viewpoints.empty()) // no sensor has measured the new ones
+    model.viewpoints.resize(
+        model.positions.size(),
+        Position::Constant(std::numeric_limits<double>::quiet_NaN()));
   closed.triangles.clear();
   closed.positions.clear();
   closed.point_of_vertex.clear();
@@ -207,8 +198,6 @@ addToModel(const ccaa::LoopContext& context,
   const auto of_input = number.begin() + static_cast<std::ptrdiff_t>(input_vertices);
   input_vertices -=
       static_cast<std::size_t>(std::count(number.begin(), of_input, pcl::UNAVAILABLE));
-  if (!model.viewpoints.empty())
-    model.viewpoints = renumbered(model.viewpoints, number, model.positions.size());
   std::unordered_map<pcl::index_t, Failure> failed;
   for (const auto& [vertex, failure] : closed.failed)
     failed.emplace(number[static_cast<std::size_t>(vertex)], failure);

@@ -36,6 +36,8 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
       numberWithoutGaps(model.positions.size(), model.triangles);
   renumber(number, model.positions);
   renumber(number, model.point_of_vertex);
+  if (!model.viewpoints.empty())
+    renumber(number, model.viewpoints);
   model.adjacency.build(
       model.triangles, model.positions.size(), context.threads, context.control);
   if (context.cancelled())
@@ -46,6 +48,8 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
     const auto place = static_cast<std::size_t>(vertex);
     model.positions.push_back(Position(model.positions[place]));
     model.point_of_vertex.push_back(pcl::index_t(model.point_of_vertex[place]));
+    if (!model.viewpoints.empty())
+      model.viewpoints.push_back(Position(model.viewpoints[place]));
   }
   return number;
 }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -219,10 +218,6 @@ putInOrder(ModelSurvey before,
   model = assembleModel(std::move(old.triangles), std::move(old.positions), context);
   model.point_of_vertex = std::move(old.point_of_vertex);
   model.viewpoints = std::move(old.viewpoints);
-  if (!model.viewpoints.empty()) // new vertices were measured by none
-    model.viewpoints.resize(
-        model.positions.size(),
-        Position::Constant(std::numeric_limits<double>::quiet_NaN()));
   for (std::size_t i = 0; i < used.size(); ++i)
     if (!used[i]) {
       model.free_points.push_back(old.free_points[i]);
