@@ -11,24 +11,37 @@ namespace repair {
 
 /** \brief A way to fill a hole. */
 struct FillStrategy {
-  const char* name;
   bool avoids;       /**< the fill may not run through anything; expensive */
   bool refined;      /**< to the density of the surface around */
   bool relaxed;      /**< faired; only when refined */
   bool without_free; /**< free points do not become vertices */
 };
 
+constexpr FillStrategy PLAIN = {false, true, true, false};
+constexpr FillStrategy UNRELAXED = {false, true, false, false};
+constexpr FillStrategy AVOIDING = {true, true, true, false};
+constexpr FillStrategy AVOIDING_UNRELAXED = {true, true, false, false};
+constexpr FillStrategy AVOIDING_BARE = {true, false, false, false};
+
+/** \brief The same, but free points do not become vertices. */
+constexpr FillStrategy
+withoutFreePoints(FillStrategy strategy)
+{
+  strategy.without_free = true;
+  return strategy;
+}
+
 /** \brief Each is tried when all before have failed; those without free points only
  * where free points did become vertices. */
 constexpr std::array<FillStrategy, 8> FILL_STRATEGIES = {
-    {{"plain", false, true, true, false},
-     {"around obstacles", true, true, true, false},
-     {"unrelaxed", false, true, false, false},
-     {"around obstacles, unrelaxed", true, true, false, false},
-     {"around obstacles, bare", true, false, false, false},
-     {"around obstacles, without free points", true, true, true, true},
-     {"around obstacles, unrelaxed, without free points", true, true, false, true},
-     {"around obstacles, bare, without free points", true, false, false, true}}};
+    {PLAIN,
+     AVOIDING,
+     UNRELAXED,
+     AVOIDING_UNRELAXED,
+     AVOIDING_BARE,
+     withoutFreePoints(AVOIDING),
+     withoutFreePoints(AVOIDING_UNRELAXED),
+     withoutFreePoints(AVOIDING_BARE)}};
 
 /** \brief So many of them for a hole that has others in its region: it is alone in the
  * next pass. */

@@ -7,7 +7,6 @@
 #include "fairing/flat_cap.h"
 #include "fairing/refinement.h"
 #include "fairing/relaxation.h"
-#include "icadm/model_assembly.h"
 #include "junction/depth_jump.h"
 #include "repair/darning_choice.h"
 #include "repair/fill_strategy.h"

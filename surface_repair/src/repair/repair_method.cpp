@@ -129,15 +129,12 @@ struct Pass {
 };
 
 void
-reportOpen(const OpenHole& hole,
-           const HoleOutcome& outcome,
-           bool watertight,
-           RepairLog& log,
-           RepairReport& report)
+reportOpen(const OpenHole& hole, const Pass& last, RepairLog& log, RepairReport& report)
 {
+  const HoleOutcome outcome = lastOutcome(hole, last.closed);
   RepairedHole& entry = report.holes[log.add(hole, outcome)];
-  entry.shortfall =
-      watertight ? outcome.open != OpenReason::NONE : isShortfall(outcome.open);
+  entry.shortfall = last.parameters->watertight ? outcome.open != OpenReason::NONE
+                                                : isShortfall(outcome.open);
   report.shortfalls += entry.shortfall ? 1 : 0;
 }
 
@@ -150,11 +147,7 @@ reportEnd(const Pass& last, ModelSurvey& survey, RepairLog& log, RepairReport& r
     report.class_after = classOf(report.counts_after);
     for (const OpenHole& hole : last.holes.holes)
       if (hole.open != OpenReason::NONE)
-        reportOpen(hole,
-                   lastOutcome(hole, last.closed),
-                   last.parameters->watertight,
-                   log,
-                   report);
+        reportOpen(hole, last, log, report);
     return;
   }
   report.counts_after = survey.counts;
@@ -162,8 +155,7 @@ reportEnd(const Pass& last, ModelSurvey& survey, RepairLog& log, RepairReport& r
   survey.joined.bridges.clear(); // they led to nothing
   survey.joined.holes = {};
   for (const OpenHole& hole : holesOf(survey, *last.parameters).holes)
-    reportOpen(
-        hole, lastOutcome(hole, last.closed), last.parameters->watertight, log, report);
+    reportOpen(hole, last, log, report);
 }
 
 /** The model as it is written, once it is proved to be a manifold. */
@@ -261,15 +253,15 @@ repairModel(const pcl::PolygonMesh::ConstPtr& mesh,
       if (pass == MOST_PASSES)
         break;
       last = closePass(pass, round, frame, context, survey, log);
+      if (context.cancelled())
+        return {};
       if (last.finished || last.closed.triangles.empty())
         break;
       takeClosed(context, last, survey, result.input_vertices);
     }
-    if (context.cancelled() || !isOpen(last.holes, last.closed))
+    if (!isOpen(last.holes, last.closed))
       break;
   }
-  if (context.cancelled())
-    return {};
   reportEnd(last, survey, log, report);
   addToModel(context, last.holes, last.closed, survey.model, result.input_vertices);
   result.model = std::move(survey.model);
