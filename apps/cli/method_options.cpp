@@ -12,9 +12,9 @@ namespace app {
 namespace {
 
 using pcl::repair::CloseChoice;
-using pcl::repair::DarningChoice;
 using pcl::repair::Extent;
 using pcl::repair::FieldParameters;
+using pcl::repair::FillingChoice;
 using pcl::repair::RepairParameters;
 using pcl::repair::SmallIslands;
 
@@ -82,20 +82,20 @@ checkWatertight(const CommandLine& line, RepairParameters& method)
   if (!method.watertight)
     return;
   const bool closes_less =
-      line.given("close") && method.darning.close != CloseChoice::ALL;
+      line.given("close") && method.filling.close != CloseChoice::ALL;
   if (closes_less || line.given("greatest-hole-length") || line.given("greatest-hole"))
     throw Failure(
         std::string(
             "--watertight closes all that can be closed; it does not go with ") +
         (closes_less ? "--close holes or none" : "a greatest hole"));
-  method.darning.close = CloseChoice::ALL;
+  method.filling.close = CloseChoice::ALL;
 }
 
 void
-addDarningOptions(CommandLine& line, RepairParameters& method)
+addFillingOptions(CommandLine& line, RepairParameters& method)
 {
   OptionGroup& options = line.method();
-  options.choice("darning", method.darning.choice, DARNING_CHOICES)(
+  options.choice("filling", method.filling.choice, FILLING_CHOICES)(
       "how simple holes are closed: fan (from the centroid), minimum-weight, "
       "completion (base algorithm, with free points as vertices), or automatic: "
       "completion where a hole holds enough free points, else minimum-weight");
@@ -106,9 +106,9 @@ addDarningOptions(CommandLine& line, RepairParameters& method)
   options.flag("no-fair", method.relax, false)(
       "do not move new vertices to a smooth surface");
   options.flag("pure", [&method] {
-    method.darning.choice = DarningChoice::FAN;
+    method.filling.choice = FillingChoice::FAN;
     method.refine = false;
-  })("the thesis alone: --darning fan --no-refine");
+  })("the thesis alone: --filling fan --no-refine");
 }
 
 void
@@ -161,7 +161,7 @@ void
 settle(const CommandLine& line, RepairParameters& method)
 {
   if (line.given("simple-edges"))
-    method.darning.simple_edges = method.survey.simple_edges;
+    method.filling.simple_edges = method.survey.simple_edges;
   method.relax = method.relax && method.refine;
   method.survey.orientation.room = method.survey.field.room;
   method.survey.tracker.room = method.survey.field.room;
@@ -195,12 +195,12 @@ void
 addWishOptions(CommandLine& command_line, RepairParameters& method)
 {
   OptionGroup& options = command_line.options();
-  options.choice("close", method.darning.close, CLOSE_CHOICES)(
+  options.choice("close", method.filling.close, CLOSE_CHOICES)(
       "holes: what is a hole for sure; all: also outer borders, mouths of tubes, "
       "undecided boundaries and rims that nothing joins; none: only join islands");
   options.flag("watertight", method.watertight)(
       "close all that can be closed; exit code 2 where anything stays open");
-  options.choice("cap", method.darning.cap, CAPS)(
+  options.choice("cap", method.filling.cap, CAPS)(
       "smooth: patches go on as the surface around does; flat: they lie in the plane "
       "of their rim; auto: flat over a large plane rim that the surface meets steeply, "
       "as at the base of a bust");
@@ -210,11 +210,11 @@ addWishOptions(CommandLine& command_line, RepairParameters& method)
                  })(
       "leave out islands of fewer triangles (50), or of less area: 0.5% of the whole, "
       "or 2.5u2, squared units of the cloud; their points stay, but draw nothing");
-  options.count("greatest-hole", method.darning.greatest_hole, 0, MOST_EDGES)(
+  options.count("greatest-hole", method.filling.greatest_hole, 0, MOST_EDGES)(
       "holes of more edges are left open, 0: no limit");
   addExtent(command_line,
             "greatest-hole-length",
-            method.darning.greatest_length,
+            method.filling.greatest_length,
             "longer holes are left open: units of the cloud, or 5% of the bounding "
             "box' diagonal");
   addExtent(command_line,
@@ -231,7 +231,7 @@ addMethodOptions(CommandLine& command_line, RepairParameters& method)
   command_line.options().flag("no-join", method.join_islands, false)(
       "leave islands apart");
   addWishOptions(command_line, method);
-  addDarningOptions(command_line, method);
+  addFillingOptions(command_line, method);
   addSurveyOptions(command_line.method(), method.survey);
   command_line.then([&] { return settle(command_line, method); });
 }

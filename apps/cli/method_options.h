@@ -12,11 +12,11 @@ namespace app {
 constexpr Word<pcl::repair::FieldMode> FIELD_MODES[] = {
     {"light", pcl::repair::FieldMode::LIGHT}, {"full", pcl::repair::FieldMode::FULL}};
 
-constexpr Word<pcl::repair::DarningChoice> DARNING_CHOICES[] = {
-    {"automatic", pcl::repair::DarningChoice::AUTOMATIC},
-    {"fan", pcl::repair::DarningChoice::FAN},
-    {"minimum-weight", pcl::repair::DarningChoice::MINIMUM_WEIGHT},
-    {"completion", pcl::repair::DarningChoice::COMPLETION}};
+constexpr Word<pcl::repair::FillingChoice> FILLING_CHOICES[] = {
+    {"automatic", pcl::repair::FillingChoice::AUTOMATIC},
+    {"fan", pcl::repair::FillingChoice::FAN},
+    {"minimum-weight", pcl::repair::FillingChoice::MINIMUM_WEIGHT},
+    {"completion", pcl::repair::FillingChoice::COMPLETION}};
 
 constexpr Word<pcl::repair::CloseChoice> CLOSE_CHOICES[] = {
     {"all", pcl::repair::CloseChoice::ALL},

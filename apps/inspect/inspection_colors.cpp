@@ -135,7 +135,7 @@ colorOf(pcl::OpenReason reason)
     return {215, 120, 230};
   case pcl::OpenReason::TOO_LARGE:
     return {130, 0, 20};
-  case pcl::OpenReason::NO_DARN:
+  case pcl::OpenReason::NO_FILLING:
     return {215, 25, 30};
   case pcl::OpenReason::NOT_MANIFOLD:
     return {255, 100, 90};

@@ -65,7 +65,7 @@ HoleEnd
 endOf(const pcl::RepairedHole& hole)
 {
   for (const TriangleOrigin origin : {TriangleOrigin::FAN, TriangleOrigin::COMPLETION})
-    if (hole.darning == describe(origin))
+    if (hole.filling == describe(origin))
       return {hole.open, origin};
   return {hole.open, TriangleOrigin::MINIMUM_WEIGHT};
 }

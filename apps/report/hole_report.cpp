@@ -101,7 +101,7 @@ describeHoles(const RepairReport& report)
                     {"closed", hole.open == OpenReason::NONE},
                     {"shortfall", hole.shortfall},
                     {"why", describe(hole.open)},
-                    {"darning", hole.darning},
+                    {"filling", hole.filling},
                     {"triangles", hole.triangles},
                     {"tries", hole.tries}});
   return list;
@@ -186,7 +186,7 @@ describeRepair(const RepairReport& report)
 std::string
 summarizeRepair(const RepairReport& report)
 {
-  Tally darnings;
+  Tally fillings;
   std::size_t closed = 0;
   std::size_t borders = 0;
   std::size_t wanted = 0;
@@ -195,8 +195,8 @@ summarizeRepair(const RepairReport& report)
     wanted += isAskedFor(hole) ? 1 : 0;
     borders +=
         hole.open != OpenReason::NONE && !hole.shortfall && !isAskedFor(hole) ? 1 : 0;
-    if (!hole.darning.empty())
-      darnings.add(hole.darning);
+    if (!hole.filling.empty())
+      fillings.add(hole.filling);
   }
   std::string text = std::string(nameOf(report.class_before)) + " -> " +
                      nameOf(report.class_after) + ", " +
@@ -205,7 +205,7 @@ summarizeRepair(const RepairReport& report)
                      plural(report.bridges.size(), "bridge") + ", " +
                      plural(closed, "hole") + " closed";
   if (closed > 0)
-    text += " (" + darnings.text() + ")";
+    text += " (" + fillings.text() + ")";
   if (report.shortfalls > 0)
     text += ", " + std::to_string(report.shortfalls) + " left open";
   if (borders > 0)

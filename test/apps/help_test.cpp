@@ -14,7 +14,7 @@ TEST(Help, HasTheOptionsOfTheMethodBehindTheEverydayOnes)
 {
   for (const auto& [program, everyday, method] :
        {std::tuple("pcl_repair_holes", "--no-join", "--falloff-exponent"),
-        std::tuple("pcl_repair_holes", "--view", "--darning"),
+        std::tuple("pcl_repair_holes", "--view", "--filling"),
         std::tuple("pcl_ccaa_reconstruct", "--format", "--min-angle")}) {
     const std::string help = runApp(program, {"--help"}).output;
     const std::size_t heading = help.find("\nOptions of the method");

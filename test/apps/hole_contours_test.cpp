@@ -33,7 +33,7 @@ TEST(HoleContours, HaveTheEdgesOfAClosedHole)
 TEST(HoleContours, FollowTheBoundaryOfAnOpenHole)
 {
   pcl::repair::RepairParameters method;
-  method.darning.greatest_hole = 3;
+  method.filling.greatest_hole = 3;
   const app::ViewerRun run = runForViewer(holedSphere(), method);
   ASSERT_EQ(1U, run.repair.holes.size());
   ASSERT_EQ(pcl::OpenReason::TOO_LARGE, run.repair.holes[0].open);

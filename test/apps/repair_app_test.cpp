@@ -211,7 +211,7 @@ TEST_F(RepairApp, RefusesBadUsageWithOneLineAndNoFile)
                                                          {"--near", "nan"},
                                                          {"--line-spacing", "0"},
                                                          {"--hole-threshold", "0"},
-                                                         {"--darning", "glue"},
+                                                         {"--filling", "glue"},
                                                          {"--edge-length", "0"},
                                                          {"--bridge-spacing", "0"},
                                                          {"--greatest-hole", "-1"},

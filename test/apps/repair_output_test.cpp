@@ -77,12 +77,12 @@ TEST_F(RepairOutput, ReportsEverythingThatWasDone)
   EXPECT_GT(json.at("bridges")[0].at("quality"), 0.0);
   ASSERT_GT(json.at("holes").size(), 1U);
   EXPECT_EQ(true, json.at("holes")[0].at("closed"));
-  EXPECT_NE("", json.at("holes")[0].at("darning"));
+  EXPECT_NE("", json.at("holes")[0].at("filling"));
   const auto& triangles = json.at("triangles");
   EXPECT_EQ(triangles.at("new"),
             triangles.at("fan").get<int>() + triangles.at("minimum_weight").get<int>() +
                 triangles.at("completion").get<int>());
-  EXPECT_EQ("automatic", json.at("parameters").at("darning"));
+  EXPECT_EQ("automatic", json.at("parameters").at("filling"));
   EXPECT_EQ(false, json.at("before").at("watertight"));
   EXPECT_EQ(json.at("before").at("islands"), json.at("before").at("pieces"));
   EXPECT_EQ(json.at("after").at("islands"), json.at("after").at("pieces"));
@@ -165,7 +165,7 @@ TEST_F(RepairOutput, ParametersReachTheRepair)
 {
   save(folder_.path("caps.ply"), twoCaps());
   const std::vector<std::pair<std::string, nlohmann::json>> parameters{
-      {"refine", false}, {"fair", false}, {"darning", "fan"}};
+      {"refine", false}, {"fair", false}, {"filling", "fan"}};
   std::vector<std::string> options = withReport();
   options.emplace_back("--pure");
   repair("caps.ply", "out.ply", options);

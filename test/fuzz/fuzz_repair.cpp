@@ -23,10 +23,10 @@ constexpr std::size_t LIMITS[] = {0, 0, 3, 20};
 void
 chooseParameters(fuzz::Bytes& bytes, pcl::ForceLineHoleRepair& repair)
 {
-  using pcl::repair::DarningChoice;
+  using pcl::repair::FillingChoice;
   repair.setMode(bytes.flag() ? pcl::repair::FieldMode::FULL
                               : pcl::repair::FieldMode::LIGHT);
-  repair.setDarningMethod(static_cast<DarningChoice>(bytes.below(4)));
+  repair.setFillingMethod(static_cast<FillingChoice>(bytes.below(4)));
   repair.setJoinIslands(bytes.below(4) != 3);
   repair.setRefinement(bytes.below(4) != 3);
   repair.setFairing(bytes.below(4) != 3);

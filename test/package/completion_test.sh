@@ -42,7 +42,7 @@ offers '' pcl_mesh_quality scan.ply ''
 # Options, the values of choices, files and folders as values.
 offers '--labels' pcl_repair_holes scan.ply --la
 offers 'full,light' pcl_repair_holes --mode ''
-offers 'minimum-weight' pcl_repair_holes a.ply b.ply --darning m
+offers 'minimum-weight' pcl_repair_holes a.ply b.ply --filling m
 offers 'report.json,results' pcl_repair_holes --report ''
 offers 'results' pcl_repair_holes --inspect ''
 offers 'lines.vtk' pcl_repair_holes --bridges l

@@ -70,8 +70,8 @@ Chain::construct(std::size_t number, std::vector<Vertices>& made)
     return false;
   const StageClock clock;
   const ChainPart& part = *input_.starts[number];
-  const LentSettings lent(part.runSettings(), input_.threads, progress);
-  const LentSides sides(part.sideSettings(), run_.sides);
+  const ScopedSettings scoped(part.runSettings(), input_.threads, progress);
+  const ScopedSides sides(part.sideSettings(), run_.sides);
   if (!constructFrom(number, made))
     return false;
   report_.invalid_polygons += makeTriangles(made, run_.point_count, run_.loop());
@@ -118,9 +118,9 @@ Chain::filterTriangles(ChainMesh& given, ChainMesh& left)
     return false;
   const std::size_t given_count = given.labels.size();
   const StageClock clock;
-  const LentSettings lent(
+  const ScopedSettings scoped(
       dynamic_cast<RunSettings*>(input_.filter), input_.threads, progress);
-  const LentSides sides(dynamic_cast<SideSettings*>(input_.filter), run_.sides);
+  const ScopedSides sides(dynamic_cast<SideSettings*>(input_.filter), run_.sides);
   const bool is_sound = applyFilter(given, input_.filter, run_, left);
   if (!is_sound)
     PCL_ERROR("[pcl::ConsecutiveReconstruction::performReconstruction] the filter "
@@ -176,8 +176,8 @@ Chain::runBase(const PolygonMeshConstPtr& partial_mesh,
     return false;
   const StageClock clock;
   ChainPart& base = *input_.base;
-  const LentSettings lent(base.runSettings(), input_.threads, progress);
-  const LentSides sides(base.sideSettings(), run_.sides);
+  const ScopedSettings scoped(base.runSettings(), input_.threads, progress);
+  const ScopedSides sides(base.sideSettings(), run_.sides);
   if (!complete(partial_mesh, base, polygons))
     return false;
   result_.sides = *sides.tally();

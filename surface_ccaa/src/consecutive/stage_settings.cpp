@@ -35,9 +35,9 @@ StageProgress::reportWithin(const std::string& stage, double fraction)
   return control_.report((name_ + ": " + stage).c_str(), reached_);
 }
 
-LentSettings::LentSettings(RunSettings* settings,
-                           unsigned int threads,
-                           StageProgress& progress)
+ScopedSettings::ScopedSettings(RunSettings* settings,
+                               unsigned int threads,
+                               StageProgress& progress)
 : settings_(settings)
 {
   if (settings_ == nullptr)
@@ -48,7 +48,7 @@ LentSettings::LentSettings(RunSettings* settings,
   settings_->setProgressCallback(progress.callback());
 }
 
-LentSettings::~LentSettings()
+ScopedSettings::~ScopedSettings()
 {
   if (settings_ == nullptr)
     return;
@@ -56,7 +56,7 @@ LentSettings::~LentSettings()
   settings_->setProgressCallback(std::move(own_progress_));
 }
 
-LentSides::LentSides(SideSettings* settings, const SideHints& hints)
+ScopedSides::ScopedSides(SideSettings* settings, const SideHints& hints)
 : settings_(settings)
 {
   if (settings_ == nullptr)
@@ -65,7 +65,7 @@ LentSides::LentSides(SideSettings* settings, const SideHints& hints)
   settings_->setSideHints(hints);
 }
 
-LentSides::~LentSides()
+ScopedSides::~ScopedSides()
 {
   if (settings_ != nullptr)
     settings_->setSideHints(own_hints_);

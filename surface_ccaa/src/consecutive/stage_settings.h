@@ -49,14 +49,14 @@ private:
 
 /** \brief Gives a part the threads and the progress of the chain, and its own ones back
  * at the end. */
-class LentSettings {
+class ScopedSettings {
 public:
   /** \param[in] settings of the part, or null */
-  LentSettings(RunSettings* settings, unsigned int threads, StageProgress& progress);
-  ~LentSettings();
-  LentSettings(const LentSettings&) = delete;
-  LentSettings&
-  operator=(const LentSettings&) = delete;
+  ScopedSettings(RunSettings* settings, unsigned int threads, StageProgress& progress);
+  ~ScopedSettings();
+  ScopedSettings(const ScopedSettings&) = delete;
+  ScopedSettings&
+  operator=(const ScopedSettings&) = delete;
 
 private:
   RunSettings* settings_;
@@ -66,14 +66,14 @@ private:
 
 /** \brief Gives a part what the chain knows about the outer side, and its own hints
  * back at the end. */
-class LentSides {
+class ScopedSides {
 public:
   /** \param[in] settings of the part, or null */
-  LentSides(SideSettings* settings, const SideHints& hints);
-  ~LentSides();
-  LentSides(const LentSides&) = delete;
-  LentSides&
-  operator=(const LentSides&) = delete;
+  ScopedSides(SideSettings* settings, const SideHints& hints);
+  ~ScopedSides();
+  ScopedSides(const ScopedSides&) = delete;
+  ScopedSides&
+  operator=(const ScopedSides&) = delete;
 
   /** \brief What told the outer side in the part's run; null where it does not say. */
   const SideTally*

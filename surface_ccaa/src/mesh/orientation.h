@@ -27,7 +27,7 @@ struct OrientationHints : SideHints {
   PointView viewpoints; /**< sensor position for each vertex; where one is not finite
                              its triangles do not vote */
   /** \brief Turn nothing and report no sides where a component is one-sided: for who
-   * means to mend it first. */
+   * means to repair it first. */
   bool stop_if_one_sided = false;
   int threads = 1; /**< at least 1; the result is the same for any */
 };

@@ -33,7 +33,7 @@ struct Chain {
 /** \brief Finds the chains of triangles around a point, whatever their winding.
  *
  * One object serves many points, one after the other, without allocating anew. Edges
- * with three triangles or more end a chain: the umbrella filter mends them first
+ * with three triangles or more end a chain: the umbrella filter repairs them first
  * (C3.4-1). Cost: d log d for d triangles at the point.
  */
 class PointChains {

@@ -4,7 +4,7 @@
 
 #include "mesh/polygon_access.h"
 #include "umbrella/chain_elimination.h"
-#include "umbrella/edge_mending.h"
+#include "umbrella/edge_repair.h"
 #include "umbrella/region_growth.h"
 #include "umbrella/twist_cut.h"
 
@@ -41,7 +41,7 @@ FilterRun::filter()
   if (triangles_.size() > MAXIMUM_TRIANGLES)
     return FilterOutcome::TOO_MANY_TRIANGLES;
   const auto steps = {&FilterRun::buildAdjacency,
-                      &FilterRun::mend,
+                      &FilterRun::repairEdges,
                       &FilterRun::eliminate,
                       &FilterRun::dropDeleted,
                       &FilterRun::orient};
@@ -74,17 +74,17 @@ FilterRun::buildAdjacency()
 
 /** Brings the mesh to C3.4-1. */
 void
-FilterRun::mend()
+FilterRun::repairEdges()
 {
-  const auto mended =
-      mendEdges(triangles_, adjacency_, positions_, stage("mending edges"), alive_);
-  report_.duplicate_triangles = mended.duplicate_triangles;
-  report_.overfull_edges = mended.overfull_edges;
-  report_.overfull_triangles = mended.overfull_triangles;
+  const auto repaired = repairNonManifoldEdges(
+      triangles_, adjacency_, positions_, stage("edge repair"), alive_);
+  report_.duplicate_triangles = repaired.duplicate_triangles;
+  report_.overfull_edges = repaired.overfull_edges;
+  report_.overfull_triangles = repaired.overfull_triangles;
   if (control_.cancelled() ||
-      mended.duplicate_triangles + mended.overfull_triangles == 0)
+      repaired.duplicate_triangles + repaired.overfull_triangles == 0)
     return;
-  triangles_ = liveTriangles(triangles_, alive_, stage("mending edges"));
+  triangles_ = liveTriangles(triangles_, alive_, stage("edge repair"));
   buildAdjacency();
 }
 

@@ -79,7 +79,7 @@ private:
   void
   buildAdjacency();
   void
-  mend();
+  repairEdges();
   void
   eliminate();
   void

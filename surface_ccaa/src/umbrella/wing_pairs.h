@@ -33,7 +33,7 @@ describeWing(const TriangleAdjacency::Edge& edge,
              const Positions& positions);
 
 /** \brief The most plausible pair (lower place first); nothing when it is not unique.
- * For the order of pairs see mendEdges(). */
+ * For the order of pairs see repairNonManifoldEdges(). */
 std::optional<std::pair<std::size_t, std::size_t>>
 bestWingPair(const std::vector<Wing>& wings);
 

@@ -14,7 +14,7 @@ namespace repair {
 
 /** \brief A curve that connects two boundary points of A, with the external normal
  * along it (D4.32-1). An overlay: it is no part of the mesh until a hole beside it is
- * darned. */
+ * filled. */
 struct Bridge {
   BoundaryPoint begin;  /**< supporting point at points.front() */
   BoundaryPoint end;    /**< supporting point at points.back() */

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "boundary/boundary_loop.h"
-#include "darning/patch.h"
+#include "filling/patch.h"
 
 namespace pcl {
 namespace repair {

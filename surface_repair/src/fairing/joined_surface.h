@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "darning/patch.h"
+#include "filling/patch.h"
 
 #include <cstddef>
 #include <vector>

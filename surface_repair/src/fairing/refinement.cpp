@@ -5,8 +5,8 @@
 
 #include "fairing/edge_flips.h"
 #include "fairing/patch_edges.h"
+#include "fairing/sizing_field.h"
 #include "fairing/vertex_spacing.h"
-#include "fairing/wanted_length.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace repair {
 
 namespace {
 
-/** Halves nearer to the wanted length than the whole was: sqrt(2). */
+/** Halves nearer to the sizing field than the whole was: sqrt(2). */
 constexpr double LONGEST = 1.4142135623730951;
 constexpr std::size_t MOST_PASSES = 64;
 constexpr std::size_t FIRST_SWEEPS = 200;
@@ -32,7 +32,7 @@ public:
   : parameters_(parameters)
   , patch_(patch)
   , edges_(model, patch)
-  , lengths_(wantedLengths(model, patch, FIRST_SWEEPS))
+  , lengths_(sizingField(model, patch, FIRST_SWEEPS))
   , given_(patch.positions.size())
   {}
 
@@ -77,7 +77,7 @@ private:
         split(side);
   }
 
-  /** The length of an edge in wanted ones. */
+  /** The length of an edge over the sizing field. */
   double
   relativeLength(std::size_t side) const
   {

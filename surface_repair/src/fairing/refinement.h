@@ -5,13 +5,13 @@
 
 #include <pcl/surface_repair/repair_parameters.h>
 
-#include "darning/patch.h"
+#include "filling/patch.h"
 
 namespace pcl {
 namespace repair {
 
 /** \brief Split and flip edges until their lengths follow those of the model around
- * (Liepa 2003): the wanted length at a vertex of the rim is the mean length of the
+ * (Liepa 2003): the sizing field at a vertex of the rim is the mean length of the
  * model's edges there, within the patch it is interpolated.
  *
  * Edges on the border of the patch stay. No edge between two vertices of the rim is

@@ -5,7 +5,7 @@
 
 #include <pcl/surface_repair/repair_parameters.h>
 
-#include "darning/patch.h"
+#include "filling/patch.h"
 
 #include <cstddef>
 

@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /** Centroids in this density are spaced like the wanted lengths. */
+  /** Centroids in this density are spaced like the sizing field. */
   double
   density(std::size_t triangle) const
   {

@@ -313,7 +313,7 @@ Trace::run()
   line_.end = begin();
   if (line_.end == LineEnd::BRIDGE)
     line_.end = follow();
-  mendNormals(line_, undetermined_);
+  completeNormals(line_, undetermined_);
   line_.quality = meanTension(line_);
   return std::move(line_);
 }

@@ -13,7 +13,7 @@ namespace pcl {
 namespace repair {
 
 void
-mendNormals(ForceLine& line, const std::vector<bool>& undetermined)
+completeNormals(ForceLine& line, const std::vector<bool>& undetermined)
 {
   const std::size_t count = line.points.size();
   for (std::size_t k = 0; k < count; ++k) {

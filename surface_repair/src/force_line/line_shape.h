@@ -13,7 +13,7 @@ namespace repair {
 /** \brief Interpolate the normals over the points where the field left them open, by
  * arc length between the normals before and after (4.44). */
 void
-mendNormals(ForceLine& line, const std::vector<bool>& undetermined);
+completeNormals(ForceLine& line, const std::vector<bool>& undetermined);
 
 /** \brief Mean |f| along the line, by trapezoids (4.41). */
 double

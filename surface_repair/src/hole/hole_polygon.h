@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: a hole as a closed polygon of vertices, ready to be darned.
+// Part of PclSurfaceRepair: a hole as a closed polygon of vertices, ready to be filled.
 
 #pragma once
 

@@ -41,7 +41,7 @@ lengthOf(const Bridge& bridge)
 }
 
 std::vector<LoopDecision>
-proposeLoops(const ModelSurvey& survey, const DarningParameters& parameters)
+proposeLoops(const ModelSurvey& survey, const FillingParameters& parameters)
 {
   std::vector<LoopDecision> loops;
   for (std::size_t k = 0; k < survey.loops.size(); ++k) {
@@ -118,7 +118,7 @@ proposeDecisions(const ModelSurvey& survey, const RepairParameters& parameters)
 {
   Decisions decisions;
   decisions.mesh = survey.mesh;
-  decisions.loops = proposeLoops(survey, parameters.darning);
+  decisions.loops = proposeLoops(survey, parameters.filling);
   if (parameters.join_islands)
     decisions.junctions = proposeJunctions(survey);
   // Whoever wants a junction joined need not say so of its loops as well.

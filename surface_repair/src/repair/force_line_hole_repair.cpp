@@ -71,7 +71,7 @@ ForceLineHoleRepair::propose() const
   parameters.survey.trace_in_holes = false;
   parameters.survey.trace_between_islands = parameters.join_islands;
   if (parameters.watertight)
-    parameters.darning.close = repair::CloseChoice::ALL;
+    parameters.filling.close = repair::CloseChoice::ALL;
   const repair::ModelSurvey survey =
       surveyModel(input_mesh_, free_points_.get(), parameters.survey, context);
   if (survey.cancelled || context.cancelled())
@@ -185,7 +185,7 @@ ForceLineHoleRepair::checkParameters() const
       {"least area of islands",
        parameters_.survey.dropped.area >= 0.0 &&
            parameters_.survey.dropped.share_of_all_area >= 0.0},
-      {"greatest hole length", parameters_.darning.greatest_length.value >= 0.0},
+      {"greatest hole length", parameters_.filling.greatest_length.value >= 0.0},
       {"room", field.room > 1.0},
       {"free point near radius (R_1)", field.free_point_near >= 0.0},
       {"free point far radius (R_2)", field.free_point_far >= 0.0},

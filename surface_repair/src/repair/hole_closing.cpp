@@ -147,7 +147,7 @@ closeHoles(const RepairParameters& parameters,
   Triangles given = list.replaced.empty() ? Triangles() : survey.model.triangles;
   if (!list.replaced.empty())
     weldPinches(list.replaced, context, survey.model);
-  const std::vector<Region> regions = regionsOf(list, parameters.darning.cap);
+  const std::vector<Region> regions = regionsOf(list, parameters.filling.cap);
   std::vector<ccaa::Box> places;
   for (const Region& region : regions)
     places.push_back(placeOf(region.holes));

@@ -113,7 +113,7 @@ reasonForContour(const HolePolygon& polygon, double area)
 
 class Listing {
 public:
-  Listing(const ModelSurvey& survey, const DarningParameters& parameters)
+  Listing(const ModelSurvey& survey, const FillingParameters& parameters)
   : survey_(survey)
   , parameters_(parameters)
   , longest_(parameters.greatest_length.limits()
@@ -149,7 +149,7 @@ private:
   joinRegions();
 
   const ModelSurvey& survey_;
-  const DarningParameters& parameters_;
+  const FillingParameters& parameters_;
   double longest_;              /**< that is to be closed */
   std::vector<bool> is_listed_; /**< of a loop: it is part of a contour */
   HoleList list_;
@@ -258,7 +258,7 @@ Listing::weld()
     }
 }
 
-/** Two darns could have the edge between two points that both holes have. */
+/** Two fillings could have the edge between two points that both holes have. */
 void
 joinHolesThatMeetTwice(const std::map<pcl::index_t, std::vector<std::size_t>>& holes_at,
                        Groups& groups)
@@ -302,7 +302,7 @@ Listing::joinRegions()
 } // namespace
 
 HoleList
-listHoles(const ModelSurvey& survey, const DarningParameters& parameters)
+listHoles(const ModelSurvey& survey, const FillingParameters& parameters)
 {
   return Listing(survey, parameters).run();
 }

@@ -43,7 +43,7 @@ struct HoleList {
  * islands that it joins tell (4.1); a loop by its class. What the user wants comes
  * first. */
 HoleList
-listHoles(const ModelSurvey& survey, const DarningParameters& parameters);
+listHoles(const ModelSurvey& survey, const FillingParameters& parameters);
 
 } // namespace repair
 } // namespace pcl

@@ -103,7 +103,7 @@ takeBack(const std::set<std::size_t>& holes,
   for (const std::size_t hole : holes) {
     RepairedHole& entry = report.holes[hole];
     entry.open = OpenReason::NOT_MANIFOLD;
-    entry.darning.clear();
+    entry.filling.clear();
     entry.triangles = 0;
     entry.shortfall = true;
     ++report.shortfalls;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: darns of neighbouring holes as one patch.
+// Part of PclSurfaceRepair: fillings of neighbouring holes as one patch.
 
 #include "repair/patch_assembly.h"
 
@@ -18,9 +18,9 @@ namespace {
 /** Numbers the vertices of a patch: those of the model first. */
 class PatchNumbering {
 public:
-  PatchNumbering(const std::vector<DarnedPart>& parts, std::size_t model_vertices)
+  PatchNumbering(const std::vector<FilledPart>& parts, std::size_t model_vertices)
   {
-    for (const DarnedPart& part : parts)
+    for (const FilledPart& part : parts)
       for (std::size_t k = 0; k < part.polygon.size(); ++k)
         position_of_.emplace(part.polygon.vertices[k], part.polygon.curve.points[k]);
     for (const auto& [vertex, position] : position_of_) {
@@ -33,11 +33,11 @@ public:
   }
 
   void
-  add(const DarnedPart& part)
+  add(const FilledPart& part)
   {
     const std::size_t edges = part.polygon.size();
     const std::size_t first_inner = patch_.positions.size();
-    for (const Triangle& triangle : part.darn.triangles) {
+    for (const Triangle& triangle : part.filling.triangles) {
       Triangle numbered{};
       for (std::size_t c = 0; c < 3; ++c) {
         const auto corner = static_cast<std::size_t>(triangle[c]);
@@ -48,11 +48,11 @@ public:
       patch_.triangles.push_back(numbered);
       patch_.hole.push_back(part.hole);
     }
-    const Darn& darn = part.darn;
+    const Filling& filling = part.filling;
     patch_.positions.insert(
-        patch_.positions.end(), darn.inner.begin(), darn.inner.end());
+        patch_.positions.end(), filling.inner.begin(), filling.inner.end());
     patch_.free_point.insert(
-        patch_.free_point.end(), darn.free_point.begin(), darn.free_point.end());
+        patch_.free_point.end(), filling.free_point.begin(), filling.free_point.end());
   }
 
   Patch
@@ -113,10 +113,10 @@ nearestFloats(Position place, const Position& origin)
 } // namespace
 
 Patch
-assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices)
+assemblePatch(const std::vector<FilledPart>& parts, std::size_t model_vertices)
 {
   PatchNumbering numbering(parts, model_vertices);
-  for (const DarnedPart& part : parts)
+  for (const FilledPart& part : parts)
     numbering.add(part);
   return numbering.finish();
 }
@@ -180,14 +180,14 @@ roundToFloats(const Position& origin, Patch& patch)
 }
 
 void
-addFill(const DarnedPart& part, FillArea& fill)
+addFill(const FilledPart& part, FillArea& fill)
 {
   const auto place = [&](pcl::index_t corner) {
     const auto c = static_cast<std::size_t>(corner);
     return c < part.polygon.size() ? part.polygon.curve.points[c]
-                                   : part.darn.inner[c - part.polygon.size()];
+                                   : part.filling.inner[c - part.polygon.size()];
   };
-  for (const Triangle& t : part.darn.triangles) {
+  for (const Triangle& t : part.filling.triangles) {
     const Eigen::Vector3d normal =
         ccaa::areaNormal({place(t[0]), place(t[1]), place(t[2])});
     fill.vector += normal;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: darns of neighbouring holes as one patch.
+// Part of PclSurfaceRepair: fillings of neighbouring holes as one patch.
 
 #pragma once
 
-#include "darning/darning_method.h"
-#include "darning/patch.h"
+#include "filling/filling_method.h"
+#include "filling/patch.h"
 #include "hole/hole_polygon.h"
 #include "junction/depth_jump.h"
 
@@ -15,21 +15,21 @@
 namespace pcl {
 namespace repair {
 
-/** \brief A hole, or a part of one that was divided, with its darn. */
-struct DarnedPart {
+/** \brief A hole, or a part of one that was divided, with its filling. */
+struct FilledPart {
   HolePolygon polygon;
-  Darn darn;            /**< its free points as in the model */
+  Filling filling;      /**< its free points as in the model */
   std::size_t hole = 0; /**< which one it is of */
 };
 
 /** \brief Add what fills a part. */
 void
-addFill(const DarnedPart& part, FillArea& fill);
+addFill(const FilledPart& part, FillArea& fill);
 
-/** \brief Put darns together; parts meet at the vertices that they share.
+/** \brief Put fillings together; parts meet at the vertices that they share.
  * \param[in] model_vertices number of vertices of the model */
 Patch
-assemblePatch(const std::vector<DarnedPart>& parts, std::size_t model_vertices);
+assemblePatch(const std::vector<FilledPart>& parts, std::size_t model_vertices);
 
 /** \brief The patch without the triangles of some holes, and without the vertices that
  * only these have. */

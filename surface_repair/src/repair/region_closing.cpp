@@ -3,15 +3,15 @@
 
 #include "repair/region_closing.h"
 
-#include "darning/completion_darning.h"
 #include "fairing/flat_cap.h"
 #include "fairing/refinement.h"
 #include "fairing/relaxation.h"
+#include "filling/completion_filling.h"
 #include "junction/depth_jump.h"
-#include "repair/darning_choice.h"
 #include "repair/fill_strategy.h"
+#include "repair/filling_choice.h"
 #include "repair/patch_assembly.h"
-#include "repair/patch_calming.h"
+#include "repair/relaxation_rollback.h"
 #include "repair/taken_edges.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ private:
   hasSamples(const HolePolygon& hole) const;
   void
   subdivide();
-  const std::vector<ChosenDarn>&
+  const std::vector<ChosenFilling>&
   fillsOf(const FillStrategy& strategy);
   void
   fill();
@@ -78,11 +78,11 @@ private:
   const SurfaceObstacle& obstacle_;
   const ccaa::LoopContext& context_;
   std::vector<std::size_t> strategy_; /**< of each hole: place in FILL_STRATEGIES */
-  std::vector<DarnedPart> parts_; /**< of all holes, whether they are darned or not */
+  std::vector<FilledPart> parts_; /**< of all holes, whether they are filled or not */
   std::vector<bool> completed_;   /**< of each hole: free points are vertices */
   bool flat_;                     /**< all lies in the plane of its rim */
-  std::array<std::vector<ChosenDarn>, 3>
-      darns_; /**< of the parts: plain, avoiding, and basic ones avoiding */
+  std::array<std::vector<ChosenFilling>, 3>
+      fillings_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
   std::vector<std::size_t> obstructed_; /**< triangles of the patch as it is */
 };
@@ -119,10 +119,10 @@ RegionClosing::hasSamples(const HolePolygon& hole) const
   if (has_given || near.empty())
     return has_given;
   const TakenEdges taken(place_.model);
-  return darn(darningTask(hole, taken, nullptr),
-              place_.parameters.darning.choice,
-              free_points)
-             .method == CompletionDarning().name();
+  return fillHole(fillingTask(hole, taken, nullptr),
+                  place_.parameters.filling.choice,
+                  free_points)
+             .method == CompletionFilling().name();
 }
 
 /** ICM2 -> ICM1 (4.5). */
@@ -151,49 +151,49 @@ RegionClosing::subdivide()
 
 /** The fills of all parts in one way or the other: made once, they serve every
  * strategy (4.7). */
-const std::vector<ChosenDarn>&
+const std::vector<ChosenFilling>&
 RegionClosing::fillsOf(const FillStrategy& strategy)
 {
-  std::vector<ChosenDarn>& darns = darns_[strategy.without_free ? 2
-                                          : strategy.avoids     ? 1
-                                                                : 0];
-  if (!darns.empty())
-    return darns;
+  std::vector<ChosenFilling>& fillings = fillings_[strategy.without_free ? 2
+                                                   : strategy.avoids     ? 1
+                                                                         : 0];
+  if (!fillings.empty())
+    return fillings;
   TakenEdges taken(place_.model);
-  for (const DarnedPart& part : parts_)
+  for (const FilledPart& part : parts_)
     taken.addPolygon(part.polygon);
-  for (const DarnedPart& part : parts_) {
-    darns.push_back(
-        darn(darningTask(part.polygon, taken, strategy.avoids ? &obstacle_ : nullptr),
-             strategy.without_free || flat_ ? DarningChoice::MINIMUM_WEIGHT
-                                            : place_.parameters.darning.choice,
-             place_.guides.free_points.get()));
-    if (darns.back().darn.closed())
-      taken.addDarn(part.polygon, darns.back().darn);
+  for (const FilledPart& part : parts_) {
+    fillings.push_back(fillHole(
+        fillingTask(part.polygon, taken, strategy.avoids ? &obstacle_ : nullptr),
+        strategy.without_free || flat_ ? FillingChoice::MINIMUM_WEIGHT
+                                       : place_.parameters.filling.choice,
+        place_.guides.free_points.get()));
+    if (fillings.back().filling.closed())
+      taken.addFilling(part.polygon, fillings.back().filling);
   }
-  return darns;
+  return fillings;
 }
 
 void
 RegionClosing::fill()
 {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    DarnedPart& part = parts_[p];
+    FilledPart& part = parts_[p];
     std::size_t& strategy = strategy_[part.hole];
     if (strategy == GIVEN_UP)
       continue;
     HoleOutcome& outcome = result_.holes[part.hole];
     const bool avoiding = FILL_STRATEGIES[strategy].avoids;
-    const ChosenDarn& chosen = fillsOf(FILL_STRATEGIES[strategy])[p];
-    part.darn = chosen.darn;
-    outcome.darning = chosen.method;
-    if (chosen.method == CompletionDarning().name())
+    const ChosenFilling& chosen = fillsOf(FILL_STRATEGIES[strategy])[p];
+    part.filling = chosen.filling;
+    outcome.filling = chosen.method;
+    if (chosen.method == CompletionFilling().name())
       completed_[part.hole] = true;
-    if (chosen.darn.closed())
+    if (chosen.filling.closed())
       continue;
     ++outcome.tries;
     strategy = GIVEN_UP;
-    outcome.open = avoiding ? OpenReason::INTERSECTION : OpenReason::NO_DARN;
+    outcome.open = avoiding ? OpenReason::INTERSECTION : OpenReason::NO_FILLING;
   }
 }
 
@@ -206,7 +206,7 @@ RegionClosing::leaveDepthJumps()
     if (strategy_[hole] == GIVEN_UP || is_certain || completed_[hole])
       continue;
     FillArea fill;
-    for (const DarnedPart& part : parts_)
+    for (const FilledPart& part : parts_)
       if (part.hole == hole)
         addFill(part, fill);
     const HolePolygon& polygon = region_.holes[hole];
@@ -229,8 +229,8 @@ RegionClosing::all(bool FillStrategy::*wanted) const
 void
 RegionClosing::fair()
 {
-  std::vector<DarnedPart> closed;
-  for (const DarnedPart& part : parts_)
+  std::vector<FilledPart> closed;
+  for (const FilledPart& part : parts_)
     if (strategy_[part.hole] != GIVEN_UP)
       closed.push_back(part);
   result_.patch = assemblePatch(closed, place_.model.positions.size());
@@ -261,7 +261,7 @@ RegionClosing::relax()
   for (const std::size_t rings : CALMED_RINGS) {
     if (obstructed_.empty())
       return;
-    calmPatch(before, obstructed_, rings, patch);
+    rollBackRelaxation(before, obstructed_, rings, patch);
     findCollisions();
   }
 }
@@ -327,7 +327,7 @@ RegionClosing::run()
   while (!context_.cancelled() && !verify());
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)
-      hole.darning.clear();
+      hole.filling.clear();
   return std::move(result_);
 }
 

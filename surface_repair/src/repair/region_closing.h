@@ -38,7 +38,7 @@ struct Region {
 /** \brief What became of one hole of a region. */
 struct HoleOutcome {
   OpenReason open = OpenReason::NONE;
-  std::string darning;                 /**< name of the method that closed it */
+  std::string filling;                 /**< name of the method that closed it */
   std::size_t tries = 0;               /**< that failed before */
   std::vector<DividingBridge> bridges; /**< that divided it */
 };
@@ -48,7 +48,7 @@ struct ClosedRegion {
   std::vector<HoleOutcome> holes;
 };
 
-/** \brief Divide, darn, refine and relax, and try again in other ways where the result
+/** \brief Divide, fill, refine and relax, and try again in other ways where the result
  * would run through something; what cannot be closed is left out. Nothing is kept that
  * does not fit the model or that meets the obstacle. */
 ClosedRegion

@@ -14,10 +14,10 @@ namespace repair {
 namespace {
 
 TriangleOrigin
-originOf(const std::string& darning)
+originOf(const std::string& filling)
 {
   for (const TriangleOrigin origin : {TriangleOrigin::FAN, TriangleOrigin::COMPLETION})
-    if (darning == describe(origin))
+    if (filling == describe(origin))
       return origin;
   return TriangleOrigin::MINIMUM_WEIGHT;
 }
@@ -126,7 +126,7 @@ RepairLog::add(const OpenHole& hole, const HoleOutcome& outcome)
   entry.edges = hole.polygon.size();
   entry.length = lengthOf(hole.polygon.curve);
   entry.open = outcome.open;
-  entry.darning = outcome.darning;
+  entry.filling = outcome.filling;
   entry.tries = outcome.tries;
   for (const pcl::index_t vertex : hole.polygon.vertices) {
     if (static_cast<std::size_t>(vertex) >= survey_.model.positions.size())
@@ -196,7 +196,7 @@ RepairLog::addTriangle(std::size_t hole)
   RepairedHole& entry = report_.holes[hole];
   ++entry.triangles;
   report_.hole_of.push_back(hole);
-  report_.origins.push_back(originOf(entry.darning));
+  report_.origins.push_back(originOf(entry.filling));
 }
 
 } // namespace repair

@@ -3,7 +3,7 @@
 
 #include "repair/repair_method.h"
 
-#include "repair/darning_choice.h"
+#include "repair/filling_choice.h"
 #include "repair/hole_closing.h"
 #include "repair/last_check.h"
 #include "repair/loop_reasons.h"
@@ -34,7 +34,7 @@ closingStage(int pass)
 bool
 closesAll(const RepairParameters& parameters)
 {
-  return parameters.watertight || parameters.darning.close == CloseChoice::ALL;
+  return parameters.watertight || parameters.filling.close == CloseChoice::ALL;
 }
 
 /** What is done first, and, where all is to be closed, what once nothing more can be
@@ -44,16 +44,16 @@ std::vector<RepairParameters>
 roundsFor(const RepairParameters& wanted, double diagonal)
 {
   RepairParameters first = wanted;
-  first.survey.simple_edges = simpleEdges(wanted.darning);
+  first.survey.simple_edges = simpleEdges(wanted.filling);
   first.survey.trace_in_holes = false;
   first.survey.trace_between_islands = wanted.join_islands;
-  for (Extent* limit : {&first.darning.greatest_length, &first.survey.greatest_bridge})
+  for (Extent* limit : {&first.filling.greatest_length, &first.survey.greatest_bridge})
     *limit = Extent(limit->length(diagonal));
   if (!closesAll(wanted))
     return {first};
-  first.darning.close = CloseChoice::HOLES;
+  first.filling.close = CloseChoice::HOLES;
   RepairParameters second = first;
-  second.darning.close = CloseChoice::ALL;
+  second.filling.close = CloseChoice::ALL;
   second.survey.trace_between_islands = false;
   return {first, second};
 }
@@ -72,7 +72,7 @@ frameOf(const pcl::PCLPointCloud2& cloud, const ReadingReport& reading)
 HoleList
 holesOf(const ModelSurvey& survey, const RepairParameters& parameters)
 {
-  HoleList list = listHoles(survey, parameters.darning);
+  HoleList list = listHoles(survey, parameters.filling);
   if (!parameters.join_islands && survey.model.islands.size() > 1)
     for (OpenHole& hole : list.holes)
       if (couldBeJoined(hole.open))
@@ -108,7 +108,7 @@ lastOutcome(const OpenHole& hole, const ClosedHoles& closed)
   outcome.open = hole.open;
   if (hole.open != OpenReason::NONE)
     return outcome;
-  outcome.open = OpenReason::NO_DARN;
+  outcome.open = OpenReason::NO_FILLING;
   for (const pcl::index_t vertex : hole.polygon.vertices) {
     const auto failure = closed.failed.find(vertex);
     if (failure == closed.failed.end())

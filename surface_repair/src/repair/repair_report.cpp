@@ -29,8 +29,8 @@ describe(OpenReason reason)
     return "its island has no two sides";
   case OpenReason::TOO_LARGE:
     return "it is larger than what is to be closed";
-  case OpenReason::NO_DARN:
-    return "no darning method closes it";
+  case OpenReason::NO_FILLING:
+    return "no filling method closes it";
   case OpenReason::NOT_MANIFOLD:
     return "closing it would give an edge three triangles";
   case OpenReason::INTERSECTION:
@@ -65,8 +65,8 @@ nameOf(OpenReason reason)
     return "ONE_SIDED";
   case OpenReason::TOO_LARGE:
     return "TOO_LARGE";
-  case OpenReason::NO_DARN:
-    return "NO_DARN";
+  case OpenReason::NO_FILLING:
+    return "NO_FILLING";
   case OpenReason::NOT_MANIFOLD:
     return "NOT_MANIFOLD";
   case OpenReason::INTERSECTION:

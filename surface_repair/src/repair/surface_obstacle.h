@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "darning/patch.h"
+#include "filling/patch.h"
 #include "mesh/box_tree.h"
 
 #include <cstddef>

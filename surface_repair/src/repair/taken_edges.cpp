@@ -19,7 +19,7 @@ TakenEdges::addPolygon(const HolePolygon& polygon)
 }
 
 void
-TakenEdges::addDarn(const HolePolygon& polygon, const Darn& darn)
+TakenEdges::addFilling(const HolePolygon& polygon, const Filling& filling)
 {
   const auto vertex = [&](pcl::index_t corner) {
     return polygon.vertices[static_cast<std::size_t>(corner)];
@@ -27,7 +27,7 @@ TakenEdges::addDarn(const HolePolygon& polygon, const Darn& darn)
   const auto on_polygon = [&](pcl::index_t corner) {
     return static_cast<std::size_t>(corner) < polygon.size();
   };
-  for (const Triangle& t : darn.triangles)
+  for (const Triangle& t : filling.triangles)
     for (std::size_t c = 0; c < 3; ++c)
       if (on_polygon(t[c]) && on_polygon(t[(c + 1) % 3])) {
         const pcl::index_t a = vertex(t[c]);
@@ -44,12 +44,12 @@ TakenEdges::contain(pcl::index_t a, pcl::index_t b) const
          (a < vertices && b < vertices && areJoined(model_, a, b));
 }
 
-DarningTask
-darningTask(const HolePolygon& polygon,
+FillingTask
+fillingTask(const HolePolygon& polygon,
             const TakenEdges& taken,
             const SurfaceObstacle* obstacle)
 {
-  DarningTask task;
+  FillingTask task;
   task.polygon = polygon.curve;
   task.joined = [&polygon, &taken](std::size_t a, std::size_t b) {
     return polygon.curve.points[a] == polygon.curve.points[b] ||

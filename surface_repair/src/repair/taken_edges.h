@@ -21,9 +21,9 @@ public:
   void
   addPolygon(const HolePolygon& polygon);
 
-  /** \brief The inner edges of a darn between points of its polygon. */
+  /** \brief The inner edges of a filling between points of its polygon. */
   void
-  addDarn(const HolePolygon& polygon, const Darn& darn);
+  addFilling(const HolePolygon& polygon, const Filling& filling);
 
   bool
   contain(pcl::index_t a, pcl::index_t b) const;
@@ -35,8 +35,8 @@ private:
 
 /** \brief The task to fill a polygon. \param[in] taken must outlive it
  * \param[in] obstacle to be avoided, must outlive it; or null */
-DarningTask
-darningTask(const HolePolygon& polygon,
+FillingTask
+fillingTask(const HolePolygon& polygon,
             const TakenEdges& taken,
             const SurfaceObstacle* obstacle);
 

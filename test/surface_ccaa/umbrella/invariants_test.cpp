@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: what the umbrella filter promises for any input.
 #include "filter_helpers.h"
 #include "umbrella/chain_case.h"
-#include "umbrella/edge_mending.h"
+#include "umbrella/edge_repair.h"
 
 namespace pcl {
 namespace ccaa {
@@ -152,12 +152,12 @@ TEST(UmbrellaInvariants, AgreesWithThePlainWay)
     TriangleAdjacency adjacency;
     adjacency.build(soup.triangles, soup.vertices.size());
     AliveFlags alive(soup.triangles.size(), 1);
-    mendEdges(soup.triangles, adjacency, soup.vertices, {}, alive);
-    Triangles mended;
+    repairNonManifoldEdges(soup.triangles, adjacency, soup.vertices, {}, alive);
+    Triangles repaired;
     for (std::size_t i = 0; i < alive.size(); ++i)
       if (alive[i] != 0)
-        mended.push_back(soup.triangles[i]);
-    const auto expected = plainUmbrella(mended, soup.vertices);
+        repaired.push_back(soup.triangles[i]);
+    const auto expected = plainUmbrella(repaired, soup.vertices);
     UmbrellaFilter filter;
     filter.setMinimumInternalPoints(0);
     filter.setConsistentOrientation(false);

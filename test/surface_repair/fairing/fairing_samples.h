@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "darning/patch.h"
+#include "filling/patch.h"
 #include "support/shapes.h"
 
 #include <functional>

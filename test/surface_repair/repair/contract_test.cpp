@@ -279,7 +279,7 @@ TEST_F(RepairContract, RefusesParametersOutOfRange)
 TEST_F(RepairContract, LeavesHolesOpenThatAreTooLarge)
 {
   RepairParameters parameters;
-  parameters.darning.greatest_hole = 5;
+  parameters.filling.greatest_hole = 5;
   const Repaired result = repaired(holedSphere(), parameters);
   ASSERT_EQ(1U, result.report.holes.size());
   EXPECT_EQ(OpenReason::TOO_LARGE, result.report.holes[0].open);
@@ -296,15 +296,15 @@ TEST_F(RepairContract, LeavesIslandsApartWhenAsked)
     EXPECT_EQ(bridge.begin_island, bridge.end_island);
 }
 
-TEST_F(RepairContract, EveryDarningClosesASphere)
+TEST_F(RepairContract, EveryFillingClosesASphere)
 {
-  for (const DarningChoice choice : {DarningChoice::AUTOMATIC,
-                                     DarningChoice::FAN,
-                                     DarningChoice::MINIMUM_WEIGHT,
-                                     DarningChoice::COMPLETION})
+  for (const FillingChoice choice : {FillingChoice::AUTOMATIC,
+                                     FillingChoice::FAN,
+                                     FillingChoice::MINIMUM_WEIGHT,
+                                     FillingChoice::COMPLETION})
     for (const bool refine : {false, true}) {
       RepairParameters parameters;
-      parameters.darning.choice = choice;
+      parameters.filling.choice = choice;
       parameters.refine = parameters.relax = refine;
       const Repaired result = repaired(sphereInFour(), parameters);
       const Topology found = topologyOf(result.triangles());

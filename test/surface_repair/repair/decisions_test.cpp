@@ -116,7 +116,7 @@ TEST(Decisions, LeaveABorderOpenUnlessAllIsToBeClosed)
   const Shape sheet = terrain(20, 20, 1.0);
   EXPECT_EQ(LoopWish::LEAVE_OPEN, proposed(sheet).loops.at(0).wish);
   RepairParameters all;
-  all.darning.close = CloseChoice::ALL;
+  all.filling.close = CloseChoice::ALL;
   EXPECT_EQ(LoopWish::CLOSE, proposed(sheet, all).loops.at(0).wish);
 }
 

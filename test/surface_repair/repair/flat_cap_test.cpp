@@ -35,7 +35,7 @@ RepairParameters
 capped(Cap cap)
 {
   RepairParameters parameters;
-  parameters.darning.cap = cap;
+  parameters.filling.cap = cap;
   return parameters;
 }
 

@@ -62,8 +62,8 @@ TEST_P(RandomWishes, MakeNothingWorseAndLeaveOpenWhatIsToBeOpen)
   const Decisions decisions = randomDecisions(mesh, random);
   RepairParameters parameters;
   parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
-  parameters.darning.close = static_cast<CloseChoice>(random.below(3));
-  parameters.darning.cap = static_cast<Cap>(random.below(3));
+  parameters.filling.close = static_cast<CloseChoice>(random.below(3));
+  parameters.filling.cap = static_cast<Cap>(random.below(3));
   const Repaired result = repaired(mesh, {}, parameters);
   expectNothingWorse(result, made.wound);
   for (const LoopDecision& loop : decisions.loops) {

@@ -34,7 +34,7 @@ survey(const Shape& shape, bool joins = true)
 HoleList
 listed(const Shape& shape, std::size_t greatest_hole = 0)
 {
-  DarningParameters parameters;
+  FillingParameters parameters;
   parameters.greatest_hole = greatest_hole;
   return listHoles(survey(shape), parameters);
 }

@@ -46,7 +46,7 @@ protected:
     report_.origins.insert(
         report_.origins.end(), triangles.size(), TriangleOrigin::MINIMUM_WEIGHT);
     RepairedHole hole;
-    hole.darning = "minimum weight";
+    hole.filling = "minimum weight";
     hole.triangles = triangles.size();
     report_.holes.push_back(hole);
   }

@@ -43,7 +43,7 @@ RepairParameters
 closing(CloseChoice choice)
 {
   RepairParameters parameters;
-  parameters.darning.close = choice;
+  parameters.filling.close = choice;
   return parameters;
 }
 
@@ -111,7 +111,7 @@ TEST(RepairLimits, CloseNothingStillJoinsIslands)
 TEST(RepairLimits, LongerHolesThanTheGreatestStayOpenWithoutAShortfall)
 {
   RepairParameters parameters;
-  parameters.darning.greatest_length = 3.3; // between 2 pi 0.4 and 2 pi 0.6
+  parameters.filling.greatest_length = 3.3; // between 2 pi 0.4 and 2 pi 0.6
   const Repaired result = repaired(twoHoles(), parameters);
   EXPECT_EQ(1U, countOpen(result, OpenReason::TOO_LARGE));
   EXPECT_EQ(1U, topologyOf(result.triangles()).borders);
@@ -122,7 +122,7 @@ TEST(RepairLimits, AShareOfTheDiagonalIsALength)
 {
   const Shape shape = scaled(twoHoles(), 1000.0);
   RepairParameters parameters;
-  parameters.darning.greatest_length = {1.0, true}; // 2 x 2 x 1.7: about 3.3 radii
+  parameters.filling.greatest_length = {1.0, true}; // 2 x 2 x 1.7: about 3.3 radii
   EXPECT_EQ(1U, countOpen(repaired(shape, parameters), OpenReason::TOO_LARGE));
 }
 
@@ -171,7 +171,7 @@ TEST(RepairLimits, WhatStaysOpenOfAWatertightSurfaceIsAShortfall)
 TEST(RepairLimits, IslandsAreNotCountedAsJoinedWhereTheHolesBetweenThemStayOpen)
 {
   RepairParameters parameters;
-  parameters.darning.greatest_length = 0.1;
+  parameters.filling.greatest_length = 0.1;
   EXPECT_EQ(2U, repaired(twoCaps(), parameters).report.counts_after.islands);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: tests of putting darns together.
+// Part of PclSurfaceRepair: tests of putting fillings together.
 
 #include <gtest/gtest.h>
 
@@ -27,10 +27,10 @@ placeOf(pcl::index_t vertex)
 }
 
 /** A polygon of vertices, closed by a fan from its first one, or from a new one. */
-DarnedPart
+FilledPart
 partOf(const std::vector<pcl::index_t>& vertices, std::size_t hole, bool has_center)
 {
-  DarnedPart part;
+  FilledPart part;
   part.hole = hole;
   part.polygon.vertices = vertices;
   for (const pcl::index_t vertex : vertices)
@@ -38,20 +38,20 @@ partOf(const std::vector<pcl::index_t>& vertices, std::size_t hole, bool has_cen
   part.polygon.curve.normals.assign(vertices.size(), Direction::UnitZ());
   const auto edges = static_cast<pcl::index_t>(vertices.size());
   if (has_center) {
-    part.darn.inner.emplace_back(0.0, static_cast<double>(hole), 7.0);
-    part.darn.free_point.push_back(hole == 0 ? NONE : 40 + hole);
+    part.filling.inner.emplace_back(0.0, static_cast<double>(hole), 7.0);
+    part.filling.free_point.push_back(hole == 0 ? NONE : 40 + hole);
   }
   for (pcl::index_t k = 0; k < edges; ++k) {
     const Triangle triangle =
         has_center ? Triangle{(k + 1) % edges, k, edges} : Triangle{k + 1, k, 0};
     if (has_center || (k > 0 && k + 1 < edges))
-      part.darn.triangles.push_back(triangle);
+      part.filling.triangles.push_back(triangle);
   }
   return part;
 }
 
 /** Two holes beside a bridge over the new vertices 100 and 101. */
-std::vector<DarnedPart>
+std::vector<FilledPart>
 twoParts()
 {
   return {partOf({7, 3, 100, 101, 20}, 0, true), partOf({20, 101, 100, 3, 9}, 1, true)};
@@ -117,7 +117,7 @@ TEST(PatchWithoutHoles, DropsVerticesThatOnlyTheyHave)
 
 TEST(PatchWithoutHoles, IsWhatTheOthersAloneWouldBe)
 {
-  const std::vector<DarnedPart> parts = twoParts();
+  const std::vector<FilledPart> parts = twoParts();
   const Patch left = withoutHoles(assemblePatch(parts, MODEL_VERTICES), {0});
   const Patch alone = assemblePatch({parts[1]}, MODEL_VERTICES);
   EXPECT_EQ(alone.rim, left.rim);
@@ -159,13 +159,13 @@ fanIn(const IncompleteModel& model)
       loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
         return a.length < b.length;
       });
-  DarnedPart part;
+  FilledPart part;
   part.polygon = polygonOf(hole);
-  part.darn.inner.emplace_back(4.5, 4.5, 0.5);
-  part.darn.free_point.push_back(NONE);
+  part.filling.inner.emplace_back(4.5, 4.5, 0.5);
+  part.filling.free_point.push_back(NONE);
   const auto edges = static_cast<pcl::index_t>(hole.vertices.size());
   for (pcl::index_t k = 0; k < edges; ++k)
-    part.darn.triangles.push_back({(k + 1) % edges, k, edges});
+    part.filling.triangles.push_back({(k + 1) % edges, k, edges});
   return assemblePatch({part}, model.positions.size());
 }
 

@@ -118,7 +118,7 @@ TEST(HolesThatMeet, AreClosedInARowOfFacesThatAreMissing)
 TEST(HolesThatMeet, ShareThePointWhenOneOfTwoStaysOpen)
 {
   RepairParameters parameters;
-  parameters.darning.greatest_hole = 10;
+  parameters.filling.greatest_hole = 10;
   const Repaired result = repaired(smallAndLargeHole(), parameters);
   EXPECT_EQ(2U, countOpen(result)); // and the border
   EXPECT_EQ(60U + 28U, countBoundaryEdges(result.triangles()));
@@ -129,7 +129,7 @@ TEST(HolesThatMeet, ShareThePointWhenOneOfTwoStaysOpen)
 TEST(HolesThatMeet, KeepTheirFansApartWhenNoneIsClosed)
 {
   RepairParameters parameters;
-  parameters.darning.greatest_hole = 2;
+  parameters.filling.greatest_hole = 2;
   const Repaired result = repaired(pinchedSphere(3), parameters);
   EXPECT_EQ(9U, countBoundaryEdges(result.triangles()));
   EXPECT_EQ(2U, result.report.new_vertices);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "repair/darning_choice.h"
+#include "repair/filling_choice.h"
 #include "repair/hole_list.h"
 #include "repair/patch_assembly.h"
 #include "repair/region_closing.h"
@@ -30,14 +30,14 @@ struct Site {
   : parameters(std::move(wanted))
   {
     parameters.survey.trace_in_holes = false;
-    parameters.survey.simple_edges = simpleEdges(parameters.darning);
+    parameters.survey.simple_edges = simpleEdges(parameters.filling);
     survey = surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
                          nullptr,
                          parameters.survey,
                          {});
     obstacle = SurfaceObstacle(survey.model,
                                {{Position::Constant(-99.0), Position::Constant(99.0)}});
-    const HoleList list = listHoles(survey, parameters.darning);
+    const HoleList list = listHoles(survey, parameters.filling);
     for (const std::vector<std::size_t>& holes : list.regions) {
       regions.emplace_back();
       regions.back().bridge_vertices = list.bridge_vertices;
@@ -83,7 +83,7 @@ expectSound(const Site& site, const ClosedRegion& closed)
   for (std::size_t h = 0; h < closed.holes.size(); ++h) {
     EXPECT_EQ(closed.holes[h].open == OpenReason::NONE, made.count(h) > 0);
     EXPECT_EQ(closed.holes[h].open == OpenReason::NONE,
-              !closed.holes[h].darning.empty());
+              !closed.holes[h].filling.empty());
   }
 }
 
@@ -180,7 +180,7 @@ TEST(RegionClosing, NewVerticesHavePlacesThatAFloatCanHold)
 TEST(RegionClosing, DividesAComplexHole)
 {
   RepairParameters parameters;
-  parameters.darning.simple_edges = 20;
+  parameters.filling.simple_edges = 20;
   const Site site(holedSphere(), parameters);
   const ClosedRegion closed = site.close();
   EXPECT_GT(closed.holes[0].bridges.size(), 1U);
@@ -200,7 +200,7 @@ TEST(RegionClosing, GoesBackWhereFairingWouldRunThroughSomething)
 }
 
 /** Of the two ways to fold a square hole the first one is pierced. */
-TEST(RegionClosing, ClosesAroundWhatTheFirstDarnWouldRunThrough)
+TEST(RegionClosing, ClosesAroundWhatTheFirstFillingWouldRunThrough)
 {
   Site site(sheetWithATwistedHole(), unrefined());
   const Patch first = site.close().patch;
@@ -227,7 +227,7 @@ TEST(RegionClosing, LeavesOpenWhatNothingCloses)
 }
 
 /** All four vertices of the polygon have edges to each other already. */
-TEST(RegionClosing, AHoleWhoseDiagonalsAreEdgesHasNoDarn)
+TEST(RegionClosing, AHoleWhoseDiagonalsAreEdgesHasNoFilling)
 {
   const Site site(tetrahedron());
   Region region;
@@ -237,7 +237,7 @@ TEST(RegionClosing, AHoleWhoseDiagonalsAreEdgesHasNoDarn)
   hole.curve.points = site.survey.model.positions;
   hole.curve.normals.assign(4, Direction::UnitZ());
   const ClosedRegion closed = site.close(region);
-  EXPECT_EQ(OpenReason::NO_DARN, closed.holes[0].open);
+  EXPECT_EQ(OpenReason::NO_FILLING, closed.holes[0].open);
   EXPECT_TRUE(closed.patch.triangles.empty());
 }
 
@@ -281,10 +281,10 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomSpikes, ::testing::Range(0U, 8U));
 
 TEST(RegionClosing, EveryMethodAvoidsASpike)
 {
-  for (const DarningChoice choice :
-       {DarningChoice::FAN, DarningChoice::MINIMUM_WEIGHT, DarningChoice::COMPLETION}) {
+  for (const FillingChoice choice :
+       {FillingChoice::FAN, FillingChoice::MINIMUM_WEIGHT, FillingChoice::COMPLETION}) {
     RepairParameters parameters;
-    parameters.darning.choice = choice;
+    parameters.filling.choice = choice;
     Site site(holedSphere(), parameters);
     site.putSpike({0.0, 0.0, 1.1}, 0.5);
     const ClosedRegion closed = site.close();

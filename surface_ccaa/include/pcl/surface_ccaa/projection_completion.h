@@ -21,7 +21,7 @@ namespace pcl {
  * smallest empty ball tells how well it is supported. It must neither cross the surface
  * nor overfill an edge, so that the result is manifold and orientable by construction.
  * Gaps that growth leaves are closed as a whole. See
- * doc/concepts/projection_completion.md.
+ * doc/concepts/advancing_front.md.
  *
  * A gap without samples that is wide against their spacing stays open: a real hole or
  * the border of the object. Points scattered in space stay free points. Outward

@@ -31,7 +31,7 @@ struct UmbrellaReport {
       0; /**< index out of range, repeated or non-finite corner */
   std::size_t duplicate_triangles = 0; /**< the same three corners once more */
   std::size_t overfull_edges = 0; /**< edges with three or more triangles (C3.4-1) */
-  std::size_t overfull_triangles = 0;     /**< triangles it cost to mend them */
+  std::size_t overfull_triangles = 0;     /**< triangles it cost to repair them */
   std::size_t umbrella_triangles = 0;     /**< removed by rows 3, 4 and 5 of T3.4-1 */
   std::size_t small_region_triangles = 0; /**< removed by C3.4-3 */
   std::size_t twist_triangles = 0; /**< removed because they turned a region over */
@@ -54,12 +54,12 @@ struct UmbrellaReport {
  * The filter creates nothing and moves nothing: the output cloud is the input cloud,
  * byte for byte, and the output polygons are input triangles in input order (polygons
  * with more than three corners enter as fans around their first corner). Input that
- * breaks C3.4-1, with three or more triangles on an edge, is mended first (see
- * ccaa::mendEdges()). Then table T3.4-1 is applied until nothing changes, and regions
- * that are too small to be trusted go altogether (C3.4-3). What is left is wound
- * consistently, outward where that can be told (see ccaa::orientTriangles(), which
- * uses normals and sensor positions if the cloud has them, and before these what the
- * user tells: see ccaa::SideSettings).
+ * breaks C3.4-1, with three or more triangles on an edge, is repaired first (see
+ * ccaa::repairNonManifoldEdges()). Then table T3.4-1 is applied until nothing changes,
+ * and regions that are too small to be trusted go altogether (C3.4-3). What is left is
+ * wound consistently, outward where that can be told (see ccaa::orientTriangles(),
+ * which uses normals and sensor positions if the cloud has them, and before these what
+ * the user tells: see ccaa::SideSettings).
  *
  * The result does not depend on the number of threads, nor on the order of points or
  * polygons (for ties see ccaa::survivingChain()).

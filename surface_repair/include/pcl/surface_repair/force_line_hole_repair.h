@@ -166,29 +166,29 @@ public:
 
   /** \brief How simple holes are closed. Default AUTOMATIC. */
   void
-  setDarningMethod(repair::DarningChoice method)
+  setFillingMethod(repair::FillingChoice method)
   {
-    parameters_.darning.choice = method;
+    parameters_.filling.choice = method;
   }
 
   /** \brief Edges up to which a hole is simple (D4.1-3) and is not divided. 0
-   * (default): as many as the darning method can take. */
+   * (default): as many as the filling method can take. */
   void
   setSimpleHoleEdges(std::size_t edges)
   {
-    parameters_.darning.simple_edges = edges;
+    parameters_.filling.simple_edges = edges;
   }
   std::size_t
   getSimpleHoleEdges() const
   {
-    return parameters_.darning.simple_edges;
+    return parameters_.filling.simple_edges;
   }
 
   /** \brief Boundaries of more edges are left open. 0 (default): no limit. */
   void
   setGreatestHole(std::size_t edges)
   {
-    parameters_.darning.greatest_hole = edges;
+    parameters_.filling.greatest_hole = edges;
   }
 
   /** \brief Longer boundaries are left open: units of the cloud, or a share of the
@@ -196,7 +196,7 @@ public:
   void
   setGreatestHoleLength(const repair::Extent& length)
   {
-    parameters_.darning.greatest_length = length;
+    parameters_.filling.greatest_length = length;
   }
 
   /** \brief Longer bridges between islands are not built: units of the cloud, or a
@@ -211,7 +211,7 @@ public:
   void
   setClose(repair::CloseChoice choice)
   {
-    parameters_.darning.close = choice;
+    parameters_.filling.close = choice;
   }
 
   /** \brief Whether a surface without any boundary is wanted: all that can be closed

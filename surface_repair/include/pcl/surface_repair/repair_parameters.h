@@ -44,7 +44,7 @@ struct Extent {
   bool of_diagonal = false;
 };
 
-/** \brief Edges up to which a hole is simple for the thesis' darning method (4.7). */
+/** \brief Edges up to which a hole is simple for the thesis' filling method (4.7). */
 constexpr std::size_t SIMPLE_HOLE_EDGES = 12;
 
 /** \brief Which islands are too small: those below any of the limits. */
@@ -188,7 +188,7 @@ struct SurveyParameters {
 };
 
 /** \brief How holes are closed. */
-enum class DarningChoice : std::uint8_t {
+enum class FillingChoice : std::uint8_t {
   AUTOMATIC,      /**< COMPLETION where a hole holds enough free points, else
                        MINIMUM_WEIGHT */
   FAN,            /**< from the centroid (4.7), the thesis' baseline */
@@ -212,8 +212,8 @@ enum class Cap : std::uint8_t {
 };
 
 /** \brief How simple holes are closed, and which. */
-struct DarningParameters {
-  DarningChoice choice = DarningChoice::AUTOMATIC;
+struct FillingParameters {
+  FillingChoice choice = FillingChoice::AUTOMATIC;
   /** \brief Edges up to which a hole is simple; 0: as many as the method says. */
   std::size_t simple_edges = 0;
   /** \brief Loops of more edges are left open; 0: no limit. */
@@ -250,7 +250,7 @@ struct RelaxationParameters {
 /** \brief Everything about a repair that can be set. */
 struct RepairParameters {
   SurveyParameters survey; /**< sides, classes, field, lines, bridges */
-  DarningParameters darning;
+  FillingParameters filling;
   bool join_islands = true;
   /** \brief A surface without any boundary is wanted: CloseChoice::ALL, and whatever
    * stays open is a shortfall. */

@@ -70,7 +70,7 @@ enum class OpenReason : std::uint8_t {
   UNDECIDED,    /**< hole or border is not clear */
   ONE_SIDED,    /**< its island has no two sides */
   TOO_LARGE,    /**< beyond the greatest number of edges, or length, to be closed */
-  NO_DARN,      /**< no darning method closes it */
+  NO_FILLING,   /**< no filling method closes it */
   NOT_MANIFOLD, /**< closing it would make an edge of three triangles */
   INTERSECTION, /**< closing it would run through the surface or another patch */
   NOT_WANTED    /**< the user's word: leave open, or do not join */
@@ -102,9 +102,9 @@ struct RepairedHole {
   OpenReason open = OpenReason::NONE;
   bool shortfall = false;    /**< it should be closed: see isShortfall(); where a
                                   watertight surface is wanted, any that is open */
-  std::string darning;       /**< name of the method, empty where it is open */
+  std::string filling;       /**< name of the method, empty where it is open */
   std::size_t triangles = 0; /**< new ones */
-  std::size_t tries = 0;     /**< darnings that were tried before */
+  std::size_t tries = 0;     /**< fillings that were tried before */
 };
 
 /** \brief Where a triangle of the output comes from. */

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: one fan for every point in the end.
+#include "advancing_front/fan_settlement.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+using Fans = std::vector<std::vector<pcl::index_t>>;
+
+bool
+shareEdgeAt(const Triangle& one, const Triangle& other, pcl::index_t vertex)
+{
+  for (const pcl::index_t corner : one)
+    if (corner != vertex &&
+        std::find(other.begin(), other.end(), corner) != other.end())
+      return true;
+  return false;
+}
+
+/** Triangles at a vertex, those together that are connected by edges at the vertex. */
+Fans
+fansAt(const PartialSurface& surface, pcl::index_t vertex)
+{
+  std::vector<pcl::index_t> waiting;
+  surface.forTrianglesAt(vertex, [&](pcl::index_t t) { waiting.push_back(t); });
+  std::sort(waiting.begin(), waiting.end());
+  Fans fans;
+  while (!waiting.empty()) {
+    std::vector<pcl::index_t> fan{waiting.front()};
+    waiting.erase(waiting.begin());
+    for (std::size_t i = 0; i < fan.size(); ++i)
+      for (std::size_t j = 0; j < waiting.size();)
+        if (shareEdgeAt(surface[fan[i]], surface[waiting[j]], vertex)) {
+          fan.push_back(waiting[j]);
+          waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(j));
+        }
+        else
+          ++j;
+    std::sort(fan.begin(), fan.end());
+    fans.push_back(std::move(fan));
+  }
+  return fans;
+}
+
+} // namespace
+
+void
+settleFans(PartialSurface& surface,
+           const std::vector<pcl::index_t>& points,
+           bool keep_given)
+{
+  std::vector<pcl::index_t> waiting = points;
+  while (!waiting.empty()) {
+    const pcl::index_t vertex = waiting.back();
+    waiting.pop_back();
+    const Fans fans = fansAt(surface, vertex);
+    if (fans.size() < 2)
+      continue;
+    const auto rank = [&](const std::vector<pcl::index_t>& fan) {
+      return std::make_tuple(surface.isGiven(fan.front()), fan.size(), -fan.front());
+    };
+    const auto stays =
+        std::max_element(fans.begin(), fans.end(), [&](const auto& a, const auto& b) {
+          return rank(a) < rank(b);
+        });
+    for (auto fan = fans.begin(); fan != fans.end(); ++fan)
+      for (const pcl::index_t t : *fan) {
+        if (fan == stays || (keep_given && surface.isGiven(t)))
+          continue;
+        surface.remove(t);
+        waiting.insert(waiting.end(), surface[t].begin(), surface[t].end());
+      }
+  }
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a second try where triangles stood in the way of others.
+#include "advancing_front/local_regrowth.h"
+
+#include "advancing_front/new_islands.h"
+#include "advancing_front/spacing.h"
+#include "advancing_front/surface_growth.h"
+#include "mesh/sort_unique.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Rings tried and improvements made around a group when there are few groups, and when
+ * there are many, as in noise: then each is worth less and all together cost more. */
+constexpr int RINGS = 4;
+constexpr int RINGS_OF_MANY = 2;
+constexpr std::size_t MANY_GROUPS = 200;
+/** Improvements after which one of few groups is left as it is. */
+constexpr int IMPROVEMENTS = 1;
+/** Open points beyond which a group is left as it is: growth would take too long for
+ * the little that it can win. */
+constexpr std::size_t LARGEST_GROUP = 200;
+/** Open points up to which both orders of growth are tried. */
+constexpr std::size_t LARGEST_TWICE = 60;
+
+/** How much is wrong around the first vertices of a mesh: boundary edges, three for an
+ * unused point, ten for one where fans touch. */
+std::size_t
+countFlaws(const Triangles& triangles, std::size_t open_points)
+{
+  using Edge = std::array<pcl::index_t, 2>;
+  const auto is_open = [&](pcl::index_t v) {
+    return static_cast<std::size_t>(v) < open_points;
+  };
+  std::vector<Edge> edges;
+  std::vector<std::size_t> used(open_points, 0), borders(open_points, 0);
+  for (const Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_open(t[i]))
+        used[static_cast<std::size_t>(t[i])] = 1;
+      if (is_open(t[i]) || is_open(t[(i + 1) % 3]))
+        edges.push_back({t[i], t[(i + 1) % 3]});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::size_t flaws = 0;
+  for (const Edge& edge : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), Edge{edge[1], edge[0]})) {
+      ++flaws;
+      if (is_open(edge[0]))
+        ++borders[static_cast<std::size_t>(edge[0])];
+    }
+  for (std::size_t v = 0; v < open_points; ++v)
+    flaws += (used[v] == 0 ? 3 : 0) + (borders[v] > 1 ? 10 : 0);
+  return flaws;
+}
+
+} // namespace
+
+bool
+LocalRegrowth::run(const std::vector<pcl::index_t>& obstructed, LoopContext loop)
+{
+  loop.stage = "local regrowth";
+  loop.block_size = 1;
+  number_in_open_.assign(surface_.vertexCount(), -1);
+  for (std::size_t i = 0; i < open_.open_points; ++i)
+    number_in_open_[static_cast<std::size_t>(vertices_[i])] =
+        static_cast<pcl::index_t>(i);
+  std::vector<Group> waiting = groups(obstructed);
+  has_many_groups_ = waiting.size() > MANY_GROUPS;
+  while (!waiting.empty()) {
+    std::vector<Attempt> attempts(waiting.size());
+    const bool finished = forEachBlock(
+        waiting.size(), loop, [&](std::size_t i, std::size_t, std::size_t) {
+          attempts[i] = regrow(waiting[i].points, loop.control);
+        });
+    if (!finished)
+      return false;
+    waiting = applyAll(waiting, attempts);
+  }
+  return true;
+}
+
+/** \return groups that have to try again, because their place has changed */
+std::vector<LocalRegrowth::Group>
+LocalRegrowth::applyAll(const std::vector<Group>& waiting,
+                        const std::vector<Attempt>& attempts)
+{
+  std::vector<Group> again;
+  std::vector<pcl::index_t> changed;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    const Attempt& attempt = attempts[i];
+    if (!attempt.is_better)
+      continue;
+    std::sort(changed.begin(), changed.end());
+    const bool overlaps =
+        std::any_of(attempt.open.begin(), attempt.open.end(), [&](pcl::index_t point) {
+          return std::binary_search(changed.begin(), changed.end(), point);
+        });
+    if (overlaps) {
+      again.push_back(waiting[i]);
+      continue;
+    }
+    for (const pcl::index_t t : attempt.removed)
+      surface_.remove(t);
+    for (const Triangle& triangle : attempt.made)
+      surface_.add(triangle);
+    changed.insert(changed.end(), attempt.open.begin(), attempt.open.end());
+    if (attempt.flaws > 0 && !has_many_groups_ &&
+        waiting[i].improvements < IMPROVEMENTS)
+      again.push_back({waiting[i].points, waiting[i].improvements + 1});
+  }
+  return again;
+}
+
+/** Points connected by triangles among them. */
+std::vector<LocalRegrowth::Group>
+LocalRegrowth::groups(const std::vector<pcl::index_t>& points) const
+{
+  std::vector<pcl::index_t> waiting = points;
+  sortUnique(waiting);
+  std::vector<std::uint8_t> taken(waiting.size(), 0);
+  std::vector<Group> all;
+  for (std::size_t seed = 0; seed < waiting.size(); ++seed) {
+    if (taken[seed] != 0)
+      continue;
+    taken[seed] = 1;
+    Group group{{waiting[seed]}};
+    for (std::size_t i = 0; i < group.points.size(); ++i)
+      surface_.forTrianglesAt(group.points[i], [&](pcl::index_t t) {
+        for (const pcl::index_t corner : surface_[t]) {
+          const auto place = std::lower_bound(waiting.begin(), waiting.end(), corner);
+          if (place == waiting.end() || *place != corner)
+            continue;
+          std::uint8_t& mark = taken[static_cast<std::size_t>(place - waiting.begin())];
+          if (mark == 0)
+            group.points.push_back(corner);
+          mark = 1;
+        }
+      });
+    sortUnique(group.points);
+    all.push_back(std::move(group));
+  }
+  return all;
+}
+
+/** The best of all tries around some points. */
+LocalRegrowth::Attempt
+LocalRegrowth::regrow(std::vector<pcl::index_t> points, const RunControl* control) const
+{
+  Attempt best;
+  for (int ring = 0; ring < (has_many_groups_ ? RINGS_OF_MANY : RINGS); ++ring) {
+    Attempt attempt = growAnew(points, control);
+    points = attempt.open;
+    if (attempt.is_better && (!best.is_better || attempt.flaws < best.flaws))
+      best = std::move(attempt);
+    if ((best.is_better && best.flaws == 0) || points.size() > LARGEST_GROUP ||
+        (control != nullptr && control->cancelled()))
+      break;
+  }
+  return best;
+}
+
+/** One try: all removable triangles at the points are taken away. */
+LocalRegrowth::Attempt
+LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
+                        const RunControl* control) const
+{
+  Attempt best;
+  best.removed = removableAt(points);
+  best.open = points;
+  for (const pcl::index_t t : best.removed)
+    best.open.insert(best.open.end(), surface_[t].begin(), surface_[t].end());
+  addUnusedNear(points, best.open);
+  sortUnique(best.open);
+  if (best.open.size() > LARGEST_GROUP)
+    return best;
+  std::vector<pcl::index_t> vertices;
+  best.flaws =
+      countFlaws(surface_.openAt(best.open, {}, vertices).rim, best.open.size());
+  OpenSurface gap = surface_.openAt(best.open, best.removed, vertices);
+  findNeighborsDirectly(gap, parameters_.neighbors);
+  completeSpacings(gap);
+  for (const double smooth_fold : {parameters_.smooth_fold, M_PI}) {
+    Attempt attempt = growInto(gap, vertices, smooth_fold, control);
+    if (attempt.is_better && attempt.flaws < best.flaws) {
+      best.flaws = attempt.flaws;
+      best.made = std::move(attempt.made);
+      best.is_better = true;
+    }
+    if (best.flaws == 0 || best.open.size() > LARGEST_TWICE)
+      break;
+  }
+  return best;
+}
+
+LocalRegrowth::Attempt
+LocalRegrowth::growInto(const OpenSurface& gap,
+                        const std::vector<pcl::index_t>& vertices,
+                        double smooth_fold,
+                        const RunControl* control) const
+{
+  CompletionParameters parameters = parameters_;
+  parameters.smooth_fold = smooth_fold;
+  SurfaceGrowth growth(gap, parameters, &nearby_);
+  Attempt attempt;
+  if (!growth.run(control))
+    return attempt;
+  attempt.is_better = true;
+  attempt.made = largeComponents(
+      growth.surface().triangles(), gap.rim.size(), gap.positions, rule_);
+  Triangles all = gap.rim;
+  all.insert(all.end(), attempt.made.begin(), attempt.made.end());
+  attempt.flaws = countFlaws(all, gap.open_points);
+  for (Triangle& triangle : attempt.made)
+    for (pcl::index_t& corner : triangle)
+      corner = vertices[static_cast<std::size_t>(corner)];
+  return attempt;
+}
+
+std::vector<pcl::index_t>
+LocalRegrowth::removableAt(const std::vector<pcl::index_t>& points) const
+{
+  std::vector<pcl::index_t> found = surface_.trianglesAt(points);
+  if (parameters_.keep_given)
+    found.erase(std::remove_if(found.begin(),
+                               found.end(),
+                               [&](pcl::index_t t) { return surface_.isGiven(t); }),
+                found.end());
+  return found;
+}
+
+void
+LocalRegrowth::addUnusedNear(const std::vector<pcl::index_t>& points,
+                             std::vector<pcl::index_t>& open) const
+{
+  for (const pcl::index_t point : points) {
+    const pcl::index_t number = number_in_open_[static_cast<std::size_t>(point)];
+    if (number < 0)
+      continue;
+    for (unsigned int j = 0; j < open_.neighbors.count(number); ++j) {
+      const pcl::index_t near =
+          vertices_[static_cast<std::size_t>(open_.neighbors.row(number)[j])];
+      bool used = false;
+      surface_.forTrianglesAt(near, [&](pcl::index_t) { used = true; });
+      if (!used)
+        open.push_back(near);
+    }
+  }
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how far apart the samples lie around open points.
+#include "advancing_front/spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Neighbors whose distance tells the spacing. */
+constexpr unsigned int SPACING_NEIGHBORS = 6;
+/** Share of the longest edge in closed parts close by that counts as spacing. */
+constexpr double CLOSED_EDGE_SHARE = 0.5;
+
+/** Of every open point, the longest edge between closed points that lies across a
+ * triangle from it or from an open point next to it. */
+std::vector<double>
+longestClosedEdges(const OpenSurface& open)
+{
+  const auto position = [&](pcl::index_t v) -> const Position& {
+    return open.positions[static_cast<std::size_t>(v)];
+  };
+  const auto is_open = [&](pcl::index_t v) {
+    return static_cast<std::size_t>(v) < open.open_points;
+  };
+  std::vector<double> across(open.open_points, 0.0);
+  for (const Triangle& t : open.rim)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const pcl::index_t a = t[(i + 1) % 3], b = t[(i + 2) % 3];
+      if (!is_open(t[i]) || is_open(a) || is_open(b))
+        continue;
+      double& longest = across[static_cast<std::size_t>(t[i])];
+      longest = std::max(longest, (position(a) - position(b)).norm());
+    }
+  std::vector<double> around = across;
+  for (const Triangle& t : open.rim)
+    for (const pcl::index_t a : t)
+      for (const pcl::index_t b : t)
+        if (is_open(a) && is_open(b))
+          around[static_cast<std::size_t>(a)] = std::max(
+              around[static_cast<std::size_t>(a)], across[static_cast<std::size_t>(b)]);
+  return around;
+}
+
+} // namespace
+
+double
+medianOf(std::vector<double> values)
+{
+  if (values.empty())
+    return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double
+spacingFromNeighbors(const OpenSurface& open, pcl::index_t point)
+{
+  const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
+  double sum = 0.0;
+  for (unsigned int j = 0; j < count; ++j) {
+    const auto near = static_cast<std::size_t>(open.neighbors.row(point)[j]);
+    sum += (open.positions[static_cast<std::size_t>(point)] - open.positions[near])
+               .squaredNorm();
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0.0;
+}
+
+void
+completeSpacings(OpenSurface& open)
+{
+  open.spacings.resize(open.open_points, 0.0);
+  const std::vector<double> closed = longestClosedEdges(open);
+  for (std::size_t i = 0; i < open.open_points; ++i) {
+    double& spacing = open.spacings[i];
+    if (spacing <= 0.0)
+      spacing = spacingFromNeighbors(open, static_cast<pcl::index_t>(i));
+    spacing = std::max(spacing, CLOSED_EDGE_SHARE * closed[i]);
+  }
+}
+
+double
+usualSpacing(const Triangles& given, const PointView& points)
+{
+  constexpr std::size_t STRIDE = 16;
+  std::vector<double> lengths;
+  for (std::size_t t = 0; t < given.size(); t += STRIDE)
+    lengths.push_back((points[given[t][0]] - points[given[t][1]]).norm());
+  return medianOf(std::move(lengths));
+}
+
+double
+cellSize(const OpenSurface& open)
+{
+  constexpr double FACTOR = 4.0;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < open.open_points; ++i) {
+    const auto point = static_cast<pcl::index_t>(i);
+    const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
+    if (count > 0)
+      distances.push_back(
+          (open.positions[i] - open.positions[static_cast<std::size_t>(
+                                   open.neighbors.row(point)[count - 1])])
+              .norm());
+  }
+  return FACTOR * medianOf(std::move(distances));
+}
+
+} // namespace ccaa
+} // namespace pcl

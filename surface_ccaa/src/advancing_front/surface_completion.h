@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
+#pragma once
+
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
+
+#include "advancing_front/partial_mesh_check.h"
+#include "mesh/point_view.h"
+#include "mesh/side_hints.h"
+#include "mesh/triangle.h"
+#include "run/run_control.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief Puts open vertices into an order that is coherent in space and fills in their
+ * nearest among themselves: row i of the table, k places, belongs to the i-th vertex of
+ * the new order; entries are places in that order, nearest first, -1 where there are no
+ * more. Returns false when cancelled. */
+using NeighborSearch = std::function<bool(
+    std::vector<pcl::index_t>& open, unsigned int k, std::vector<pcl::index_t>& table)>;
+
+/** \brief A cloud with a partial mesh. */
+struct PartialMesh {
+  PointView points;     /**< of all vertices that may be used: finite, one per place */
+  PointView normals;    /**< outward, one per vertex, or empty */
+  PointView viewpoints; /**< sensor positions, one per vertex, or empty */
+  SideHints sides;      /**< what is told for the whole */
+  Triangles given;      /**< three different vertices each */
+};
+
+/** \brief A completed mesh. */
+struct CompletedMesh {
+  PartialMeshFault fault = PartialMeshFault::NONE; /**< if any, nothing else is set */
+  Triangles triangles; /**< the given ones that stay, in order, then the new ones */
+  std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
+};
+
+/** \brief Complete a partial mesh: keep what is given, close gaps where the sampling
+ * supports a surface, use the free points.
+ *
+ * With an empty mesh it is a reconstruction by itself, the algorithm A of thesis 3.1.
+ * The result is manifold: every edge has at most two triangles, every vertex one fan,
+ * and neighbors are wound alike; outward where that can be told (orientTriangles()).
+ * New triangles cross neither each other nor the given ones. Islands about whose sides
+ * normals, viewpoints or what is told are clear are never turned against that, and not
+ * joined where it contradicts itself (see alignIslands()).
+ *
+ * The result is the same for any number of threads; the growth itself is serial. Cost:
+ * about 0.5 us per vertex of the given mesh, 15 us per open point; 100 bytes per
+ * vertex, 600 per open point.
+ *
+ * \param[in] search among the open vertices
+ * \param[in,out] control stages "partial mesh", "growth", "local regrowth",
+ * "orientation", "outer side" \param[in,out] report counts; cancelled is set when it
+ * was stopped */
+CompletedMesh
+completeSurface(PartialMesh mesh,
+                const NeighborSearch& search,
+                const CompletionParameters& parameters,
+                int threads,
+                RunControl& control,
+                CompletionReport& report);
+
+} // namespace ccaa
+} // namespace pcl

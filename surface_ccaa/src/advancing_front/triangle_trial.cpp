@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what a triangle must pass before it joins a surface.
+#include "advancing_front/triangle_trial.h"
+
+#include "advancing_front/empty_ball.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** An equilateral triangle's side in circumradii. */
+constexpr double SIDE_OF_UNIT_RADIUS = 1.7320508075688772;
+/** Ratio of spacings between neighboring samples beyond which they do not belong
+ * together: outliers would tie themselves to the surface. */
+constexpr double LARGEST_SPACING_RATIO = 5.0;
+
+} // namespace
+
+TriangleTrial::TriangleTrial(const OpenSurface& open,
+                             const GrowingSurface& surface,
+                             double support,
+                             const NearbyTriangles* nearby)
+: open_(open), surface_(surface), support_(support), nearby_(nearby)
+{}
+
+/** Length of an edge that the surface does not have yet, else 0. */
+double
+TriangleTrial::newLength(pcl::index_t a, pcl::index_t b) const
+{
+  const Front& front = surface_.front();
+  if (front.find(a, b) != FrontEdge::NONE || front.find(b, a) != FrontEdge::NONE)
+    return 0.0;
+  return (surface_.position(a) - surface_.position(b)).norm();
+}
+
+/** Circumradius, or what it would be in an equilateral triangle whose side is the
+ * longest new edge; the smaller of both. The second is not worked out when the first is
+ * small enough. */
+double
+TriangleTrial::reach(pcl::index_t a,
+                     pcl::index_t b,
+                     pcl::index_t c,
+                     double enough) const
+{
+  const double radius =
+      EmptyBall(surface_.position(a), surface_.position(b), surface_.position(c))
+          .circumradius();
+  if (radius <= enough)
+    return radius;
+  const double longest = std::max({newLength(a, b), newLength(b, c), newLength(c, a)});
+  return std::min(radius, longest / SIDE_OF_UNIT_RADIUS);
+}
+
+bool
+TriangleTrial::isSupported(const FrontEdge& edge, pcl::index_t apex) const
+{
+  return isSupported({edge.to, edge.from, apex},
+                     std::max(spacing(edge.from), spacing(edge.to)));
+}
+
+bool
+TriangleTrial::isSupported(const Triangle& t) const
+{
+  return isSupported(t, std::max({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
+}
+
+bool
+TriangleTrial::isSupportedByAll(const Triangle& t) const
+{
+  return isSupported(t, std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
+}
+
+/** \param[in] spacing that the corners would like; the most densely sampled of them has
+ * the last word */
+bool
+TriangleTrial::isSupported(const Triangle& t, double spacing_there) const
+{
+  const double least = std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])});
+  const double limit =
+      support_ * std::min(spacing_there, LARGEST_SPACING_RATIO * least);
+  return reach(t[0], t[1], t[2], limit) <= limit;
+}
+
+bool
+TriangleTrial::meets(const Corners& corners, const Box& box, pcl::index_t triangle)
+{
+  const auto t = static_cast<std::size_t>(triangle);
+  if (seen_[t] == call_)
+    return false;
+  seen_[t] = call_;
+  return boxes_[t].intersects(box) &&
+         trianglesMeet(corners, cornersOf(surface_.triangles()[t]));
+}
+
+bool
+TriangleTrial::meetsAt(const Corners& corners, const Box& box, pcl::index_t vertex)
+{
+  bool found = false;
+  surface_.forTrianglesAt(
+      vertex, [&](pcl::index_t t) { found = found || meets(corners, box, t); });
+  return found;
+}
+
+/** Keep up with the growing surface. */
+void
+TriangleTrial::noteBoxes()
+{
+  const Triangles& triangles = surface_.triangles();
+  for (std::size_t t = boxes_.size(); t < triangles.size(); ++t)
+    boxes_.push_back(boxOf(cornersOf(triangles[t])));
+  seen_.resize(triangles.size(), 0);
+  ++call_;
+}
+
+bool
+TriangleTrial::crossesSurface(const Triangle& triangle)
+{
+  const Corners corners = cornersOf(triangle);
+  if (isCollinear(corners))
+    return true;
+  noteBoxes();
+  const Box box = boxOf(corners);
+  for (const pcl::index_t corner : triangle) {
+    if (meetsAt(corners, box, corner))
+      return true;
+    for (unsigned int j = 0; j < open_.neighbors.k; ++j) {
+      const pcl::index_t near = open_.neighbors.row(corner)[j];
+      if (near != NeighborRows::NONE && meetsAt(corners, box, near))
+        return true;
+    }
+  }
+  return nearby_ != nullptr && nearby_->meets(corners, box, open_.removed);
+}
+
+} // namespace ccaa
+} // namespace pcl

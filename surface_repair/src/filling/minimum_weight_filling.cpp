@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a hole closed by the triangulation of least weight.
+
+#include "filling/minimum_weight_filling.h"
+
+#include "filling/coarse_to_fine.h"
+#include "mesh/intersection.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** In the order in which they are tried: lengths against folds. */
+constexpr std::array<FillingWeights, 2> TRIED_WEIGHTS{{{0.3, 1.0}, {0.02, 1.0}}};
+/** How often triangles that meet others are forbidden, for each of these. */
+constexpr std::size_t MENDING_ROUNDS = 8;
+
+/** What stands in the way of triangles of one polygon: asked once a triangle, and only
+ * from when some triangle that would be taken is not free. */
+class Obstructions {
+public:
+  explicit Obstructions(const FillingTask& task) : task_(task) {}
+
+  void
+  forbid(Triangle triangle)
+  {
+    std::sort(triangle.begin(), triangle.end());
+    obstructed_[triangle] = true;
+  }
+
+  bool
+  any(const Triangles& triangles)
+  {
+    return std::any_of(triangles.begin(), triangles.end(), [&](Triangle t) {
+      std::sort(t.begin(), t.end());
+      return isObstructed(t);
+    });
+  }
+
+  /** \brief To look out for, or not. */
+  FillingLimits
+  limits(bool all)
+  {
+    FillingLimits limits{task_.joined, {}};
+    if (all)
+      limits.obstructed = [this](std::size_t i, std::size_t m, std::size_t j) {
+        return isObstructed({static_cast<pcl::index_t>(i),
+                             static_cast<pcl::index_t>(m),
+                             static_cast<pcl::index_t>(j)});
+      };
+    return limits;
+  }
+
+private:
+  bool
+  isObstructed(const Triangle& ascending)
+  {
+    const auto known = obstructed_.find(ascending);
+    if (known != obstructed_.end())
+      return known->second;
+    const Positions& points = task_.polygon.points;
+    const Triangle wound{ascending[2], ascending[1], ascending[0]};
+    const bool answer =
+        task_.obstructed && task_.obstructed(ccaa::cornersOf(wound, points));
+    obstructed_.emplace(ascending, answer);
+    return answer;
+  }
+
+  const FillingTask& task_;
+  std::map<Triangle, bool> obstructed_;
+};
+
+/** Of triangles that meet each other, some without which no two do: always the one that
+ * meets most others. */
+Triangles
+culprits(const Triangles& triangles, std::vector<ccaa::TrianglePair> pairs)
+{
+  Triangles found;
+  std::vector<std::size_t> meetings(triangles.size());
+  while (!pairs.empty()) {
+    std::fill(meetings.begin(), meetings.end(), 0);
+    for (const auto& [a, b] : pairs) {
+      ++meetings[static_cast<std::size_t>(a)];
+      ++meetings[static_cast<std::size_t>(b)];
+    }
+    const auto worst = static_cast<pcl::index_t>(
+        std::max_element(meetings.begin(), meetings.end()) - meetings.begin());
+    found.push_back(triangles[static_cast<std::size_t>(worst)]);
+    pairs.erase(std::remove_if(pairs.begin(),
+                               pairs.end(),
+                               [&](const ccaa::TrianglePair& pair) {
+                                 return pair.first == worst || pair.second == worst;
+                               }),
+                pairs.end());
+  }
+  return found;
+}
+
+/** The best triangulation so far. */
+struct Best {
+  Triangles triangles;
+  std::size_t meetings = 0; /**< pairs of triangles that meet */
+};
+
+/** Triangulate, forbid what meets other triangles, and so on.
+ * \return whether the best one has no triangles that meet */
+bool
+search(const FillingTask& task, const FillingWeights& weights, Best& best)
+{
+  Obstructions obstructions(task);
+  bool obstructed = false;
+  for (std::size_t round = 0; round < MENDING_ROUNDS; ++round) {
+    const FillingLimits limits = obstructions.limits(obstructed);
+    Triangles triangles = triangulateCoarseToFine(task.polygon, weights, limits);
+    if (triangles.empty())
+      return false;
+    if (!obstructed && obstructions.any(triangles)) {
+      obstructed = true;
+      continue;
+    }
+    ccaa::RunControl control;
+    auto pairs =
+        ccaa::findSelfIntersections(triangles, task.polygon.points, 1, control).pairs;
+    if (best.triangles.empty() || pairs.size() < best.meetings)
+      best = {triangles, pairs.size()};
+    if (pairs.empty())
+      return true;
+    for (const Triangle& triangle : culprits(triangles, std::move(pairs)))
+      obstructions.forbid(triangle);
+    obstructed = true;
+  }
+  return false;
+}
+
+} // namespace
+
+Filling
+MinimumWeightFilling::close(const FillingTask& task) const
+{
+  Filling filling;
+  if (task.polygon.size() < 3) {
+    filling.problem = "the hole has fewer than three edges";
+    return filling;
+  }
+  Best best;
+  for (const FillingWeights& weights : TRIED_WEIGHTS)
+    if (search(task, weights, best))
+      break;
+  filling.triangles = std::move(best.triangles);
+  if (filling.triangles.empty())
+    filling.problem =
+        "every triangulation runs through the surface or along edges that "
+        "are taken";
+  return filling;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the dynamic programme behind the least-weight filling.
+
+#include "filling/triangulation_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Twice the area by the square of the longest side, below which a triangle has no
+ * normal, and what it weighs besides, by that side: more than some folds, so that
+ * points on a line get other triangles where there are others; less than a sharp one,
+ * since a crack has none. */
+constexpr double LEAST_SINE = 1e-9;
+constexpr double FLAT_WEIGHT = 3.0;
+/** Of folds by 180 degrees: 1 + cos is taken as this. */
+constexpr double SHARPEST = 1e-3;
+
+/** Of a fold between unit normals: tan^2 of half its angle. A triangle without a normal
+ * folds at 90 degrees, an edge without one (NaN) not at all. */
+double
+foldBetween(const Direction& a, const Direction& b)
+{
+  const double cosine = a.dot(b);
+  if (!(cosine < 1.0))
+    return 0.0;
+  return (1.0 - cosine) / std::max(1.0 + cosine, SHARPEST);
+}
+
+} // namespace
+
+TriangulationTable::TriangulationTable(const BoundaryCurve& polygon,
+                                       const std::vector<Diagonal>* diagonals,
+                                       const FillingWeights& weights,
+                                       const FillingLimits& limits)
+: polygon_(polygon), weights_(weights), limits_(limits)
+{
+  makeCells(diagonals);
+  columns_.resize(polygon_.size());
+  for (std::size_t i = polygon_.size() - 1; i-- > 0;)
+    fillRow(i);
+  collect();
+}
+
+void
+TriangulationTable::makeCells(const std::vector<Diagonal>* diagonals)
+{
+  const std::size_t n = polygon_.size();
+  std::size_t next = 0; // of the diagonals
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    row_begin_.push_back(column_of_.size());
+    column_of_.push_back(i + 1);
+    if (diagonals == nullptr)
+      for (std::size_t j = i + 2; j < n - (i == 0 ? 1 : 0); ++j)
+        column_of_.push_back(j);
+    else
+      for (; next < diagonals->size() && (*diagonals)[next].first == i; ++next)
+        column_of_.push_back((*diagonals)[next].second);
+    if (i == 0 && n > 2)
+      column_of_.push_back(n - 1);
+  }
+  row_begin_.push_back(column_of_.size());
+  cells_.resize(column_of_.size());
+}
+
+void
+TriangulationTable::fillRow(std::size_t i)
+{
+  for (std::size_t c = row_begin_[i]; c < row_begin_[i + 1]; ++c) {
+    const std::size_t j = column_of_[c];
+    Cell& cell = cells_[c];
+    cell.length = (polygon_.points[j] - polygon_.points[i]).norm();
+    if (j == i + 1) {
+      cell.weight = 0.0;
+      cell.normal = polygon_.normals[i];
+    }
+    else if (isClosing(i, j) || !limits_.joined || !limits_.joined(i, j))
+      fillCell(i, j, cell);
+    if (cell.weight < std::numeric_limits<double>::infinity())
+      columns_[j].push_back({i, c});
+  }
+}
+
+/** Of the triangle (i, m, j), with the best triangulations behind its other edges. */
+TriangulationTable::Weighed
+TriangulationTable::weigh(const Cell& cell,
+                          const ccaa::Corners& corners,
+                          const Cell& left,
+                          const Cell& right) const
+{
+  // The polygon runs i, m, j with the surface on the left, the triangle the other way.
+  const Eigen::Vector3d doubled =
+      (corners[2] - corners[0]).cross(corners[1] - corners[0]);
+  const double area = doubled.norm();
+  const double longest = std::max({cell.length, left.length, right.length});
+  Weighed result;
+  result.weight = left.weight + right.weight;
+  if (area > LEAST_SINE * longest * longest)
+    result.normal = doubled / area;
+  else
+    result.weight += FLAT_WEIGHT * longest;
+  result.weight += weighEdge(left, result.normal) + weighEdge(right, result.normal);
+  return result;
+}
+
+/** Of the edge that closes a cell, with a triangle of this normal on its other side. */
+double
+TriangulationTable::weighEdge(const Cell& cell, const Direction& normal) const
+{
+  return cell.length *
+         (weights_.length + weights_.fold * foldBetween(normal, cell.normal));
+}
+
+void
+TriangulationTable::fillCell(std::size_t i, std::size_t j, Cell& cell)
+{
+  candidates_.clear();
+  std::size_t row = row_begin_[i];
+  for (auto entry = columns_[j].rbegin(); entry != columns_[j].rend(); ++entry) {
+    const std::size_t m = entry->point;
+    while (column_of_[row] < m)
+      ++row;
+    if (column_of_[row] != m)
+      continue;
+    const Cell& left = cells_[row];
+    const Cell& right = cells_[entry->cell];
+    if (!(left.weight + right.weight < cell.weight))
+      continue;
+    Weighed weighed =
+        weigh(cell,
+              {polygon_.points[i], polygon_.points[m], polygon_.points[j]},
+              left,
+              right);
+    if (isClosing(i, j))
+      weighed.weight += cell.length * weights_.fold *
+                        foldBetween(weighed.normal, polygon_.normals[j]);
+    if (limits_.obstructed)
+      candidates_.push_back({weighed, m});
+    else if (weighed.weight < cell.weight)
+      accept({weighed, m}, cell);
+  }
+  acceptClear(i, j, cell);
+}
+
+void
+TriangulationTable::accept(const Candidate& candidate, Cell& cell)
+{
+  cell.weight = candidate.weighed.weight;
+  cell.normal = candidate.weighed.normal;
+  cell.apex = candidate.apex;
+}
+
+/** The lightest candidate with nothing in its way: few are asked, as asking is dear. */
+void
+TriangulationTable::acceptClear(std::size_t i, std::size_t j, Cell& cell)
+{
+  std::stable_sort(candidates_.begin(),
+                   candidates_.end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     return a.weighed.weight < b.weighed.weight;
+                   });
+  for (const Candidate& candidate : candidates_)
+    if (!limits_.obstructed(i, candidate.apex, j)) {
+      accept(candidate, cell);
+      return;
+    }
+}
+
+void
+TriangulationTable::collect()
+{
+  const std::size_t n = polygon_.size();
+  std::vector<Diagonal> open{{0, n - 1}};
+  if (cells_[cellAt(0, n - 1)].apex == NONE)
+    return;
+  while (!open.empty()) {
+    const auto [i, j] = open.back();
+    open.pop_back();
+    if (j == i + 1)
+      continue;
+    const std::size_t m = cells_[cellAt(i, j)].apex;
+    triangles_.push_back({static_cast<pcl::index_t>(j),
+                          static_cast<pcl::index_t>(m),
+                          static_cast<pcl::index_t>(i)});
+    open.push_back({m, j});
+    open.push_back({i, m});
+  }
+}
+
+std::size_t
+TriangulationTable::cellAt(std::size_t i, std::size_t j) const
+{
+  const auto begin = column_of_.begin() + static_cast<std::ptrdiff_t>(row_begin_[i]);
+  const auto end = column_of_.begin() + static_cast<std::ptrdiff_t>(row_begin_[i + 1]);
+  return static_cast<std::size_t>(std::lower_bound(begin, end, j) - column_of_.begin());
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of the triangulation of least weight.
+
+#include <gtest/gtest.h>
+
+#include "filling/disc_check.h"
+#include "filling/minimum_weight_filling.h"
+#include "filling_samples.h"
+#include "mesh/intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using test::areaOf;
+using test::holeIn;
+using test::HoleShape;
+
+Filling
+fillingOf(const FillingTask& task)
+{
+  return MinimumWeightFilling().close(task);
+}
+
+bool
+hasEdge(const Filling& filling, pcl::index_t a, pcl::index_t b)
+{
+  return std::any_of(
+      filling.triangles.begin(), filling.triangles.end(), [&](Triangle t) {
+        return std::count(t.begin(), t.end(), a) == 1 &&
+               std::count(t.begin(), t.end(), b) == 1;
+      });
+}
+
+std::size_t
+meetings(const FillingTask& task, const Filling& filling)
+{
+  ccaa::RunControl control;
+  return ccaa::findSelfIntersections(filling.triangles, task.polygon.points, 1, control)
+      .pairs.size();
+}
+
+/** A hole along three quarters of a circle's circumference, two edges high. */
+FillingTask
+slitAlongTube(std::size_t along)
+{
+  FillingTask task;
+  const auto at = [&](std::size_t k, double z) {
+    const double angle =
+        1.5 * M_PI * static_cast<double>(k) / static_cast<double>(along);
+    return Position(std::cos(angle), std::sin(angle), z);
+  };
+  for (std::size_t k = 0; k < along; ++k)
+    task.polygon.points.push_back(at(k, 0.2));
+  for (std::size_t k = along; k > 0; --k)
+    task.polygon.points.push_back(at(k, 0.0));
+  task.polygon.points.push_back(at(0, 0.0));
+  task.polygon.points.insert(
+      task.polygon.points.begin() + static_cast<std::ptrdiff_t>(along), at(along, 0.2));
+  for (std::size_t k = 0; k < task.polygon.size(); ++k) {
+    Position middle = task.polygon.points[k] + 0.5 * task.polygon.edge(k);
+    middle.z() = 0.0;
+    task.polygon.normals.push_back(middle.normalized());
+  }
+  return task;
+}
+
+TEST(MinimumWeightFilling, IsADiscForAnyNumberOfEdges)
+{
+  for (const std::size_t edges : {3, 4, 5, 6, 17, 160, 161, 162, 333, 600, 2001}) {
+    const Filling filling = fillingOf(holeIn({edges, test::saddleHeight, 0.002}));
+    EXPECT_TRUE(isDisc(filling, edges)) << edges;
+    EXPECT_TRUE(filling.inner.empty());
+  }
+}
+
+TEST(MinimumWeightFilling, FlatHoleIsCoveredOnce)
+{
+  for (const auto& [edges, roughness] :
+       {std::pair<std::size_t, double>{30, 0.2}, {150, 0.2}, {400, 0.02}}) {
+    const FillingTask task = holeIn({edges, HoleShape().height, roughness});
+    double doubled = 0.0; // of the polygon, clockwise
+    for (std::size_t k = 0; k < edges; ++k)
+      doubled -=
+          task.polygon.points[k].cross(task.polygon.points[task.polygon.next(k)]).z();
+    EXPECT_NEAR(0.5 * doubled, areaOf(task, fillingOf(task)), 1e-9);
+  }
+}
+
+TEST(MinimumWeightFilling, CapsAndSaddlesDoNotMeetThemselves)
+{
+  for (const auto& height : {test::capHeight, test::saddleHeight})
+    for (const double roughness : {0.0, 0.05}) {
+      const FillingTask task = holeIn({120, height, roughness});
+      EXPECT_EQ(0U, meetings(task, fillingOf(task)));
+    }
+}
+
+TEST(MinimumWeightFilling, SlitIsClosedAcrossNotOverTheTube)
+{
+  const FillingTask task = slitAlongTube(40);
+  const double exact = 1.5 * M_PI * 0.2;
+  EXPECT_NEAR(exact, areaOf(task, fillingOf(task)), 0.02 * exact);
+}
+
+TEST(MinimumWeightFilling, FoldsAgainstTheSurfaceDecide)
+{
+  // Either diagonal folds by the same angle: a valley, or a ridge.
+  FillingTask task;
+  task.polygon.points = {{0, 0, 0}, {0, 1, 0.3}, {1, 1, 0}, {1, 0, 0.3}};
+  const Direction valley[2] = {{0.3, -0.3, 1}, {-0.3, 0.3, 1}};
+  const Direction ridge[2] = {{-0.3, -0.3, 1}, {0.3, 0.3, 1}};
+  task.polygon.normals = {valley[0], valley[0], valley[1], valley[1]};
+  EXPECT_TRUE(hasEdge(fillingOf(task), 0, 2));
+  task.polygon.normals = {ridge[0], ridge[1], ridge[1], ridge[0]};
+  EXPECT_TRUE(hasEdge(fillingOf(task), 1, 3));
+}
+
+TEST(MinimumWeightFilling, JoinedPointsGetNoSecondEdge)
+{
+  FillingTask task = holeIn({4});
+  task.polygon.points[1] *= 0.5; // the short diagonal is 1-3
+  task.polygon.points[3] *= 0.5;
+  ASSERT_TRUE(hasEdge(fillingOf(task), 1, 3));
+  task.joined = [](std::size_t a, std::size_t b) {
+    return std::min(a, b) == 1 && std::max(a, b) == 3;
+  };
+  EXPECT_TRUE(hasEdge(fillingOf(task), 0, 2));
+}
+
+TEST(MinimumWeightFilling, SaysWhenEveryDiagonalIsJoined)
+{
+  FillingTask task = holeIn({5});
+  task.joined = [](std::size_t, std::size_t) { return true; };
+  const Filling filling = fillingOf(task);
+  EXPECT_FALSE(filling.closed());
+  EXPECT_TRUE(filling.triangles.empty());
+}
+
+TEST(MinimumWeightFilling, ObstructedTrianglesAreAvoided)
+{
+  for (const std::size_t edges : {40, 200}) {
+    FillingTask task = holeIn({edges});
+    task.obstructed = [&](const ccaa::Corners& c) {
+      return (c[0] - c[1]).norm() > 1.9 || (c[1] - c[2]).norm() > 1.9 ||
+             (c[2] - c[0]).norm() > 1.9;
+    };
+    const Filling filling = fillingOf(task);
+    ASSERT_TRUE(isDisc(filling, edges));
+    for (const Triangle& t : filling.triangles)
+      EXPECT_FALSE(task.obstructed(ccaa::cornersOf(t, task.polygon.points)));
+  }
+}
+
+TEST(MinimumWeightFilling, ObstructionsAreAskedOnceForEachTriangleWhenNoneIsInTheWay)
+{
+  FillingTask task = holeIn({100, test::capHeight});
+  std::size_t asked = 0;
+  task.obstructed = [&](const ccaa::Corners&) {
+    ++asked;
+    return false;
+  };
+  fillingOf(task);
+  EXPECT_EQ(98U, asked);
+}
+
+TEST(MinimumWeightFilling, ObstructionsSeeTheTriangleWoundLikeTheSurface)
+{
+  FillingTask task = holeIn({9});
+  bool upward = true;
+  task.obstructed = [&](const ccaa::Corners& corners) {
+    upward = upward && ccaa::areaNormal(corners).z() > 0.0;
+    return false;
+  };
+  fillingOf(task);
+  EXPECT_TRUE(upward);
+}
+
+TEST(MinimumWeightFilling, DoesNotDependOnScaleOrPlace)
+{
+  const FillingTask task = holeIn({90, test::saddleHeight, 0.1});
+  FillingTask moved = task;
+  for (Position& p : moved.polygon.points)
+    p = 1024.0 * p;
+  EXPECT_EQ(fillingOf(task).triangles, fillingOf(moved).triangles);
+}
+
+TEST(MinimumWeightFilling, DegenerateHolesGiveADisc)
+{
+  for (const auto& point : std::vector<std::function<Position(double)>>{
+           [](double t) { return Position(t, 0, 0); },              // on a line
+           [](double t) { return Position(1e-300 * t, 0, 0); },     // nearly one place
+           [](double t) { return Position(std::cos(t), 1e-14, t); } // all but collinear
+       }) {
+    FillingTask task;
+    for (int k = 0; k < 20; ++k)
+      task.polygon.points.push_back(point(k));
+    task.polygon.normals.assign(20, Direction::UnitZ());
+    EXPECT_TRUE(isDisc(fillingOf(task), 20));
+  }
+}
+
+TEST(MinimumWeightFilling, PointsOnALineGetNoFlatTriangle)
+{
+  FillingTask task; // a square, ten points a side
+  for (int side = 0; side < 4; ++side)
+    for (int k = 0; k < 10; ++k) {
+      const Eigen::Vector2d along =
+          Eigen::Rotation2Dd(-0.5 * M_PI * side) * Eigen::Vector2d(-5.0 + k, 5.0);
+      task.polygon.points.emplace_back(along.x(), along.y(), 0.0);
+    }
+  task.polygon.normals.assign(40, Direction::UnitZ());
+  const Filling filling = fillingOf(task);
+  for (const Triangle& t : filling.triangles)
+    EXPECT_GT(ccaa::areaNormal(ccaa::cornersOf(t, task.polygon.points)).z(), 0.5);
+}
+
+TEST(MinimumWeightFilling, CrackIsClosed)
+{
+  FillingTask task; // there and back on one line, the points of the two sides apart
+  for (int k = 0; k < 10; ++k)
+    task.polygon.points.emplace_back(k, 0.0, 0.0);
+  for (int k = 10; k > 1; --k)
+    task.polygon.points.emplace_back(k - 0.5, 0.0, 0.0);
+  task.polygon.normals.assign(task.polygon.size(), Direction::UnitZ());
+  const Filling filling = fillingOf(task);
+  EXPECT_TRUE(isDisc(filling, task.polygon.size()));
+  EXPECT_EQ(0U, meetings(task, filling));
+}
+
+TEST(MinimumWeightFilling, SpikeIsClosedByEars)
+{
+  FillingTask task = holeIn({40});
+  task.polygon.points[7] *= 30.0;
+  const Filling filling = fillingOf(task);
+  EXPECT_TRUE(isDisc(filling, 40));
+  EXPECT_EQ(0U, meetings(task, filling));
+}
+
+TEST(MinimumWeightFilling, NormalsThatAreNotThereAreNotAsked)
+{
+  FillingTask task = holeIn({30, test::capHeight});
+  for (Direction& normal : task.polygon.normals)
+    normal.setConstant(std::nan(""));
+  EXPECT_TRUE(isDisc(fillingOf(task), 30));
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
