@@ -44,6 +44,7 @@ Chain::Chain(const ChainInput& input, ChainOutput& result)
 : input_(input)
 , result_(result)
 , report_(result.report)
+, filter_(input.filter)
 , run_(input.progress, resolveThreads(input.threads))
 {}
 

@@ -6,6 +6,7 @@
 #include <pcl/PolygonMesh.h>
 
 #include "consecutive/chain_run.h"
+#include "consecutive/filter_stage.h"
 
 #include <cstddef>
 #include <string>
@@ -48,6 +49,13 @@ private:
   hasValidParts() const;
   bool
   selectPoints();
+  template <typename Body>
+  bool
+  runStage(const std::string& name,
+           double weight,
+           const StageSettings& settings,
+           double& seconds,
+           const Body& body);
   bool
   applyStart(std::size_t number);
   bool
@@ -58,6 +66,8 @@ private:
   joined(std::size_t number, std::vector<Vertices> made) const;
   bool
   filterTriangles(ChainMesh& given, ChainMesh& left);
+  void
+  takeSides(const StageSettings& settings);
   bool
   applyBase();
   bool
@@ -74,6 +84,7 @@ private:
   const ChainInput& input_;
   ChainOutput& result_;
   ConsecutiveReport& report_;
+  FilterPart filter_;
   ChainRun run_;
   StageClock clock_; /**< of all of it */
 };

@@ -9,9 +9,9 @@
 #include "consecutive/provenance.h"
 #include "consecutive/stage_settings.h"
 #include "mesh/block_loop.h"
+#include "run/stage_clock.h"
 #include "search/curve_order.h"
 
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -43,20 +43,6 @@ struct ChainPoints {
   std::size_t skipped = 0; /**< how many are not finite */
   bool is_selection =
       false; /**< more were left out than those, or the order is another */
-};
-
-/** \brief Wall-clock seconds since it was made. */
-class StageClock {
-public:
-  double
-  seconds() const
-  {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
 };
 
 /** \brief The working data of one run. */

@@ -3,7 +3,6 @@
 #include <pcl/console/print.h>
 
 #include "consecutive/chain.h"
-#include "consecutive/filter_stage.h"
 #include "consecutive/stage_polygons.h"
 
 #include <algorithm>
@@ -60,28 +59,46 @@ Chain::joined(std::size_t number, std::vector<Vertices> made) const
   return given;
 }
 
+/** One stage with the chain's settings and progress. \param[out] seconds that it took
+ * \return false when it failed or was cancelled */
+template <typename Body>
+bool
+Chain::runStage(const std::string& name,
+                double weight,
+                const StageSettings& settings,
+                double& seconds,
+                const Body& body)
+{
+  StageProgress progress = run_.beginStage(name, weight);
+  if (!progress.report(0))
+    return false;
+  const StageClock clock;
+  const ScopedSettings scoped(settings, input_.threads, run_.sides, progress);
+  if (!body())
+    return false;
+  seconds = clock.seconds();
+  return progress.report(1);
+}
+
 /** What the start algorithm adds, as triangles. */
 bool
 Chain::construct(std::size_t number, std::vector<Vertices>& made)
 {
   ChainStageReport& stage = report_.stages.back();
-  StageProgress progress = run_.beginStage(stage.name, START_WEIGHT);
-  if (!progress.report(0))
-    return false;
-  const StageClock clock;
-  const ChainPart& part = *input_.starts[number];
-  const ScopedSettings scoped(part.runSettings(), input_.threads, progress);
-  const ScopedSides sides(part.sideSettings(), run_.sides);
-  if (!constructFrom(number, made))
-    return false;
-  report_.invalid_polygons += makeTriangles(made, run_.point_count, run_.loop());
-  stage.seconds = clock.seconds();
+  const auto body = [&] {
+    if (!constructFrom(number, made))
+      return false;
+    report_.invalid_polygons += makeTriangles(made, run_.point_count, run_.loop());
+    return true;
+  };
+  const bool is_made = runStage(
+      stage.name, START_WEIGHT, input_.starts[number]->settings(), stage.seconds, body);
   report_.start_seconds += stage.seconds;
-  if (number == 0 && made.empty() && !cancelled())
+  if (is_made && number == 0 && made.empty())
     PCL_WARN("[pcl::ConsecutiveReconstruction::performReconstruction] the start "
              "algorithm made no triangle (%zu points)\n",
              run_.points.usable->size());
-  return progress.report(1);
+  return is_made;
 }
 
 /** A completion is given the mesh there is, another algorithm the points that are still
@@ -113,27 +130,23 @@ Chain::constructFrom(std::size_t number, std::vector<Vertices>& made)
 bool
 Chain::filterTriangles(ChainMesh& given, ChainMesh& left)
 {
-  StageProgress progress = run_.beginStage("filter", FILTER_WEIGHT);
-  if (!progress.report(0))
-    return false;
+  ChainStageReport& stage = report_.stages.back();
   const std::size_t given_count = given.labels.size();
-  const StageClock clock;
-  const ScopedSettings scoped(
-      dynamic_cast<RunSettings*>(input_.filter), input_.threads, progress);
-  const ScopedSides sides(dynamic_cast<SideSettings*>(input_.filter), run_.sides);
-  const bool is_sound = applyFilter(given, input_.filter, run_, left);
-  if (!is_sound)
+  const auto body = [&] {
+    if (filter_.apply(given, run_, left))
+      return true;
     PCL_ERROR("[pcl::ConsecutiveReconstruction::performReconstruction] the filter "
               "returned what it was not given (%zu triangles given, %zu polygons "
               "returned)\n",
               given_count,
               left.mesh->polygons.size());
-  ChainStageReport& stage = report_.stages.back();
-  stage.filter_seconds = clock.seconds();
+    return false;
+  };
+  const bool is_done =
+      runStage("filter", FILTER_WEIGHT, filter_.settings(), stage.filter_seconds, body);
   report_.filter_seconds += stage.filter_seconds;
-  if (sides.tally() != nullptr)
-    result_.sides = *sides.tally();
-  return is_sound && progress.report(1);
+  takeSides(filter_.settings());
+  return is_done;
 }
 
 bool
@@ -142,8 +155,8 @@ Chain::applyBase()
   ChainMesh& current = run_.current;
   ChainPart* const base = input_.base.get();
   // Who may replace triangles can cut a one-sided region; who keeps them all cannot.
-  const bool is_one_sided = base != nullptr && base->keptTriangles() == nullptr &&
-                            leftOneSided(input_.filter);
+  const bool is_one_sided =
+      base != nullptr && base->keptTriangles() == nullptr && filter_.leftOneSided();
   if (is_one_sided)
     PCL_WARN("[pcl::ConsecutiveReconstruction::performReconstruction] not completed: a "
              "region is one-sided (%zu triangles)\n",
@@ -171,18 +184,19 @@ Chain::runBase(const PolygonMeshConstPtr& partial_mesh,
                double weight,
                std::vector<Vertices>& polygons)
 {
-  StageProgress progress = run_.beginStage("base", weight);
-  if (!progress.report(0))
-    return false;
-  const StageClock clock;
-  ChainPart& base = *input_.base;
-  const ScopedSettings scoped(base.runSettings(), input_.threads, progress);
-  const ScopedSides sides(base.sideSettings(), run_.sides);
-  if (!complete(partial_mesh, base, polygons))
-    return false;
-  result_.sides = *sides.tally();
-  report_.base_seconds = clock.seconds();
-  return progress.report(1);
+  const auto body = [&] { return complete(partial_mesh, *input_.base, polygons); };
+  const StageSettings settings = input_.base->settings();
+  const bool is_done = runStage("base", weight, settings, report_.base_seconds, body);
+  takeSides(settings);
+  return is_done;
+}
+
+/** What told the outer side in the last stage that can say. */
+void
+Chain::takeSides(const StageSettings& settings)
+{
+  if (settings.sides != nullptr)
+    result_.sides = settings.sides->getSideTally();
 }
 
 /** \return whether the completion kept to the contract of MeshCompletion */

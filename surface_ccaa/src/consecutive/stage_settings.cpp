@@ -35,40 +35,32 @@ StageProgress::reportWithin(const std::string& stage, double fraction)
   return control_.report((name_ + ": " + stage).c_str(), reached_);
 }
 
-ScopedSettings::ScopedSettings(RunSettings* settings,
+ScopedSettings::ScopedSettings(const StageSettings& settings,
                                unsigned int threads,
+                               const SideHints& hints,
                                StageProgress& progress)
 : settings_(settings)
 {
-  if (settings_ == nullptr)
-    return;
-  own_threads_ = settings_->getNumberOfThreads();
-  own_progress_ = settings_->getProgressCallback();
-  settings_->setNumberOfThreads(threads);
-  settings_->setProgressCallback(progress.callback());
+  if (settings_.run != nullptr) {
+    own_threads_ = settings_.run->getNumberOfThreads();
+    own_progress_ = settings_.run->getProgressCallback();
+    settings_.run->setNumberOfThreads(threads);
+    settings_.run->setProgressCallback(progress.callback());
+  }
+  if (settings_.sides != nullptr) {
+    own_hints_ = settings_.sides->getSideHints();
+    settings_.sides->setSideHints(hints);
+  }
 }
 
 ScopedSettings::~ScopedSettings()
 {
-  if (settings_ == nullptr)
-    return;
-  settings_->setNumberOfThreads(own_threads_);
-  settings_->setProgressCallback(std::move(own_progress_));
-}
-
-ScopedSides::ScopedSides(SideSettings* settings, const SideHints& hints)
-: settings_(settings)
-{
-  if (settings_ == nullptr)
-    return;
-  own_hints_ = settings_->getSideHints();
-  settings_->setSideHints(hints);
-}
-
-ScopedSides::~ScopedSides()
-{
-  if (settings_ != nullptr)
-    settings_->setSideHints(own_hints_);
+  if (settings_.run != nullptr) {
+    settings_.run->setNumberOfThreads(own_threads_);
+    settings_.run->setProgressCallback(std::move(own_progress_));
+  }
+  if (settings_.sides != nullptr)
+    settings_.sides->setSideHints(own_hints_);
 }
 
 } // namespace ccaa

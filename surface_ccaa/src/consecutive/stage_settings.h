@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: a chain's threads and progress, passed on to its parts.
 #pragma once
 
-#include <pcl/surface_ccaa/run_settings.h>
-#include <pcl/surface_ccaa/side_settings.h>
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
 
 #include "run/run_control.h"
 
@@ -47,43 +46,23 @@ private:
   double reached_;   /**< told last */
 };
 
-/** \brief Gives a part the threads and the progress of the chain, and its own ones back
- * at the end. */
+/** \brief Gives a part the threads and the progress of the chain, and what the chain
+ * knows about the outer side; its own settings back at the end. */
 class ScopedSettings {
 public:
-  /** \param[in] settings of the part, or null */
-  ScopedSettings(RunSettings* settings, unsigned int threads, StageProgress& progress);
+  ScopedSettings(const StageSettings& settings,
+                 unsigned int threads,
+                 const SideHints& hints,
+                 StageProgress& progress);
   ~ScopedSettings();
   ScopedSettings(const ScopedSettings&) = delete;
   ScopedSettings&
   operator=(const ScopedSettings&) = delete;
 
 private:
-  RunSettings* settings_;
+  StageSettings settings_;
   unsigned int own_threads_ = 0;
   ProgressCallback own_progress_;
-};
-
-/** \brief Gives a part what the chain knows about the outer side, and its own hints
- * back at the end. */
-class ScopedSides {
-public:
-  /** \param[in] settings of the part, or null */
-  ScopedSides(SideSettings* settings, const SideHints& hints);
-  ~ScopedSides();
-  ScopedSides(const ScopedSides&) = delete;
-  ScopedSides&
-  operator=(const ScopedSides&) = delete;
-
-  /** \brief What told the outer side in the part's run; null where it does not say. */
-  const SideTally*
-  tally() const
-  {
-    return settings_ == nullptr ? nullptr : &settings_->getSideTally();
-  }
-
-private:
-  SideSettings* settings_;
   SideHints own_hints_;
 };
 

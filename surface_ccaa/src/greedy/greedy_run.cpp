@@ -7,10 +7,10 @@
 #include "greedy/usable_points.h"
 #include "mesh/block_loop.h"
 #include "mesh/polygon_access.h"
+#include "run/stage_clock.h"
 #include "search/curve_order.h"
 #include "search/tree_rows.h"
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -136,7 +136,6 @@ runGreedyStart(const CloudInput& input,
                GreedyReport& report,
                std::vector<pcl::Vertices>& polygons)
 {
-  using Clock = std::chrono::steady_clock;
   polygons.clear();
   report = {};
   std::string fault = faultOf(input, parameters);
@@ -144,13 +143,13 @@ runGreedyStart(const CloudInput& input,
     return fault;
   RunControl control(input.progress);
   const LoopContext context{resolveThreads(input.threads), &control, "neighbors"};
-  const auto start = Clock::now();
+  const StageClock search_clock;
   Neighborhoods found;
   const bool searched =
       NeighborhoodSearch(input, search, parameters.neighbors, context, report)
           .find(found);
-  const auto between = Clock::now();
-  report.search_seconds = std::chrono::duration<double>(between - start).count();
+  report.search_seconds = search_clock.seconds();
+  const StageClock clock;
   if (searched && report.points < 3)
     fault = std::to_string(report.points) + " usable points, at least 3 are needed";
   if (searched && fault.empty()) {
@@ -161,7 +160,7 @@ runGreedyStart(const CloudInput& input,
                   LoopContext{context.threads, &control, "polygons"},
                   polygons);
   }
-  report.greedy_seconds = std::chrono::duration<double>(Clock::now() - between).count();
+  report.greedy_seconds = clock.seconds();
   report.cancelled = control.cancelled();
   if (report.cancelled)
     polygons.clear();

@@ -96,17 +96,28 @@ struct ChainSelection {
   bool has_gaps = false; /**< the cloud has points that are not finite */
 };
 
+/** \brief What a chain sets in each of its stages and puts back at the end. */
+struct StageSettings {
+  /** \brief Those of any algorithm, ours or another's. */
+  template <typename Algorithm>
+  static StageSettings
+  of(Algorithm* algorithm)
+  {
+    return {dynamic_cast<RunSettings*>(algorithm),
+            dynamic_cast<SideSettings*>(algorithm)};
+  }
+
+  RunSettings* run;    /**< null: it has none, and need not honour indices */
+  SideSettings* sides; /**< null: it is told nothing */
+};
+
 /** \brief One algorithm of a chain, whatever its point type. */
 class ChainPart {
 public:
   virtual ~ChainPart() = default;
 
-  /** \brief Null where it has none; such a class of PCL need not honour indices. */
-  virtual RunSettings*
-  runSettings() const = 0;
-  /** \brief Null where it is told nothing. */
-  virtual SideSettings*
-  sideSettings() const = 0;
+  virtual StageSettings
+  settings() const = 0;
   /** \brief Whether it is a MeshCompletion. */
   virtual bool
   completes() const = 0;

@@ -33,15 +33,10 @@ public:
   , tree_(std::move(tree))
   {}
 
-  RunSettings*
-  runSettings() const override
+  StageSettings
+  settings() const override
   {
-    return dynamic_cast<RunSettings*>(&algorithm_);
-  }
-  SideSettings*
-  sideSettings() const override
-  {
-    return dynamic_cast<SideSettings*>(&algorithm_);
+    return StageSettings::of(&algorithm_);
   }
   bool
   completes() const override
@@ -61,7 +56,7 @@ public:
   {
     if (tree_)
       algorithm_.setSearchMethod(tree_);
-    const bool honours_indices = runSettings() != nullptr;
+    const bool honours_indices = settings().run != nullptr;
     if (honours_indices || !needsCloudOfItsOwn(points)) {
       algorithm_.setInputCloud(cloud_);
       algorithm_.setIndices(honours_indices ? points.chosen : IndicesPtr());
