@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: whether given triangles are a mesh that can be completed.
-#include "advancing_front/partial_mesh_check.h"
+// Part of PclSurfaceRepair: the given triangles before a surface grows from them.
+#include "advancing_front/given_surface.h"
 
-#include <cstdint>
+#include "advancing_front/island_alignment.h"
+#include "mesh/sort_unique.h"
 
 namespace pcl {
 namespace ccaa {
@@ -41,8 +42,7 @@ findDisagreements(const Triangles& triangles,
   return disagrees;
 }
 
-} // namespace
-
+/** The first fault of edges or vertices; windings are not looked at. */
 PartialMeshFault
 findFault(const TriangleAdjacency& adjacency)
 {
@@ -54,6 +54,7 @@ findFault(const TriangleAdjacency& adjacency)
   return PartialMeshFault::NONE;
 }
 
+/** Triangles, ascending, of the islands in which neighbors are wound differently. */
 std::vector<pcl::index_t>
 disagreeingIslands(const Triangles& triangles,
                    const TriangleAdjacency& adjacency,
@@ -71,6 +72,112 @@ disagreeingIslands(const Triangles& triangles,
     if (in_island[islands[t]] != 0)
       found.push_back(static_cast<pcl::index_t>(t));
   return found;
+}
+
+/** Whether normals agree with each other on at least half of the given surface. */
+bool
+areNormalsClear(const PartialMesh& mesh,
+                const GivenSurface& given,
+                const LoopContext& context)
+{
+  OrientationHints alone;
+  alone.normals = mesh.normals;
+  alone.threads = context.threads;
+  const std::vector<double> sides =
+      evidentSides(mesh.given, given.adjacency, mesh.points, alone, *context.control);
+  std::size_t clear = 0;
+  for (std::size_t t = 0; t < mesh.given.size() && !sides.empty(); ++t)
+    clear += sides[given.islands[t]] != 0.0 ? 1 : 0;
+  return 2 * clear >= mesh.given.size();
+}
+
+} // namespace
+
+GivenSurface
+readGiven(const PartialMesh& mesh,
+          const std::vector<pcl::index_t>& more_doubts,
+          bool keep_given,
+          const LoopContext& context)
+{
+  GivenSurface surface;
+  surface.adjacency.build(
+      mesh.given, mesh.points.size(), context.threads, context.control);
+  if (context.cancelled())
+    return surface;
+  surface.fault = findFault(surface.adjacency);
+  if (surface.fault != PartialMeshFault::NONE)
+    return surface;
+  surface.islands = labelIslands(surface.adjacency);
+  const std::vector<pcl::index_t> disagreeing =
+      disagreeingIslands(mesh.given, surface.adjacency, surface.islands, context);
+  if (keep_given && !disagreeing.empty())
+    surface.fault = PartialMeshFault::BADLY_ORIENTED;
+  if (surface.fault != PartialMeshFault::NONE || context.cancelled())
+    return surface;
+  surface.doubts = doubtfulTriangles(
+      mesh.given, surface.adjacency, surface.islands, mesh.points, context);
+  std::vector<pcl::index_t>& doubts = surface.doubts.triangles;
+  if (keep_given)
+    doubts.clear();
+  doubts.insert(doubts.end(), disagreeing.begin(), disagreeing.end());
+  doubts.insert(doubts.end(), more_doubts.begin(), more_doubts.end());
+  sortUnique(doubts);
+  return surface;
+}
+
+std::vector<pcl::index_t>
+openVertices(const PartialMesh& mesh, const GivenSurface& given)
+{
+  std::vector<std::uint8_t> is_open(mesh.points.size(), 0);
+  for (std::size_t v = 0; v < is_open.size(); ++v)
+    is_open[v] = given.adjacency.fan(static_cast<pcl::index_t>(v)) != Fan::CLOSED;
+  for (const pcl::index_t t : given.doubts.triangles)
+    for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])
+      is_open[static_cast<std::size_t>(corner)] = 1;
+  std::vector<pcl::index_t> open;
+  for (std::size_t v = 0; v < is_open.size(); ++v)
+    if (is_open[v] != 0)
+      open.push_back(static_cast<pcl::index_t>(v));
+  return open;
+}
+
+OrientationHints
+hintsOf(const PartialMesh& mesh, int threads)
+{
+  OrientationHints hints;
+  static_cast<SideHints&>(hints) = mesh.sides;
+  hints.normals = mesh.normals;
+  hints.viewpoints = mesh.viewpoints;
+  hints.threads = threads;
+  return hints;
+}
+
+void
+alignGiven(PartialMesh& mesh,
+           const GivenSurface& given,
+           const std::vector<pcl::index_t>& open,
+           const std::vector<pcl::index_t>& table,
+           const LoopContext& context)
+{
+  if (mesh.sides.told_viewpoint || mesh.sides.up ||
+      (!mesh.normals.empty() && !areNormalsClear(mesh, given, context)))
+    mesh.normals = {};
+  const TriangleAdjacency& adjacency = given.adjacency;
+  const std::size_t k = open.empty() ? 0 : table.size() / open.size();
+  std::vector<IslandContact> contacts;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (std::size_t j = i * k; j < (i + 1) * k && table[j] >= 0; ++j) {
+      const IslandContact contact{open[i], open[static_cast<std::size_t>(table[j])]};
+      if (adjacency.fan(contact.one) != Fan::NONE &&
+          adjacency.fan(contact.other) != Fan::NONE)
+        contacts.push_back(contact);
+    }
+  const std::vector<double> evidence = evidentSides(mesh.given,
+                                                    adjacency,
+                                                    mesh.points,
+                                                    hintsOf(mesh, context.threads),
+                                                    *context.control);
+  alignIslands(mesh.given, adjacency, given.islands, mesh.points, evidence, contacts);
 }
 
 } // namespace ccaa

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: whether given triangles are a mesh that can be completed.
+// Part of PclSurfaceRepair: the given triangles before a surface grows from them.
 #pragma once
 
+#include "advancing_front/doubtful_triangles.h"
 #include "mesh/block_loop.h"
 #include "mesh/islands.h"
+#include "mesh/orientation.h"
+#include "mesh/point_view.h"
+#include "mesh/side_hints.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_adjacency.h"
 
@@ -13,6 +17,15 @@
 namespace pcl {
 namespace ccaa {
 
+/** \brief A cloud with a partial mesh. */
+struct PartialMesh {
+  PointView points;     /**< of all vertices that may be used: finite, one per place */
+  PointView normals;    /**< outward, one per vertex, or empty */
+  PointView viewpoints; /**< sensor positions, one per vertex, or empty */
+  SideHints sides;      /**< what is told for the whole */
+  Triangles given;      /**< three different vertices each */
+};
+
 /** \brief What is wrong with a partial mesh. */
 enum class PartialMeshFault : std::uint8_t {
   NONE,
@@ -21,17 +34,46 @@ enum class PartialMeshFault : std::uint8_t {
   BADLY_ORIENTED       /**< two triangles run through an edge in the same direction */
 };
 
-/** \brief The first fault of edges or vertices; windings are not looked at. */
-PartialMeshFault
-findFault(const TriangleAdjacency& adjacency);
+/** \brief The given triangles as they were read. */
+struct GivenSurface {
+  PartialMeshFault fault = PartialMeshFault::NONE; /**< if any, the rest is of no use */
+  TriangleAdjacency adjacency;
+  Islands islands;
+  Doubts doubts; /**< triangles that are to go */
+};
 
-/** \brief Triangles, ascending, of the islands in which neighbors are wound
- * differently: one-sided ones, which no object has, and those wound at random. */
+/** \brief Read the given triangles of a mesh. Doubtful are, where they need not all be
+ * kept, those of doubtfulTriangles() and of islands in which neighbors are wound
+ * differently: one-sided ones, which no object has, and those wound at random.
+ * \param[in] more_doubts triangles that are to go besides
+ * \return nothing of use after cancelling */
+GivenSurface
+readGiven(const PartialMesh& mesh,
+          const std::vector<pcl::index_t>& more_doubts,
+          bool keep_given,
+          const LoopContext& context);
+
+/** \brief Boundary points, free points, and the corners of doubtful triangles,
+ * ascending. */
 std::vector<pcl::index_t>
-disagreeingIslands(const Triangles& triangles,
-                   const TriangleAdjacency& adjacency,
-                   const Islands& islands,
-                   const LoopContext& context);
+openVertices(const PartialMesh& mesh, const GivenSurface& given);
+
+/** \brief All that is known about the outer side. */
+OrientationHints
+hintsOf(const PartialMesh& mesh, int threads);
+
+/** \brief Islands that are to be joined must agree before growth begins: see
+ * alignIslands(). Normals that are overruled, or that agree with each other on less
+ * than half of the given surface, would only keep triangles from growing: they are
+ * dropped. \param[in,out] mesh its given triangles are re-wound, its normals perhaps
+ * left out \param[in] open points that may get triangles \param[in] table of their
+ * neighbors among themselves, k a row, see NeighborSearch */
+void
+alignGiven(PartialMesh& mesh,
+           const GivenSurface& given,
+           const std::vector<pcl::index_t>& open,
+           const std::vector<pcl::index_t>& table,
+           const LoopContext& context);
 
 } // namespace ccaa
 } // namespace pcl

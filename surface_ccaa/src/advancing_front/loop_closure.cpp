@@ -4,6 +4,7 @@
 
 #include "advancing_front/spacing.h"
 #include "mesh/corners.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,6 +20,15 @@ constexpr double LARGEST_ROOM = 1.5;
  * wide as it is, and the sampling was no denser there. */
 constexpr double LARGEST_ROOM_OF_SMALL_LOOP = 3.0;
 constexpr std::size_t SMALL_LOOP = 5;
+
+/** Whether two stretches of front touch at a vertex. */
+bool
+hasSeveralFans(const Front& front, pcl::index_t vertex)
+{
+  std::size_t fans = 0;
+  front.forEdgesFrom(vertex, [&](FrontIndex) { ++fans; });
+  return fans > 1;
+}
 
 } // namespace
 
@@ -222,6 +232,32 @@ LoopClosure::apply(std::size_t i, std::size_t j)
   surface_.advance(surface_.front().find(corners_[i], corners_[j]), corners_[m]);
   apply(i, m);
   apply(m, j);
+}
+
+std::vector<pcl::index_t>
+closeLoops(GrowingSurface& surface, TriangleTrial& trial)
+{
+  LoopClosure closure(surface, trial);
+  const Front& front = surface.front();
+  std::vector<pcl::index_t> obstructed;
+  std::vector<std::uint8_t> seen(front.size(), 0);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto edge = static_cast<FrontIndex>(i);
+    if (!front[edge].alive || seen[i] != 0)
+      continue;
+    for (FrontIndex j = edge;
+         j != FrontEdge::NONE && seen[static_cast<std::size_t>(j)] == 0;
+         j = front[j].next)
+      seen[static_cast<std::size_t>(j)] = 1;
+    if (closure.close(edge) == LoopClosure::Outcome::OBSTRUCTED)
+      obstructed.insert(
+          obstructed.end(), closure.corners().begin(), closure.corners().end());
+  }
+  for (pcl::index_t vertex = 0; trial.isOpenPoint(vertex); ++vertex)
+    if (hasSeveralFans(front, vertex))
+      obstructed.push_back(vertex);
+  sortUnique(obstructed);
+  return obstructed;
 }
 
 } // namespace ccaa

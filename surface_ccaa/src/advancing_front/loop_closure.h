@@ -103,5 +103,11 @@ private:
   bool obstructions_count_ = true;
 };
 
+/** \brief Close all loops of a surface's front that can be closed.
+ * \return open points, ascending, on loops that the samples support but other triangles
+ * obstruct, or where several fans meet */
+std::vector<pcl::index_t>
+closeLoops(GrowingSurface& surface, TriangleTrial& trial);
+
 } // namespace ccaa
 } // namespace pcl

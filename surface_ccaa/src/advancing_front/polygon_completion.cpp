@@ -7,12 +7,12 @@
 #include "advancing_front/surface_completion.h"
 #include "mesh/cloud_access.h"
 #include "mesh/polygon_access.h"
+#include "run/stage_clock.h"
 #include "search/curve_order.h"
 #include "search/tree_rows.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -272,8 +272,7 @@ runCompletion(const CompletionInput& input,
               const CompletionParameters& parameters,
               CompletionReport& report)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const StageClock clock;
   report = {};
   CompletionOutput output;
   output.error = faultOf(input, parameters);
@@ -284,7 +283,7 @@ runCompletion(const CompletionInput& input,
   report.cancelled = control.cancelled();
   if (report.cancelled)
     output = {};
-  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  report.seconds = clock.seconds();
   return output;
 }
 

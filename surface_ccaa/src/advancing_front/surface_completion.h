@@ -5,34 +5,15 @@
 #include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/reconstruction_report.h>
 
-#include "advancing_front/partial_mesh_check.h"
-#include "mesh/point_view.h"
-#include "mesh/side_hints.h"
+#include "advancing_front/gap_growth.h"
+#include "advancing_front/given_surface.h"
 #include "mesh/triangle.h"
 #include "run/run_control.h"
 
-#include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
-
-/** \brief Puts open vertices into an order that is coherent in space and fills in their
- * nearest among themselves: row i of the table, k places, belongs to the i-th vertex of
- * the new order; entries are places in that order, nearest first, -1 where there are no
- * more. Returns false when cancelled. */
-using NeighborSearch = std::function<bool(
-    std::vector<pcl::index_t>& open, unsigned int k, std::vector<pcl::index_t>& table)>;
-
-/** \brief A cloud with a partial mesh. */
-struct PartialMesh {
-  PointView points;     /**< of all vertices that may be used: finite, one per place */
-  PointView normals;    /**< outward, one per vertex, or empty */
-  PointView viewpoints; /**< sensor positions, one per vertex, or empty */
-  SideHints sides;      /**< what is told for the whole */
-  Triangles given;      /**< three different vertices each */
-};
 
 /** \brief A completed mesh. */
 struct CompletedMesh {

@@ -7,7 +7,6 @@
 #include "advancing_front/loop_closure.h"
 #include "advancing_front/scattered_points.h"
 #include "mesh/corners.h"
-#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +50,7 @@ SurfaceGrowth::run(const RunControl* control)
     return false;
   if (surface_.triangles().empty() && !growFromSeeds(control, 1.0))
     return false;
-  closeLoops();
-  noteBowties();
+  obstructed_ = closeLoops(surface_, trial_);
   return true;
 }
 
@@ -332,39 +330,6 @@ SurfaceGrowth::addSeed(Triangle seed)
       std::swap(seed[1], seed[2]);
   }
   surface_.addTriangle(seed);
-}
-
-void
-SurfaceGrowth::closeLoops()
-{
-  LoopClosure closure(surface_, trial_);
-  std::vector<std::uint8_t> seen(surface_.front().size(), 0);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const auto edge = static_cast<FrontIndex>(i);
-    if (!surface_.front()[edge].alive || seen[i] != 0)
-      continue;
-    for (FrontIndex j = edge;
-         j != FrontEdge::NONE && seen[static_cast<std::size_t>(j)] == 0;
-         j = surface_.front()[j].next)
-      seen[static_cast<std::size_t>(j)] = 1;
-    if (closure.close(edge) == LoopClosure::Outcome::OBSTRUCTED)
-      obstructed_.insert(
-          obstructed_.end(), closure.corners().begin(), closure.corners().end());
-  }
-}
-
-/** Points where two stretches of front still touch belong to the obstructed ones. */
-void
-SurfaceGrowth::noteBowties()
-{
-  for (std::size_t i = 0; i < open_.open_points; ++i) {
-    const auto vertex = static_cast<pcl::index_t>(i);
-    std::size_t fans = 0;
-    surface_.front().forEdgesFrom(vertex, [&](FrontIndex) { ++fans; });
-    if (fans > 1)
-      obstructed_.push_back(vertex);
-  }
-  sortUnique(obstructed_);
 }
 
 } // namespace ccaa

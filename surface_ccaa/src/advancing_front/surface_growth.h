@@ -53,8 +53,7 @@ public:
     return surface_;
   }
 
-  /** \brief Open points, ascending, on loops that the samples support but other
-   * triangles obstruct, or where several fans meet. */
+  /** \brief Of the last run, see closeLoops(). */
   const std::vector<pcl::index_t>&
   obstructedPoints() const
   {
@@ -138,10 +137,6 @@ private:
   plantSeed(pcl::index_t vertex);
   void
   addSeed(Triangle seed);
-  void
-  closeLoops();
-  void
-  noteBowties();
 
   const OpenSurface& open_;
   CompletionParameters parameters_;

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the gaps of a surface, and how it grows into them.
+#include "advancing_front/gap_growth.h"
+
+#include "advancing_front/open_regions.h"
+#include "advancing_front/scattered_points.h"
+#include "advancing_front/spacing.h"
+#include "advancing_front/surface_growth.h"
+#include "mesh/sort_unique.h"
+
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Open points that one thread completes in the time it takes to wake others. */
+constexpr std::size_t SMALL_GAP = 100;
+/** Times that scattered points are looked for. */
+constexpr int SCATTER_ROUNDS = 4;
+
+/** What grew in one region, in vertices of the gap. */
+struct Grown {
+  Triangles triangles;
+  std::vector<pcl::index_t> obstructed;
+};
+
+Triangle
+numbered(const Triangle& triangle, const std::vector<pcl::index_t>& vertices)
+{
+  return {vertices[static_cast<std::size_t>(triangle[0])],
+          vertices[static_cast<std::size_t>(triangle[1])],
+          vertices[static_cast<std::size_t>(triangle[2])]};
+}
+
+Grown
+growRegion(const OpenSurface& region,
+           const std::vector<pcl::index_t>& vertices,
+           const NearbyTriangles& nearby,
+           const CompletionParameters& parameters,
+           const RunControl* control)
+{
+  SurfaceGrowth growth(region, parameters, &nearby);
+  growth.run(control);
+  Grown grown;
+  const Triangles& triangles = growth.surface().triangles();
+  for (std::size_t t = region.rim.size(); t < triangles.size(); ++t)
+    grown.triangles.push_back(numbered(triangles[t], vertices));
+  for (const pcl::index_t point : growth.obstructedPoints())
+    grown.obstructed.push_back(vertices[static_cast<std::size_t>(point)]);
+  return grown;
+}
+
+std::vector<Grown>
+growRegions(const OpenSurface& gap,
+            const NearbyTriangles& nearby,
+            const CompletionParameters& parameters,
+            LoopContext context)
+{
+  const auto regions = openRegions(gap, 2.0 * parameters.support);
+  const auto rims = rimOfRegions(gap, regions);
+  std::vector<Grown> grown(regions.size());
+  context.block_size = 1;
+  if (gap.open_points < SMALL_GAP)
+    context.threads = 1;
+  forEachBlock(regions.size(), context, [&](std::size_t i, std::size_t, std::size_t) {
+    std::vector<pcl::index_t> vertices;
+    const OpenSurface region = regionOf(gap, regions[i], rims[i], vertices);
+    grown[i] = growRegion(region, vertices, nearby, parameters, context.control);
+  });
+  return grown;
+}
+
+} // namespace
+
+Gap
+openGap(PartialSurface& surface,
+        std::vector<pcl::index_t> open,
+        std::vector<pcl::index_t> table,
+        double usual_spacing,
+        unsigned int k,
+        const NeighborSearch& search)
+{
+  Gap gap;
+  gap.open = std::move(open);
+  for (int round = 0;; ++round) {
+    gap.surface = surface.openAt(gap.open, {}, gap.vertices);
+    gap.surface.neighbor_table = std::move(table);
+    gap.surface.neighbors = {gap.surface.neighbor_table.data(), k};
+    if (round == SCATTER_ROUNDS)
+      break;
+    const std::vector<std::uint8_t> scattered =
+        findScatteredPoints(gap.surface, usual_spacing);
+    std::vector<pcl::index_t> remaining;
+    for (std::size_t i = 0; i < gap.open.size(); ++i)
+      if (scattered[i] == 0)
+        remaining.push_back(gap.open[i]);
+    if (remaining.size() == gap.open.size())
+      break;
+    gap.open = std::move(remaining);
+    table.clear();
+    if (!search(gap.open, k, table))
+      return gap;
+  }
+  for (std::size_t i = 0; i < gap.open.size(); ++i)
+    if (gap.surface.spacings[i] <= 0.0)
+      surface.noteSpacing(
+          gap.open[i], spacingFromNeighbors(gap.surface, static_cast<pcl::index_t>(i)));
+  completeSpacings(gap.surface);
+  return gap;
+}
+
+std::vector<pcl::index_t>
+growInto(const Gap& gap,
+         const NearbyTriangles& nearby,
+         const CompletionParameters& parameters,
+         const ComponentRule& rule,
+         const LoopContext& context,
+         PartialSurface& surface)
+{
+  const std::vector<Grown> grown =
+      growRegions(gap.surface, nearby, parameters, context);
+  if (context.cancelled())
+    return {};
+  Triangles all = gap.surface.rim;
+  std::vector<pcl::index_t> obstructed;
+  for (const Grown& region : grown) {
+    all.insert(all.end(), region.triangles.begin(), region.triangles.end());
+    for (const pcl::index_t point : region.obstructed)
+      obstructed.push_back(gap.vertices[static_cast<std::size_t>(point)]);
+  }
+  for (const Triangle& made :
+       largeComponents(all, gap.surface.rim.size(), gap.surface.positions, rule))
+    surface.add(numbered(made, gap.vertices));
+  return obstructed;
+}
+
+void
+dropCrossings(PartialSurface& surface,
+              const PointView& points,
+              const LoopContext& context)
+{
+  std::vector<pcl::index_t> added;
+  Triangles triangles;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t)
+    if (const auto triangle = static_cast<pcl::index_t>(t);
+        !surface.isGiven(triangle) && surface.isAlive(triangle)) {
+      added.push_back(triangle);
+      triangles.push_back(surface[triangle]);
+    }
+  const SelfIntersections found =
+      findSelfIntersections(triangles, points, context.threads, *context.control);
+  for (const TrianglePair& pair : found.pairs)
+    surface.remove(added[static_cast<std::size_t>(pair.second)]);
+}
+
+std::vector<pcl::index_t>
+touchedVertices(const PartialSurface& surface, const std::vector<pcl::index_t>& open)
+{
+  std::vector<pcl::index_t> touched = open;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
+    const auto triangle = static_cast<pcl::index_t>(t);
+    if (surface.isGiven(triangle) != surface.isAlive(triangle))
+      touched.insert(touched.end(), surface[triangle].begin(), surface[triangle].end());
+  }
+  sortUnique(touched);
+  return touched;
+}
+
+} // namespace ccaa
+} // namespace pcl
