@@ -12,9 +12,10 @@
 #include "repair/new_vertices.h"
 #include "repair/repair_method.h"
 #include "repair/repaired_model.h"
+#include "run/stage_clock.h"
 #include "run/threads.h"
+#include "survey/survey_stages.h"
 
-#include <chrono>
 #include <new>
 #include <utility>
 
@@ -25,16 +26,16 @@ ForceLineHoleRepair::ForceLineHoleRepair() = default;
 ForceLineHoleRepair::~ForceLineHoleRepair() = default;
 
 /** PCL clears the polygons of the output between initCompute() and performProcessing():
- * the repair runs here, so that output may be the input mesh. */
+ * they are read here, so that output may be the input mesh. */
 bool
 ForceLineHoleRepair::initCompute()
 {
-  repaired_.reset();
+  survey_.reset();
   report_ = RepairReport();
   if (!MeshProcessing::initCompute() || !checkParameters())
     return false;
   try {
-    return run();
+    return read();
   }
   catch (const std::bad_alloc&) {
     reportOutOfMemory("initCompute");
@@ -64,9 +65,7 @@ repair::Decisions
 ForceLineHoleRepair::propose() const
 {
   ccaa::RunControl control(progress_);
-  ccaa::LoopContext context;
-  context.threads = ccaa::resolveThreads(threads_);
-  context.control = &control;
+  const ccaa::LoopContext context{ccaa::resolveThreads(threads_), &control};
   repair::RepairParameters parameters = parameters_;
   parameters.survey.trace_in_holes = false;
   parameters.survey.trace_between_islands = parameters.join_islands;
@@ -76,62 +75,70 @@ ForceLineHoleRepair::propose() const
       surveyModel(input_mesh_, free_points_.get(), parameters.survey, context);
   if (survey.cancelled || context.cancelled())
     return {};
-  const std::string& problem = survey.reading.problem;
-  if (problem.empty())
-    return repair::proposeDecisions(survey, parameters);
-  PCL_ERROR("[pcl::%s::proposeDecisions] cannot survey the mesh: %s (%zu polygons)\n",
-            getClassName().c_str(),
-            problem.c_str(),
-            input_mesh_->polygons.size());
-  return {};
+  return isSound(survey.reading, "proposeDecisions")
+             ? repair::proposeDecisions(survey, parameters)
+             : repair::Decisions();
 }
 
 bool
-ForceLineHoleRepair::run()
+ForceLineHoleRepair::read()
 {
   ccaa::RunControl control(progress_);
-  ccaa::LoopContext context;
-  context.threads = ccaa::resolveThreads(threads_);
-  context.control = &control;
-  repaired_ = std::make_shared<repair::RepairedModel>(repair::runRepair(
-      input_mesh_, free_points_.get(), parameters_, context, report_));
-  if (report_.cancelled)
-    return true;
-  const std::string& problem = report_.reading.problem;
-  if (!problem.empty())
-    PCL_ERROR("[pcl::%s::initCompute] cannot repair the mesh: %s (%zu polygons)\n",
+  const ccaa::LoopContext context{ccaa::resolveThreads(threads_), &control};
+  survey_ = std::make_shared<repair::ModelSurvey>(
+      readSurvey(input_mesh_, free_points_.get(), parameters_.survey, context));
+  report_.reading = survey_->reading;
+  report_.cancelled = context.cancelled();
+  return report_.cancelled || isSound(report_.reading, "initCompute");
+}
+
+bool
+ForceLineHoleRepair::isSound(const repair::ReadingReport& reading,
+                             const char* method) const
+{
+  if (!reading.problem.empty())
+    PCL_ERROR("[pcl::%s::%s] cannot repair the mesh: %s (%zu polygons)\n",
               getClassName().c_str(),
-              problem.c_str(),
-              input_mesh_->polygons.size());
-  return problem.empty();
+              method,
+              reading.problem.c_str(),
+              reading.input_polygons);
+  return reading.problem.empty();
 }
 
 void
 ForceLineHoleRepair::performProcessing(pcl::PolygonMesh& output)
 {
-  const auto start = std::chrono::steady_clock::now();
-  if (&output != input_mesh_.get())
-    output.cloud = input_mesh_->cloud;
+  output.polygons.clear();
   try {
-    write(output);
+    ccaa::RunControl control(progress_);
+    const ccaa::LoopContext context{ccaa::resolveThreads(threads_), &control};
+    repair::RepairedModel repaired;
+    if (!report_.cancelled) {
+      repaired = repairModel(
+          std::move(*survey_), input_mesh_->cloud, parameters_, context, report_);
+      report_.cancelled = context.cancelled();
+    }
+    if (!isSound(report_.reading, "performProcessing")) {
+      output.cloud = {};
+      return;
+    }
+    if (&output != input_mesh_.get())
+      output.cloud = input_mesh_->cloud;
+    if (!report_.cancelled)
+      write(repaired, output);
   }
   catch (const std::bad_alloc&) {
     reportOutOfMemory("performProcessing");
     output.polygons.clear();
   }
-  const std::chrono::duration<double> seconds =
-      std::chrono::steady_clock::now() - start;
-  report_.seconds.emplace_back("writing", seconds.count());
 }
 
 void
-ForceLineHoleRepair::write(pcl::PolygonMesh& output)
+ForceLineHoleRepair::write(repair::RepairedModel& repaired, pcl::PolygonMesh& output)
 {
-  output.polygons.clear();
-  if (!repaired_ || report_.cancelled)
-    return;
+  const ccaa::StageClock clock;
   auto next = static_cast<pcl::index_t>(ccaa::pointCount(output.cloud));
-  repair::AddedVertices added = addedVertices(*repaired_);
+  repair::AddedVertices added = addedVertices(repaired);
   const Eigen::Vector3d& shift = report_.reading.global_shift;
   for (ccaa::NewVertex& vertex : added.vertices)
     if (!shift.isZero(0.0)) // which would make 0 of -0
@@ -146,20 +153,19 @@ ForceLineHoleRepair::write(pcl::PolygonMesh& output)
   }
   report_.new_vertices = added.vertices.size();
   for (const std::size_t vertex : added.numbers)
-    repaired_->model.point_of_vertex[vertex] = next++;
-  ccaa::LoopContext context;
-  context.threads = ccaa::resolveThreads(threads_);
-  ccaa::writePolygons(repaired_->model.triangles,
-                      repaired_->model.point_of_vertex,
-                      context,
+    repaired.model.point_of_vertex[vertex] = next++;
+  ccaa::writePolygons(repaired.model.triangles,
+                      repaired.model.point_of_vertex,
+                      ccaa::LoopContext{ccaa::resolveThreads(threads_)},
                       output.polygons);
   report_.finished = true;
+  report_.seconds.emplace_back("writing", clock.seconds());
 }
 
 void
 ForceLineHoleRepair::deinitCompute()
 {
-  repaired_.reset();
+  survey_.reset();
   MeshProcessing::deinitCompute();
 }
 

@@ -25,12 +25,6 @@ originOf(const std::string& filling)
 } // namespace
 
 void
-RepairLog::countSeconds(const char* step, Clock::time_point since)
-{
-  countSeconds(step, std::chrono::duration<double>(Clock::now() - since).count());
-}
-
-void
 RepairLog::countSeconds(const char* step, double seconds)
 {
   auto& all = report_.seconds;

@@ -8,7 +8,6 @@
 #include "repair/hole_list.h"
 #include "survey/model_survey.h"
 
-#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -18,8 +17,6 @@ namespace repair {
 /** \brief Fills in the report of a repair, step by step. */
 class RepairLog {
 public:
-  using Clock = std::chrono::steady_clock;
-
   /** \brief \param[in] survey what is known at each time: it may change */
   RepairLog(const ModelSurvey& survey, RepairReport& report)
   : survey_(survey), report_(report)
@@ -52,11 +49,9 @@ public:
 
   /** \brief Time that a step took, added to what it has taken before. */
   void
-  countSeconds(const char* step, Clock::time_point since);
+  countSeconds(const char* step, double seconds);
 
 private:
-  void
-  countSeconds(const char* step, double seconds);
   void
   noteInput();
   void

@@ -7,6 +7,7 @@
 #include "repair/hole_closing.h"
 #include "repair/last_check.h"
 #include "repair/loop_reasons.h"
+#include "run/stage_clock.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
@@ -165,13 +166,13 @@ proved(RepairedModel result,
        RepairLog& log,
        RepairReport& report)
 {
-  const auto start = RepairLog::Clock::now();
+  const ccaa::StageClock clock;
   if (!proveManifold(context, result, report)) {
     if (!context.cancelled())
       report.reading.problem = "the result would be no manifold, by a fault of ours";
     return {};
   }
-  log.countSeconds("last check", start);
+  log.countSeconds("last check", clock.seconds());
   report.new_triangles = result.model.triangles.size() - result.input_triangles;
   return result;
 }
@@ -197,7 +198,7 @@ closePass(int pass,
           ModelSurvey& survey,
           RepairLog& log)
 {
-  const auto start = RepairLog::Clock::now();
+  const ccaa::StageClock clock;
   Pass now;
   now.parameters = &parameters;
   now.holes = holesOf(survey, parameters);
@@ -205,7 +206,7 @@ closePass(int pass,
   now.closed =
       closeHoles(parameters, frame, context, stage.c_str(), now.holes, survey, log);
   now.finished = allIsClosed(now.holes, now.closed);
-  log.countSeconds("closing", start);
+  log.countSeconds("closing", clock.seconds());
   return now;
 }
 
@@ -221,23 +222,23 @@ takeClosed(const ccaa::LoopContext& context,
   pass.closed.used.assign(survey.model.free_points.size(), false);
 }
 
-/** The repair (thesis, Chapter 4): the box in doc/concepts/repair.md. */
+} // namespace
+
 RepairedModel
-repairModel(const pcl::PolygonMesh::ConstPtr& mesh,
-            const pcl::PCLPointCloud2* free_points,
+repairModel(ModelSurvey survey,
+            const pcl::PCLPointCloud2& cloud,
             const RepairParameters& parameters,
             const ccaa::LoopContext& context,
             RepairReport& report)
 {
-  ModelSurvey survey = readSurvey(mesh, free_points, parameters.survey, context);
   orientIslands(parameters.survey, context, survey);
-  takeDecisions(*mesh, parameters.survey, survey);
+  takeDecisions(parameters.survey, survey);
   report.reading = survey.reading;
   if (!survey.reading.problem.empty() || context.cancelled())
     return {};
   RepairedModel result{
       {}, survey.model.positions.size(), survey.model.triangles.size()};
-  const CloudFrame frame = frameOf(mesh->cloud, survey.reading);
+  const CloudFrame frame = frameOf(cloud, survey.reading);
   RepairLog log(survey, report);
   const auto rounds = roundsFor(parameters, diagonalOf(survey.model));
   Pass last;
@@ -265,23 +266,8 @@ repairModel(const pcl::PolygonMesh::ConstPtr& mesh,
   reportEnd(last, survey, log, report);
   addToModel(context, last.holes, last.closed, survey.model, result.input_vertices);
   result.model = std::move(survey.model);
-  return proved(std::move(result), context, log, report);
-}
-
-} // namespace
-
-RepairedModel
-runRepair(const pcl::PolygonMesh::ConstPtr& mesh,
-          const pcl::PCLPointCloud2* free_points,
-          const RepairParameters& parameters,
-          const ccaa::LoopContext& context,
-          RepairReport& report)
-{
-  report = RepairReport();
-  RepairedModel repaired = repairModel(mesh, free_points, parameters, context, report);
   moveBridges(report.reading.global_shift, report.bridges);
-  report.cancelled = context.cancelled();
-  return repaired;
+  return proved(std::move(result), context, log, report);
 }
 
 } // namespace repair

@@ -7,21 +7,24 @@
 #include <pcl/surface_repair/repair_report.h>
 
 #include "repair/repaired_model.h"
+#include "survey/model_survey.h"
 
 namespace pcl {
 namespace repair {
 
-/** \brief The method (thesis, Chapter 4): read, orient, classify, bridge, extract
- * contours, subdivide, fill, fair, verify; and again on what came out, as long as that
- * closes anything more.
+/** \brief The method (thesis, Chapter 4) on a model that was read, the box in
+ * doc/concepts/repair.md: orient, classify,
+ * bridge, extract contours, subdivide, fill, fair, verify; and again on what came out,
+ * as long as that closes anything more. \param[in] survey as readSurvey() made it
+ * \param[in] cloud that it was read from
  * \param[out] report all but `seconds` of writing
  * \return empty when there is no model (report.reading.problem) or after cancelling */
 RepairedModel
-runRepair(const pcl::PolygonMesh::ConstPtr& mesh,
-          const pcl::PCLPointCloud2* free_points,
-          const RepairParameters& parameters,
-          const ccaa::LoopContext& context,
-          RepairReport& report);
+repairModel(ModelSurvey survey,
+            const pcl::PCLPointCloud2& cloud,
+            const RepairParameters& parameters,
+            const ccaa::LoopContext& context,
+            RepairReport& report);
 
 } // namespace repair
 } // namespace pcl

@@ -5,11 +5,11 @@
 
 #include "boundary/extraction.h"
 #include "icadm/model_assembly.h"
+#include "run/stage_clock.h"
 #include "survey/survey_fields.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <utility>
 
@@ -17,24 +17,6 @@ namespace pcl {
 namespace repair {
 
 namespace {
-
-/** Notes how long a stage takes. */
-class StageClock {
-public:
-  explicit StageClock(const char* stage) : stage_(stage) {}
-
-  void
-  finish(ModelSurvey& survey) const
-  {
-    const std::chrono::duration<double> seconds = Clock::now() - start_;
-    survey.seconds.emplace_back(stage_, seconds.count());
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  const char* stage_;
-  Clock::time_point start_ = Clock::now();
-};
 
 ccaa::LoopContext
 named(ccaa::LoopContext context, const char* stage)
@@ -128,14 +110,16 @@ readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
            const ccaa::LoopContext& context)
 {
   ModelSurvey survey;
-  const StageClock clock("reading");
+  const ccaa::StageClock clock;
   const ccaa::LoopContext stage = named(context, "reading");
   ReadModel read = readModel(mesh, free_points, stage, parameters.orientation.sides);
   if (parameters.dropped.any() && read.report.problem.empty())
     dropIslands(parameters.dropped, stage, read);
   survey.model = std::move(read.model);
   survey.reading = std::move(read.report);
-  clock.finish(survey);
+  if (survey.reading.problem.empty())
+    survey.mesh = fingerprintOf(*mesh);
+  survey.seconds.emplace_back("reading", clock.seconds());
   return survey;
 }
 
@@ -146,7 +130,7 @@ orientIslands(const SurveyParameters& parameters,
 {
   if (!survey.reading.problem.empty())
     return;
-  const StageClock clock("orientation");
+  const ccaa::StageClock clock;
   survey.loops = extractBoundaries(survey.model);
   survey.sides = orientIslands(survey.model,
                                survey.loops,
@@ -162,18 +146,15 @@ orientIslands(const SurveyParameters& parameters,
   }
   if (auto sight = std::make_shared<const SightLines>(survey.model); !sight->empty())
     survey.sight = std::move(sight);
-  clock.finish(survey);
+  survey.seconds.emplace_back("orientation", clock.seconds());
 }
 
 void
-takeDecisions(const pcl::PolygonMesh& mesh,
-              const SurveyParameters& parameters,
-              ModelSurvey& survey)
+takeDecisions(const SurveyParameters& parameters, ModelSurvey& survey)
 {
   if (!survey.reading.problem.empty())
     return;
   survey.wishes = LoopWishes(survey.model, survey.loops);
-  survey.mesh = fingerprintOf(mesh);
   if (parameters.decisions)
     survey.reading.problem = misfit(*parameters.decisions, survey);
 }
@@ -183,14 +164,14 @@ classifyBoundaries(const SurveyParameters& parameters,
                    const ccaa::LoopContext& context,
                    ModelSurvey& survey)
 {
-  const StageClock clock("classification");
+  const ccaa::StageClock clock;
   survey.classes = classifyBoundaries(survey.model,
                                       survey.loops,
                                       parameters.classification,
                                       named(context, "classification"));
   if (!context.cancelled())
     count(parameters.simple_edges, survey);
-  clock.finish(survey);
+  survey.seconds.emplace_back("classification", clock.seconds());
 }
 
 void
@@ -198,10 +179,10 @@ bridgeIslands(const SurveyParameters& parameters,
               const ccaa::LoopContext& context,
               ModelSurvey& survey)
 {
-  const StageClock clock("force lines");
+  const ccaa::StageClock clock;
   if (!context.cancelled() && !survey.loops.empty())
     traceFields(parameters, named(context, "force lines"), survey);
-  clock.finish(survey);
+  survey.seconds.emplace_back("force lines", clock.seconds());
 }
 
 ModelSurvey
@@ -210,7 +191,7 @@ putInOrder(ModelSurvey before,
            const ccaa::LoopContext& context)
 {
   ModelSurvey survey;
-  const StageClock clock("assembly");
+  const ccaa::StageClock clock;
   survey.sight = std::move(before.sight);
   survey.wishes = std::move(before.wishes);
   IncompleteModel& old = before.model;
@@ -224,7 +205,7 @@ putInOrder(ModelSurvey before,
       model.point_of_free_point.push_back(old.point_of_free_point[i]);
     }
   survey.loops = extractBoundaries(model);
-  clock.finish(survey);
+  survey.seconds.emplace_back("assembly", clock.seconds());
   return survey;
 }
 
@@ -236,7 +217,7 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
 {
   ModelSurvey survey = readSurvey(mesh, free_points, parameters, context);
   orientIslands(parameters, context, survey);
-  takeDecisions(*mesh, parameters, survey);
+  takeDecisions(parameters, survey);
   if (!survey.reading.problem.empty())
     return survey;
   classifyBoundaries(parameters, context, survey);

@@ -29,9 +29,7 @@ orientIslands(const SurveyParameters& parameters,
 /** \brief What the user has decided about the loops of the input. What does not fit
  * becomes reading.problem. Nothing after a failed reading. */
 void
-takeDecisions(const pcl::PolygonMesh& mesh,
-              const SurveyParameters& parameters,
-              ModelSurvey& survey);
+takeDecisions(const SurveyParameters& parameters, ModelSurvey& survey);
 
 /** \brief Holes, rims and borders (D4.1-1), and the class of the model (D4.1-4). */
 void

@@ -19,6 +19,7 @@
 namespace pcl {
 namespace repair {
 struct Decisions;
+struct ModelSurvey;
 struct RepairedModel;
 } // namespace repair
 
@@ -294,19 +295,21 @@ private:
   bool
   checkParameters() const;
   bool
-  run();
+  read();
+  bool
+  isSound(const repair::ReadingReport& reading, const char* method) const;
   repair::Decisions
   propose() const;
   void
-  write(pcl::PolygonMesh& output);
+  write(repair::RepairedModel& repaired, pcl::PolygonMesh& output);
   void
   reportOutOfMemory(const char* method) const;
 
   pcl::PCLPointCloud2::ConstPtr free_points_;
   repair::RepairParameters parameters_;
   RepairReport report_;
-  std::shared_ptr<repair::RepairedModel>
-      repaired_; /**< only between initCompute() and its end */
+  std::shared_ptr<repair::ModelSurvey>
+      survey_; /**< only between initCompute() and its end */
 };
 
 } // namespace pcl
