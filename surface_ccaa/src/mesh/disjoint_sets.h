@@ -1,53 +1,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: union-find.
+// Part of PclSurfaceRepair: union-find, which several threads may fill at once.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
 
-/** \brief Sets of the numbers 0 to count - 1; the root of a set is its lowest member.
- */
+/** \brief Sets of the numbers [0, count), without locks.
+ *
+ * A root is always the lowest number of its set, so the final sets and roots do not
+ * depend on who joined what first. Parents only ever move towards the root, which is
+ * why relaxed order is enough: a stale parent is a longer way, not a wrong one. */
 class DisjointSets {
 public:
-  explicit DisjointSets(std::size_t count) : parents_(count)
+  /** \brief Whether each number is a set of its own from the start, or is to be made
+   * one by makeSet() first, which threads can share. */
+  enum class Begin { SINGLE, EMPTY };
+
+  explicit DisjointSets(std::size_t count, Begin begin = Begin::SINGLE)
+  : parents_(count)
   {
-    std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
+    for (std::size_t i = 0; begin == Begin::SINGLE && i < count; ++i)
+      makeSet(i);
   }
 
-  std::size_t
-  find(std::size_t member)
+  void
+  makeSet(std::size_t number)
   {
-    while (parents_[member] != member) {
-      parents_[member] = parents_[parents_[member]];
-      member = parents_[member];
+    parents_[number].store(static_cast<std::uint32_t>(number),
+                           std::memory_order_relaxed);
+  }
+
+  /** \brief Root of the set of a number; halves the way on its way. */
+  std::size_t
+  find(std::size_t number)
+  {
+    std::size_t parent = load(number);
+    while (parent != number) {
+      const std::size_t grandparent = load(parent);
+      if (grandparent == parent)
+        return parent;
+      parents_[number].store(static_cast<std::uint32_t>(grandparent),
+                             std::memory_order_relaxed);
+      number = grandparent;
+      parent = load(number);
     }
-    return member;
+    return number;
   }
 
   void
   join(std::size_t a, std::size_t b)
   {
-    a = find(a);
-    b = find(b);
-    if (a > b)
-      std::swap(a, b);
-    parents_[b] = static_cast<std::uint32_t>(a);
+    if (load(a) == load(b)) // mostly so: both are next to the root already
+      return;
+    for (;;) {
+      a = find(a);
+      b = find(b);
+      if (a == b)
+        return;
+      if (a < b)
+        std::swap(a, b);
+      auto expected = static_cast<std::uint32_t>(a);
+      if (parents_[a].compare_exchange_strong(
+              expected, static_cast<std::uint32_t>(b), std::memory_order_relaxed))
+        return;
+    }
   }
 
   bool
-  isRoot(std::size_t member) const
+  isRoot(std::size_t number) const
   {
-    return parents_[member] == member;
+    return load(number) == number;
   }
 
 private:
-  std::vector<std::uint32_t> parents_;
+  std::size_t
+  load(std::size_t number) const
+  {
+    return parents_[number].load(std::memory_order_relaxed);
+  }
+
+  std::vector<std::atomic<std::uint32_t>> parents_;
 };
 
 } // namespace ccaa

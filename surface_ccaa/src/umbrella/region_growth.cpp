@@ -2,34 +2,34 @@
 // Part of PclSurfaceRepair: regions large enough to be trusted (condition C3.4-3).
 #include "umbrella/region_growth.h"
 
-#include "umbrella/parallel_sets.h"
+#include "mesh/disjoint_sets.h"
 
+#include <atomic>
+#include <cstdint>
 #include <numeric>
 
 namespace pcl {
 namespace ccaa {
 namespace {
 
-using Number = ParallelSets::Number;
-
 bool
 joinCorners(const Triangles& triangles,
             const AliveFlags& alive,
             std::size_t vertex_count,
             const LoopContext& context,
-            ParallelSets& regions)
+            DisjointSets& regions)
 {
   const auto make = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      regions.makeSet(static_cast<Number>(i));
+      regions.makeSet(i);
   };
   const auto join = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (alive[i] == 0)
         continue;
       const Triangle& triangle = triangles[i];
-      regions.join(static_cast<Number>(triangle[0]), static_cast<Number>(triangle[1]));
-      regions.join(static_cast<Number>(triangle[0]), static_cast<Number>(triangle[2]));
+      regions.join(std::size_t(triangle[0]), std::size_t(triangle[1]));
+      regions.join(std::size_t(triangle[0]), std::size_t(triangle[2]));
     }
   };
   return forEachBlock(vertex_count, context, make) &&
@@ -38,18 +38,19 @@ joinCorners(const Triangles& triangles,
 
 /** \brief Of each root the number of internal points of its region. Neighbours mostly
  * lie in one region: runs are added at once, which keeps threads off each other. */
-std::vector<std::atomic<Number>>
+std::vector<std::atomic<std::uint32_t>>
 countInternalPoints(const std::vector<Fan>& fans,
                     const LoopContext& context,
-                    ParallelSets& regions)
+                    DisjointSets& regions)
 {
-  std::vector<std::atomic<Number>> internal(fans.size());
+  std::vector<std::atomic<std::uint32_t>> internal(fans.size());
   const auto count = [&](std::size_t, std::size_t begin, std::size_t end) {
-    Number root = 0, run = 0;
+    std::size_t root = 0;
+    std::uint32_t run = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (fans[i] != Fan::CLOSED)
         continue;
-      const Number next = regions.find(static_cast<Number>(i));
+      const std::size_t next = regions.find(i);
       if (next != root) {
         internal[root].fetch_add(run, std::memory_order_relaxed);
         root = next;
@@ -80,24 +81,23 @@ removeSmallRegions(const Triangles& triangles,
                    std::vector<Fan>& fans)
 {
   RegionReport report;
-  ParallelSets regions(fans.size());
+  DisjointSets regions(fans.size(), DisjointSets::Begin::EMPTY);
   if (!joinCorners(triangles, alive, fans.size(), context, regions))
     return report;
   const auto internal = countInternalPoints(fans, context, regions);
-  const auto is_small = [&](Number vertex) {
+  const auto is_small = [&](std::size_t vertex) {
     return internal[regions.find(vertex)].load(std::memory_order_relaxed) <
            minimum_internal_points;
   };
   std::vector<std::size_t> kept(context.blockCount(fans.size()));
   const auto free_points = [&](std::size_t block, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto vertex = static_cast<Number>(i);
       if (fans[i] == Fan::NONE)
         continue;
-      if (is_small(vertex))
+      if (is_small(i))
         fans[i] = Fan::NONE;
       else
-        kept[block] += regions.find(vertex) == vertex ? 1 : 0;
+        kept[block] += regions.isRoot(i) ? 1 : 0;
     }
   };
   std::vector<std::size_t> removed(context.blockCount(triangles.size()));
