@@ -163,8 +163,6 @@ settle(const CommandLine& line, RepairParameters& method)
   if (line.given("simple-edges"))
     method.filling.simple_edges = method.survey.simple_edges;
   method.relax = method.relax && method.refine;
-  method.survey.orientation.room = method.survey.field.room;
-  method.survey.tracker.room = method.survey.field.room;
 }
 
 } // namespace

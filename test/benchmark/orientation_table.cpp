@@ -142,7 +142,7 @@ orientOnce(IncompleteModel model, bool outward, app::RandomNumbers& random)
     side.flipped = random.below(2) == 1;
   turnIslands(model, turned);
   const std::vector<IslandSide> sides =
-      orientIslands(model, extractBoundaries(model), {}, {});
+      orientIslands(model, extractBoundaries(model), {}, pcl::repair::DEFAULT_ROOM, {});
   Counts counts;
   counts.islands = sides.size();
   for (std::size_t i = 0; i < sides.size(); ++i)

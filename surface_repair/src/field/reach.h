@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <pcl/surface_repair/repair_parameters.h>
+
 #include "field/falloff.h"
 #include "field/field_source.h"
 
@@ -13,15 +15,6 @@
 
 namespace pcl {
 namespace repair {
-
-/** \brief Default of k_t: free points are as trustworthy as not (4.424): one of them
- * halves the length of what passes close by. */
-constexpr double DEFAULT_TRUST = 0.5;
-
-/** \brief Default of L_2 by the gap to be crossed: the sources straight ahead keep
- * (1 - 1 / 2.5)^2.5 = 0.28 of their strength, and a good arc of the other boundary is
- * within reach. */
-constexpr double DEFAULT_ROOM = 2.5;
 
 /** \brief Distances across gaps: from places to the sources of other islands.
  *

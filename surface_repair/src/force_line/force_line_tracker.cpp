@@ -130,12 +130,10 @@ double
 Trace::reachAt(const Position& position) const
 {
   const double far = query_.falloff.far;
-  if (!(parameters_.room > 0.0))
-    return far;
   const double within = gap_ + (position - position_).norm();
   const auto nearest = nearestTarget(position, position, (1.0 + 1e-9) * within);
   const double gap = nearest ? nearest->distance : within;
-  return std::min(far, std::max(parameters_.room * gap, LEAST_REACH * near()));
+  return std::min(far, std::max(origin_.room * gap, LEAST_REACH * near()));
 }
 
 void

@@ -24,6 +24,7 @@ struct LineOrigin {
   Direction tangent; /**< tau of the boundary, positive direction */
   Direction normal;  /**< external normal of the island, perpendicular to tau */
   FieldQuery query; /**< L_1, L_2, chi and the charges; its position is not looked at */
+  double room = DEFAULT_ROOM; /**< gaps left that L_2 spans at most, along the line */
 };
 
 /** \brief Traces lines dX/dl = f / |f|, f = H n, where n answers 4.44-1 at each point.

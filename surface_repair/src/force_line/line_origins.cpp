@@ -119,6 +119,7 @@ originsBetweenIslands(const IndicatorField& field,
         continue;
       origin.origin.query.falloff =
           falloffOver(origin.gap, sources.curves[c].spacing, reach);
+      origin.origin.room = reach.room;
       origins.push_back(std::move(origin));
     }
   return askField(field, std::move(origins), context);
@@ -145,6 +146,7 @@ originsInHole(const IndicatorField& field,
     origin.origin.query.silent_island = NONE;
     origin.origin.query.effective = hole;
     origin.origin.query.falloff = falloffOver(origin.gap, sources.spacing, reach);
+    origin.origin.room = reach.room;
     origins.push_back(std::move(origin));
   }
   return askField(field, std::move(origins), context);

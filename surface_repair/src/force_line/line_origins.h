@@ -22,10 +22,10 @@ struct PossibleOrigin {
 
 /** \brief How far the field looks. */
 struct Reach {
-  double near = 0.0;     /**< L_1; 0: the spacing of the source's curve */
-  double far = 0.0;      /**< L_2; 0: room times the gap at the place */
-  double room = 2.5;     /**< gaps that L_2 spans */
-  double exponent = 2.5; /**< chi */
+  double near = 0.0;          /**< L_1; 0: the spacing of the source's curve */
+  double far = 0.0;           /**< L_2; 0: room times the gap at the place */
+  double room = DEFAULT_ROOM; /**< gaps that L_2 spans */
+  double exponent = 2.5;      /**< chi */
 };
 
 /** \brief L_1, L_2 and chi at a place with a gap before it, over sources at a spacing.

@@ -135,6 +135,7 @@ void
 decideByField(const IncompleteModel& model,
               const BoundaryLoops& loops,
               const OrientationParameters& parameters,
+              double room,
               const ccaa::LoopContext& context,
               std::vector<IslandSide>& sides)
 {
@@ -153,7 +154,7 @@ decideByField(const IncompleteModel& model,
            sides);
   for (const Island& island : model.islands)
     evidence.areas.push_back(island.area);
-  evidence.pairs = pairIntegrals(loops, parameters.room, context);
+  evidence.pairs = pairIntegrals(loops, room, context);
   decideByField(evidence, parameters, sides);
 }
 
@@ -193,6 +194,7 @@ std::vector<IslandSide>
 orientIslands(const IncompleteModel& model,
               const BoundaryLoops& loops,
               const OrientationParameters& parameters,
+              double room,
               const ccaa::LoopContext& context)
 {
   std::vector<IslandSide> sides(model.islands.size());
@@ -206,7 +208,7 @@ orientIslands(const IncompleteModel& model,
         return s.rule == SideRule::UNDECIDED;
       });
   if (any_open)
-    decideByField(model, loops, parameters, context, sides);
+    decideByField(model, loops, parameters, room, context, sides);
   return sides;
 }
 

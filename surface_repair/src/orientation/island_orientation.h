@@ -18,11 +18,13 @@
 namespace pcl {
 namespace repair {
 
-/** \brief Find the outer side of every island. Changes nothing: see turnIslands(). */
+/** \brief Find the outer side of every island. Changes nothing: see turnIslands().
+ * \param[in] room L_2 in gaps to the next island */
 std::vector<IslandSide>
 orientIslands(const IncompleteModel& model,
               const BoundaryLoops& loops,
               const OrientationParameters& parameters,
+              double room,
               const ccaa::LoopContext& context);
 
 /** \brief Wind the islands that are flipped the other way round; their normals follow.

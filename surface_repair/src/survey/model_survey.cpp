@@ -135,6 +135,7 @@ orientIslands(const SurveyParameters& parameters,
   survey.sides = orientIslands(survey.model,
                                survey.loops,
                                parameters.orientation,
+                               parameters.field.room,
                                named(context, "orientation"));
   const bool any_flipped =
       std::any_of(survey.sides.begin(), survey.sides.end(), [](const IslandSide& side) {

@@ -41,7 +41,8 @@ orient(const IncompleteModel& model,
 {
   ccaa::LoopContext context;
   context.threads = threads;
-  return orientIslands(model, extractBoundaries(model), parameters, context);
+  return orientIslands(
+      model, extractBoundaries(model), parameters, DEFAULT_ROOM, context);
 }
 
 /** The model with some islands turned, and what orientIslands() says of it. */

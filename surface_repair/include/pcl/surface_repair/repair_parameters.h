@@ -82,8 +82,6 @@ struct OrientationParameters {
   /** \brief k of r = k d (4.48): a way closer than this times the mean free-point
    * spacing to a free point is not free. Default 1. */
   double sight_clearance = 1.0;
-  /** \brief L_2 in gaps to the next island. Default 2.5. */
-  double room = 2.5;
 };
 
 /** \brief When a class of a boundary counts as decided. */
@@ -102,18 +100,31 @@ enum class FieldMode : std::uint8_t { LIGHT, FULL };
 /** \brief Any search of PCL. Its header takes long to compile, hence not here. */
 using PointSearchPtr = pcl::shared_ptr<pcl::search::Search<pcl::PointXYZ>>;
 
+/** \brief L_2 by the gap to be crossed: the sources straight ahead keep
+ * (1 - 1 / 2.5)^2.5 = 0.28 of their strength, and a good arc of the other boundary is
+ * within reach. */
+constexpr double DEFAULT_ROOM = 2.5;
+
+/** \brief Default of k_t: free points are as trustworthy as not (4.424): one of them
+ * halves the length of what passes close by. */
+constexpr double DEFAULT_TRUST = 0.5;
+
 /** \brief The method's parameters; 0 stands for "from the data" where it says so. */
 struct FieldParameters {
   FieldMode mode = FieldMode::LIGHT;
-  double interpolation = 0.0;       /**< k_i, at least 0 */
-  double falloff_exponent = 2.5;    /**< chi, above 0 */
-  double near = 0.0;                /**< L_1; 0: the mean source spacing */
-  double far = 0.0;                 /**< L_2; 0: `room` times the gap at each place */
-  double room = 2.5;                /**< gaps that L_2 spans, above 1 */
+  double interpolation = 0.0;    /**< k_i, at least 0 */
+  double falloff_exponent = 2.5; /**< chi, above 0 */
+  double near = 0.0;             /**< L_1; 0: the mean source spacing */
+  double far = 0.0;              /**< L_2; 0: `room` times the gap at each place */
+  /** \brief Gaps that L_2 spans, above 1: at an origin the gap before it, along a line
+   * the gap that is left to the nearest target, if that is less. Of the thesis is only
+   * the first, with which a line that comes to a closely sampled ring may turn away at
+   * the last moment, because the far side of the ring repels. */
+  double room = DEFAULT_ROOM;
   double free_point_near = 0.0;     /**< R_1; 0: mean free-point spacing */
   double free_point_far = 0.0;      /**< R_2; 0: half the mean gap */
   double free_point_exponent = 1.0; /**< gamma, above 0 */
-  double trust = 0.5;               /**< k_t of the free points, in [0, 1) */
+  double trust = DEFAULT_TRUST;     /**< k_t of the free points, in [0, 1) */
   /** \brief For the neighbourhoods of free points; null: search::KdTree. */
   PointSearchPtr search;
 };
@@ -125,11 +136,6 @@ struct TrackerParameters {
   /** \brief Distance in L_1 at which a boundary captures a line, which then goes on
    * straight. Nearer than that the single sources show. Default 2. */
   double capture_distance = 2.0;
-  /** \brief L_2 along the line in gaps that are left to the nearest target, if that is
-   * less than the L_2 of the origin. 0: L_2 stays as it is (thesis), with which a line
-   * that comes to a closely sampled ring may turn away at the last moment, because the
-   * far side of the ring repels. Default 2.5. */
-  double room = 2.5;
   /** \brief Greatest length of a line in L_2. Default 2. */
   double greatest_length = 2.0;
   /** \brief Clearness below which a normal counts as undetermined (4.44), 0 to 1.
