@@ -25,14 +25,6 @@ struct Grown {
   std::vector<pcl::index_t> obstructed;
 };
 
-Triangle
-numbered(const Triangle& triangle, const std::vector<pcl::index_t>& vertices)
-{
-  return {vertices[static_cast<std::size_t>(triangle[0])],
-          vertices[static_cast<std::size_t>(triangle[1])],
-          vertices[static_cast<std::size_t>(triangle[2])]};
-}
-
 Grown
 growRegion(const OpenSurface& region,
            const std::vector<pcl::index_t>& vertices,
@@ -44,8 +36,8 @@ growRegion(const OpenSurface& region,
   growth.run(control);
   Grown grown;
   const Triangles& triangles = growth.surface().triangles();
-  for (std::size_t t = region.rim.size(); t < triangles.size(); ++t)
-    grown.triangles.push_back(numbered(triangles[t], vertices));
+  const auto rim = static_cast<std::ptrdiff_t>(region.rim.size());
+  grown.triangles = inTheWhole({triangles.begin() + rim, triangles.end()}, vertices);
   for (const pcl::index_t point : growth.obstructedPoints())
     grown.obstructed.push_back(vertices[static_cast<std::size_t>(point)]);
   return grown;
@@ -129,9 +121,10 @@ growInto(const Gap& gap,
     for (const pcl::index_t point : region.obstructed)
       obstructed.push_back(gap.vertices[static_cast<std::size_t>(point)]);
   }
-  for (const Triangle& made :
-       largeComponents(all, gap.surface.rim.size(), gap.surface.positions, rule))
-    surface.add(numbered(made, gap.vertices));
+  const Triangles made =
+      largeComponents(all, gap.surface.rim.size(), gap.surface.positions, rule);
+  for (const Triangle& triangle : inTheWhole(made, gap.vertices))
+    surface.add(triangle);
   return obstructed;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace ccaa {
@@ -216,9 +217,7 @@ LocalRegrowth::growInto(const OpenSurface& gap,
   Triangles all = gap.rim;
   all.insert(all.end(), attempt.made.begin(), attempt.made.end());
   attempt.flaws = countFlaws(all, gap.open_points);
-  for (Triangle& triangle : attempt.made)
-    for (pcl::index_t& corner : triangle)
-      corner = vertices[static_cast<std::size_t>(corner)];
+  attempt.made = inTheWhole(std::move(attempt.made), vertices);
   return attempt;
 }
 

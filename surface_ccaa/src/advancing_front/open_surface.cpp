@@ -39,6 +39,15 @@ VertexNumbers::note(const std::vector<index_t>& vertices, std::size_t first)
   std::sort(numbers_.begin(), numbers_.end());
 }
 
+Triangles
+inTheWhole(Triangles triangles, const std::vector<index_t>& vertices)
+{
+  for (Triangle& triangle : triangles)
+    for (index_t& corner : triangle)
+      corner = vertices[static_cast<std::size_t>(corner)];
+  return triangles;
+}
+
 void
 findNeighborsDirectly(OpenSurface& open, unsigned int k)
 {

@@ -53,6 +53,11 @@ private:
   std::vector<std::pair<index_t, index_t>> numbers_; /**< vertex, number; ascending */
 };
 
+/** \brief Triangles of an open surface in the vertices of the whole.
+ * \param[in] vertices what its vertices are there */
+Triangles
+inTheWhole(Triangles triangles, const std::vector<index_t>& vertices);
+
 /** \brief Fill the neighbor table by comparing all with all: for small open surfaces.
  * Rows ascend by distance, then by number. Cost O(n^2 log n). */
 void

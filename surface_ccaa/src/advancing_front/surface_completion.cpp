@@ -151,7 +151,8 @@ Completion::regrowObstructed()
   regrowth.run(obstructed_, context_);
 }
 
-/** One fan for every point, and no crossings; then the triangles that there are. */
+/** One fan for every point, and no crossings; then the triangles that there are, and
+ * nothing that only growth needs. */
 void
 Completion::settle()
 {
@@ -165,6 +166,10 @@ Completion::settle()
       result_.kept.push_back(triangle);
     result_.triangles.push_back((*surface_)[triangle]);
   }
+  nearby_.reset();
+  surface_.reset();
+  gap_ = {};
+  adjacency_ = std::move(given_.adjacency); // its memory serves the result
 }
 
 /** Growth and local regrowth may leave pieces behind that are cut off from the rest

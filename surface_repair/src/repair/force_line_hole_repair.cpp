@@ -122,10 +122,7 @@ ForceLineHoleRepair::performProcessing(pcl::PolygonMesh& output)
       output.cloud = {};
       return;
     }
-    if (&output != input_mesh_.get())
-      output.cloud = input_mesh_->cloud;
-    if (!report_.cancelled)
-      write(repaired, output);
+    write(repaired, output);
   }
   catch (const std::bad_alloc&) {
     reportOutOfMemory("performProcessing");
@@ -137,6 +134,10 @@ void
 ForceLineHoleRepair::write(repair::RepairedModel& repaired, pcl::PolygonMesh& output)
 {
   const ccaa::StageClock clock;
+  if (&output != input_mesh_.get())
+    output.cloud = input_mesh_->cloud;
+  if (report_.cancelled)
+    return;
   auto next = static_cast<pcl::index_t>(ccaa::pointCount(output.cloud));
   repair::AddedVertices added = addedVertices(repaired);
   const Eigen::Vector3d& shift = report_.reading.global_shift;

@@ -13,9 +13,9 @@ namespace pcl {
 namespace repair {
 
 /** \brief The method (thesis, Chapter 4) on a model that was read, the box in
- * doc/concepts/repair.md: orient, classify,
- * bridge, extract contours, subdivide, fill, fair, verify; and again on what came out,
- * as long as that closes anything more. \param[in] survey as readSurvey() made it
+ * doc/concepts/repair.md: orient, classify, bridge, extract contours, subdivide, fill,
+ * fair, verify; and again on what came out, as long as that closes anything more.
+ * \param[in] survey as readSurvey() made it
  * \param[in] cloud that it was read from
  * \param[out] report all but `seconds` of writing
  * \return empty when there is no model (report.reading.problem) or after cancelling */
