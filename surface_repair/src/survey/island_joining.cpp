@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: lines and bridges between islands, until each that can be
 // reached is reached (4.47).
 
+#include "survey/handle_choice.h"
 #include "survey/survey_fields.h"
 #include "survey/wanted_lines.h"
 
@@ -95,6 +96,7 @@ Joining::choose()
                                  targets_,
                                  {parameters_.bridge_spacing, 2.0 * spacing_});
   survey_.joined.holes = extractContours(targets_, survey_.joined.bridges);
+  dropHandles(survey_, targets_, survey_.joined);
 }
 
 /** Origins on boundaries that lines reach but no bridge that could be kept, and around

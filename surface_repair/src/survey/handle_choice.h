@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: handles that bridges make, counted before anything is
+// filled.
+
+#pragma once
+
+#include "survey/model_survey.h"
+
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief What closing all contours would make of islands and bridges. */
+struct BridgedTopology {
+  std::size_t pieces = 0;
+  long handles = 0; /**< beyond those that the islands have */
+};
+
+/** \brief Count pieces and handles: with I islands in P pieces, N boundaries, B bridges
+ * that pass C contours, bridges add P - I - (C - B - N) / 2 handles (Euler).
+ * \param[in] joined bridges and contours of boundaries of the survey */
+BridgedTopology
+bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined);
+
+/** \brief Give up bridges that make a handle, of the most bent junction first, until
+ * none is left that evidence does not carry: at a true handle that was cut through the
+ * surfaces go on straight.
+ *
+ * No piece falls apart. Cost: some dozen extractions of contours for each handle.
+ * \param[in,out] joined bridges and contours of boundaries of the survey */
+void
+dropHandles(const ModelSurvey& survey,
+            const BoundaryEdges& boundaries,
+            SurveyedBridges& joined);
+
+} // namespace repair
+} // namespace pcl
