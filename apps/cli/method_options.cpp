@@ -108,7 +108,8 @@ addFillingOptions(CommandLine& line, RepairParameters& method)
   options.flag("pure", [&method] {
     method.filling.choice = FillingChoice::FAN;
     method.refine = false;
-  })("the thesis alone: --filling fan --no-refine");
+    method.crumb_triangles = 0;
+  })("the thesis alone: --filling fan --no-refine --crumbs 0");
 }
 
 void
@@ -228,6 +229,9 @@ addMethodOptions(CommandLine& command_line, RepairParameters& method)
   addSideOptions(command_line, method.survey.orientation.sides);
   command_line.options().flag("no-join", method.join_islands, false)(
       "leave islands apart");
+  command_line.options().count("crumbs", method.crumb_triangles, 0, MOST_EDGES)(
+      "islands of fewer triangles wait until the others are joined, and are laid into "
+      "the patches that cover them; 0: none wait, nor do any with decisions");
   addWishOptions(command_line, method);
   addFillingOptions(command_line, method);
   addSurveyOptions(command_line.method(), method.survey);

@@ -11,8 +11,6 @@
 namespace pcl {
 namespace repair {
 
-namespace {
-
 TriangleOrigin
 originOf(const std::string& filling)
 {
@@ -22,10 +20,8 @@ originOf(const std::string& filling)
   return TriangleOrigin::MINIMUM_WEIGHT;
 }
 
-} // namespace
-
 void
-RepairLog::countSeconds(const char* step, double seconds)
+RepairLog::countSeconds(const std::string& step, double seconds)
 {
   auto& all = report_.seconds;
   const auto entry = std::find_if(
@@ -39,19 +35,14 @@ RepairLog::countSeconds(const char* step, double seconds)
 void
 RepairLog::noteLook()
 {
-  if (!has_input_)
-    noteInput();
-  else
-    for (const auto& [stage, seconds] : survey_.seconds)
-      countSeconds("looking again", seconds);
-  has_input_ = true;
+  for (const auto& [stage, seconds] : survey_.seconds)
+    countSeconds(pass_ == 0 ? stage : "looking again", seconds);
 }
 
 void
 RepairLog::noteInput()
 {
   const IncompleteModel& model = survey_.model;
-  report_.seconds = survey_.seconds;
   report_.input_triangles = model.triangles.size();
   report_.free_points = model.free_points.size();
   report_.counts_before = survey_.counts;

@@ -9,10 +9,15 @@
 #include "survey/model_survey.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace pcl {
 namespace repair {
+
+/** \brief Where triangles of a filling come from, by its name. */
+TriangleOrigin
+originOf(const std::string& filling);
 
 /** \brief Fills in the report of a repair, step by step. */
 class RepairLog {
@@ -22,17 +27,13 @@ public:
   : survey_(survey), report_(report)
   {}
 
-  /** \brief What is known before anything is closed. The first time that is what came
-   * in: islands, loops, class, and its triangles; later only the time it took. */
+  /** \brief What came in: islands, loops, class, and its triangles. */
+  void
+  noteInput();
+
+  /** \brief The time that it took to look at what is there before a pass. */
   void
   noteLook();
-
-  /** \brief noteLook() was called. */
-  bool
-  hasInput() const
-  {
-    return has_input_;
-  }
 
   /** \brief Junctions and bridges are those of the present survey from now on. */
   void
@@ -49,11 +50,9 @@ public:
 
   /** \brief Time that a step took, added to what it has taken before. */
   void
-  countSeconds(const char* step, double seconds);
+  countSeconds(const std::string& step, double seconds);
 
 private:
-  void
-  noteInput();
   void
   noteJunctions();
   void
@@ -65,7 +64,6 @@ private:
 
   const ModelSurvey& survey_;
   RepairReport& report_;
-  bool has_input_ = false;
   std::size_t pass_ = 0;
   std::vector<std::size_t>
       entry_of_bridge_; /**< of the present survey's bridges, in the report */

@@ -3,15 +3,15 @@
 
 #include "repair/repair_method.h"
 
-#include "repair/filling_choice.h"
-#include "repair/hole_closing.h"
+#include "repair/crumbs.h"
+#include "repair/hole_reopening.h"
 #include "repair/last_check.h"
 #include "repair/loop_reasons.h"
+#include "repair/passes.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace pcl {
@@ -19,45 +19,9 @@ namespace repair {
 
 namespace {
 
-/** Times that what came out is looked at again. What one pass leaves open because of
- * its neighbours, the next one finds alone. */
-constexpr int MOST_PASSES = 5;
-
-/** Name of the stage for people; \a pass counts from 0. */
-std::string
-closingStage(int pass)
-{
-  return pass == 0 ? "closing"
-                   : "closing, pass " + std::to_string(pass + 1) + " of at most " +
-                         std::to_string(MOST_PASSES);
-}
-
-bool
-closesAll(const RepairParameters& parameters)
-{
-  return parameters.watertight || parameters.filling.close == CloseChoice::ALL;
-}
-
-/** What is done first, and, where all is to be closed, what once nothing more can be
- * joined: then each boundary is closed by itself. Shares of the diagonal are those of
- * the input's. */
-std::vector<RepairParameters>
-roundsFor(const RepairParameters& wanted, double diagonal)
-{
-  RepairParameters first = wanted;
-  first.survey.simple_edges = simpleEdges(wanted.filling);
-  first.survey.trace_in_holes = false;
-  first.survey.trace_between_islands = wanted.join_islands;
-  for (Extent* limit : {&first.filling.greatest_length, &first.survey.greatest_bridge})
-    *limit = Extent(limit->length(diagonal));
-  if (!closesAll(wanted))
-    return {first};
-  first.filling.close = CloseChoice::HOLES;
-  RepairParameters second = first;
-  second.filling.close = CloseChoice::ALL;
-  second.survey.trace_between_islands = false;
-  return {first, second};
-}
+/** Discs of so many times the triangles of a crumb are laid into patches, too, where
+ * bridges have not joined them. */
+constexpr std::size_t LAID_CRUMBS = 10;
 
 CloudFrame
 frameOf(const pcl::PCLPointCloud2& cloud, const ReadingReport& reading)
@@ -67,38 +31,6 @@ frameOf(const pcl::PCLPointCloud2& cloud, const ReadingReport& reading)
         return field.name == "x" && field.datatype == pcl::PCLPointField::FLOAT32;
       });
   return {has_floats, reading.global_shift};
-}
-
-/** All boundaries, and which of them are to be closed. */
-HoleList
-holesOf(const ModelSurvey& survey, const RepairParameters& parameters)
-{
-  HoleList list = listHoles(survey, parameters.filling);
-  if (!parameters.join_islands && survey.model.islands.size() > 1)
-    for (OpenHole& hole : list.holes)
-      if (couldBeJoined(hole.open))
-        hole.open = OpenReason::NOT_WANTED;
-  return list;
-}
-
-/** Nothing is left that another look could find. */
-bool
-allIsClosed(const HoleList& list, const ClosedHoles& closed)
-{
-  return closed.failed.empty() &&
-         std::none_of(list.holes.begin(), list.holes.end(), [](const OpenHole& hole) {
-           return isShortfall(hole.open);
-         });
-}
-
-/** Anything at all is left that can be closed. */
-bool
-isOpen(const HoleList& list, const ClosedHoles& closed)
-{
-  return !closed.failed.empty() ||
-         std::any_of(list.holes.begin(), list.holes.end(), [](const OpenHole& hole) {
-           return hole.open != OpenReason::NONE && hole.open != OpenReason::ONE_SIDED;
-         });
 }
 
 /** What the last try said, or else what speaks against one. */
@@ -120,14 +52,6 @@ lastOutcome(const OpenHole& hole, const ClosedHoles& closed)
   }
   return outcome;
 }
-
-/** One pass: the holes that were listed, and what came of it. */
-struct Pass {
-  HoleList holes;
-  ClosedHoles closed;
-  bool finished = false; /**< nothing is left that should be closed */
-  const RepairParameters* parameters = nullptr; /**< that it went by */
-};
 
 void
 reportOpen(const OpenHole& hole, const Pass& last, RepairLog& log, RepairReport& report)
@@ -188,38 +112,32 @@ moveBridges(const Eigen::Vector3d& shift, std::vector<RepairBridge>& bridges)
       point += shift;
 }
 
-/** ICM2 -> closed: each region of holes is subdivided (4.5), filled (4.7), faired and
- * verified. */
-Pass
-closePass(int pass,
-          const RepairParameters& parameters,
-          const CloudFrame& frame,
-          const ccaa::LoopContext& context,
-          ModelSurvey& survey,
-          RepairLog& log)
+/** Some island is still none of a larger one. */
+bool
+hasUnjoined(const Pass& last)
 {
-  const ccaa::StageClock clock;
-  Pass now;
-  now.parameters = &parameters;
-  now.holes = holesOf(survey, parameters);
-  const std::string stage = closingStage(pass);
-  now.closed =
-      closeHoles(parameters, frame, context, stage.c_str(), now.holes, survey, log);
-  now.finished = allIsClosed(now.holes, now.closed);
-  log.countSeconds("closing", clock.seconds());
-  return now;
+  const std::vector<OpenHole>& holes = last.holes.holes;
+  return std::any_of(holes.begin(), holes.end(), [](const OpenHole& hole) {
+    return hole.open == OpenReason::NOT_JOINED;
+  });
 }
 
-/** The model with what a pass closed, in order for the next look. */
-void
-takeClosed(const ccaa::LoopContext& context,
-           Pass& pass,
-           ModelSurvey& survey,
-           std::size_t& input_vertices)
+/** Some hole stayed open because a patch would run through something. */
+bool
+hasObstructed(const ClosedHoles& closed)
 {
-  addToModel(context, pass.holes, pass.closed, survey.model, input_vertices);
-  survey = putInOrder(std::move(survey), pass.closed.used, context);
-  pass.closed.used.assign(survey.model.free_points.size(), false);
+  return std::any_of(
+      closed.failed.begin(), closed.failed.end(), [](const auto& failure) {
+        return failure.second.open == OpenReason::INTERSECTION;
+      });
+}
+
+/** Islands of fewer triangles are crumbs. What users decide is about all islands. */
+std::size_t
+crumbsOf(const RepairParameters& parameters)
+{
+  const bool decided = parameters.survey.decisions != nullptr;
+  return parameters.join_islands && !decided ? parameters.crumb_triangles : 0;
 }
 
 } // namespace
@@ -236,33 +154,46 @@ repairModel(ModelSurvey survey,
   report.reading = survey.reading;
   if (!survey.reading.problem.empty() || context.cancelled())
     return {};
-  RepairedModel result{
-      {}, survey.model.positions.size(), survey.model.triangles.size()};
-  const CloudFrame frame = frameOf(cloud, survey.reading);
-  RepairLog log(survey, report);
   const auto rounds = roundsFor(parameters, diagonalOf(survey.model));
-  Pass last;
-  for (const RepairParameters& round : rounds) {
-    if (log.hasInput())
-      takeClosed(context, last, survey, result.input_vertices);
-    for (int pass = 0; pass <= MOST_PASSES; ++pass) {
-      classifyBoundaries(round.survey, context, survey);
-      bridgeIslands(round.survey, context, survey);
-      if (context.cancelled())
-        return {};
-      log.noteLook();
-      if (pass == MOST_PASSES)
-        break;
-      last = closePass(pass, round, frame, context, survey, log);
-      if (context.cancelled())
-        return {};
-      if (last.finished || last.closed.triangles.empty())
-        break;
-      takeClosed(context, last, survey, result.input_vertices);
-    }
-    if (!isOpen(last.holes, last.closed))
-      break;
+  classifyBoundaries(rounds.front().survey, context, survey);
+  if (context.cancelled())
+    return {};
+  RepairLog log(survey, report);
+  log.noteInput();
+  const std::size_t crumb_triangles = crumbsOf(parameters);
+  const Crumbs crumbs = setCrumbsAside(crumb_triangles, context, survey);
+  RepairedModel result{{}, survey.model.positions.size(), report.input_triangles};
+  const CloudFrame frame = frameOf(cloud, survey.reading);
+  const Course course{rounds, frame, context, survey, log, result.input_vertices};
+  Pass last = closeRounds(course);
+  const bool has_small = !crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last));
+  if (has_small && !context.cancelled()) {
+    takeClosed(context, last, survey, result.input_vertices);
+    if (!crumbs.empty())
+      putCrumbsBack(context, crumbs, survey, result.input_vertices);
+    layCrumbs(LAID_CRUMBS * crumb_triangles,
+              parameters,
+              frame,
+              context,
+              survey,
+              result.input_vertices,
+              report);
+    last = closeRounds(course);
   }
+  if (hasObstructed(last.closed) && !context.cancelled()) {
+    takeClosed(context, last, survey, result.input_vertices);
+    reopenHoles(last.closed.failed,
+                parameters,
+                frame,
+                context,
+                survey,
+                result.input_vertices,
+                log,
+                report);
+    last = closeRounds(course);
+  }
+  if (context.cancelled())
+    return {};
   reportEnd(last, survey, log, report);
   addToModel(context, last.holes, last.closed, survey.model, result.input_vertices);
   result.model = std::move(survey.model);

@@ -47,6 +47,9 @@ struct Extent {
 /** \brief Edges up to which a hole is simple for the thesis' filling method (4.7). */
 constexpr std::size_t SIMPLE_HOLE_EDGES = 12;
 
+/** \brief Islands of fewer triangles carry little orientation and few bridges. */
+constexpr std::size_t CRUMB_TRIANGLES = 30;
+
 /** \brief Which islands are too small: those below any of the limits. */
 struct SmallIslands {
   std::size_t triangles = 0;      /**< fewer than so many */
@@ -258,6 +261,10 @@ struct RepairParameters {
   SurveyParameters survey; /**< sides, classes, field, lines, bridges */
   FillingParameters filling;
   bool join_islands = true;
+  /** \brief Discs of fewer triangles wait until the other islands are joined, and are
+   * laid into the patches that cover them. Not where islands are not to be joined, nor
+   * with decisions of the user. 0: none wait. */
+  std::size_t crumb_triangles = CRUMB_TRIANGLES;
   /** \brief A surface without any boundary is wanted: CloseChoice::ALL, and whatever
    * stays open is a shortfall. */
   bool watertight = false;

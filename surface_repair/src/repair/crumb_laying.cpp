@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: lays a crumb into the patch that covers it.
+
+#include "repair/crumb_laying.h"
+
+#include "boundary/extraction.h"
+#include "fairing/refinement.h"
+#include "fairing/relaxation.h"
+#include "fairing/triangle_search.h"
+#include "repair/opening.h"
+#include "repair/patch_assembly.h"
+#include "repair/relaxation_rollback.h"
+#include "repair/ring_filling.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Rings around the shadow of a crumb that are opened, one try after the other. */
+constexpr std::array<int, 4> OPENED_RINGS = {1, 2, 4, 0};
+/** Rings around what runs into something that are not relaxed. */
+constexpr std::array<std::size_t, 3> UNRELAXED_RINGS = {0, 2, 8};
+/** A patch covers a crumb that is nearer than so many of its extents, one try after the
+ * other. */
+constexpr std::array<double, 2> REACHES = {1.0, 6.0};
+/** What is looked at around a crumb, in the reach. */
+constexpr double ROOM = 4.0;
+
+/** Lays one crumb. */
+class CrumbLaying {
+public:
+  CrumbLaying(const std::vector<std::size_t>& crumb,
+              const RepairParameters& parameters,
+              const CloudFrame& frame,
+              GrowingSurface& surface)
+  : crumb_(crumb), parameters_(parameters), frame_(frame), surface_(surface)
+  {}
+
+  /** \return whether it is part of a patch now */
+  bool
+  run();
+
+private:
+  bool
+  hasPatchNear(const ccaa::Box& box) const;
+  bool
+  findShadow(bool turned);
+  bool
+  layInto(int rings);
+  bool
+  isInside(const std::vector<pcl::index_t>& border) const;
+  bool
+  close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
+  bool
+  close(const std::vector<RingPolygon>& rings,
+        const Opening& opening,
+        const ModelPart& left);
+  void
+  fair(const IncompleteModel& model,
+       const SurfaceObstacle& obstacle,
+       Patch& patch) const;
+  pcl::index_t
+  rimVertex() const;
+  void
+  turnCrumb();
+  std::size_t
+  holeOf(const Opening& opening) const;
+
+  const std::vector<std::size_t>& crumb_;
+  const RepairParameters& parameters_;
+  const CloudFrame& frame_;
+  GrowingSurface& surface_;
+  double reach_ = 0.0;
+  ccaa::Box around_;
+  ccaa::Box place_;          /**< of what is opened and the crumb */
+  ModelPart part_;           /**< all around the crumb */
+  std::vector<bool> shadow_; /**< of the part's triangles */
+  std::size_t nearest_ = 0;  /**< of the shadow */
+};
+
+bool
+CrumbLaying::run()
+{
+  ccaa::Box box;
+  for (const std::size_t t : crumb_)
+    box.extend(ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
+  for (const double reach : REACHES) {
+    reach_ = reach * box.diagonal().norm();
+    if (!hasPatchNear(box))
+      continue;
+    const Eigen::Vector3d room = Eigen::Vector3d::Constant(ROOM * reach_);
+    around_ = {box.min() - room, box.max() + room};
+    part_ = surface_.part(surface_.near(around_));
+    for (const bool turned : {false, true}) {
+      if (!findShadow(turned))
+        continue;
+      if (turned)
+        turnCrumb();
+      for (const int rings : OPENED_RINGS)
+        if (layInto(rings))
+          return true;
+      if (turned)
+        turnCrumb();
+    }
+  }
+  return false;
+}
+
+bool
+CrumbLaying::hasPatchNear(const ccaa::Box& box) const
+{
+  const Eigen::Vector3d room = Eigen::Vector3d::Constant(reach_);
+  const std::vector<std::size_t> near =
+      surface_.near({box.min() - room, box.max() + room});
+  return std::any_of(near.begin(), near.end(), [&](std::size_t t) {
+    return surface_.hole[t] != NONE;
+  });
+}
+
+/** The triangles of a patch that are nearest to the crumb's corners and centres, on the
+ * side that it shows. */
+bool
+CrumbLaying::findShadow(bool turned)
+{
+  std::vector<ccaa::Corners> corners;
+  for (const Triangle& triangle : part_.model.triangles)
+    corners.push_back(ccaa::cornersOf(triangle, part_.model.positions));
+  shadow_.assign(corners.size(), false);
+  double least_of_all = std::numeric_limits<double>::infinity();
+  for (const std::size_t t : crumb_) {
+    const ccaa::Corners own =
+        ccaa::cornersOf(surface_.triangles[t], surface_.positions);
+    const Eigen::Vector3d normal = (turned ? -1.0 : 1.0) * ccaa::areaNormal(own);
+    Positions samples(own.begin(), own.end());
+    samples.push_back((own[0] + own[1] + own[2]) / 3.0);
+    for (const Position& sample : samples) {
+      std::size_t nearest = NONE;
+      double least = reach_;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (!part_.is_new[i] || ccaa::areaNormal(corners[i]).dot(normal) <= 0.0)
+          continue;
+        const double distance = nearestPlace(sample, corners[i]).distance;
+        if (distance < least) {
+          least = distance;
+          nearest = i;
+        }
+      }
+      if (nearest == NONE)
+        return false;
+      shadow_[nearest] = true;
+      if (!(least < least_of_all))
+        continue;
+      least_of_all = least;
+      nearest_ = nearest;
+    }
+  }
+  return true;
+}
+
+/** All triangles at an opening are known. */
+bool
+CrumbLaying::isInside(const std::vector<pcl::index_t>& border) const
+{
+  return std::all_of(border.begin(), border.end(), [&](pcl::index_t vertex) {
+    return around_.contains(part_.model.positions[static_cast<std::size_t>(vertex)]);
+  });
+}
+
+/** The loop of a part that begins or goes on at a vertex. */
+const BoundaryLoop*
+loopAt(const BoundaryLoops& loops, pcl::index_t vertex)
+{
+  const auto found =
+      std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+        return std::find(loop.vertices.begin(), loop.vertices.end(), vertex) !=
+               loop.vertices.end();
+      });
+  return found == loops.end() ? nullptr : &*found;
+}
+
+/** In the numbers of the whole. */
+BoundaryLoop
+inWhole(BoundaryLoop loop, const ModelPart& part)
+{
+  for (pcl::index_t& vertex : loop.vertices)
+    vertex = part.vertices[static_cast<std::size_t>(vertex)];
+  return loop;
+}
+
+/** The lowest one on the rim of the crumb. */
+pcl::index_t
+CrumbLaying::rimVertex() const
+{
+  std::set<std::pair<pcl::index_t, pcl::index_t>> sides;
+  for (const std::size_t t : crumb_)
+    for (std::size_t c = 0; c < 3; ++c)
+      sides.emplace(surface_.triangles[t][c], surface_.triangles[t][(c + 1) % 3]);
+  pcl::index_t lowest = std::numeric_limits<pcl::index_t>::max();
+  for (const auto& [from, to] : sides)
+    if (sides.count({to, from}) == 0)
+      lowest = std::min(lowest, from);
+  return lowest;
+}
+
+bool
+CrumbLaying::layInto(int rings)
+{
+  const Opening opening = openFrom(part_, nearest_, ringsAround(part_, shadow_, rings));
+  const std::vector<pcl::index_t>& border = opening.border;
+  if (border.empty() || !isInside(border))
+    return false;
+  place_ = placeOf(part_, opening);
+  for (const std::size_t t : crumb_)
+    place_.extend(
+        ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
+  const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
+  const BoundaryLoops loops = extractBoundaries(left.model);
+  const auto loop_at = [&](pcl::index_t vertex) {
+    return loopAt(loops, left.number_of.at(vertex));
+  };
+  const BoundaryLoop* outer =
+      loop_at(part_.vertices[static_cast<std::size_t>(border.front())]);
+  const BoundaryLoop* inner = loop_at(rimVertex());
+  return outer != nullptr && inner != nullptr && outer != inner &&
+         outer->vertices.size() == border.size() &&
+         close(opening, inWhole(*outer, left), inWhole(*inner, left));
+}
+
+/** Close the ring between an opening and the crumb. */
+bool
+CrumbLaying::close(const Opening& opening,
+                   const BoundaryLoop& outer,
+                   const BoundaryLoop& inner)
+{
+  const std::vector<LoopPlaces> touching = touchingPlaces(surface_, outer, inner);
+  std::map<pcl::index_t, pcl::index_t> welded;
+  for (const auto& [o, i] : touching)
+    welded.emplace(inner.vertices[i], outer.vertices[o]);
+  std::vector<std::vector<RingPolygon>> cuts = cutsOf(outer, inner, touching);
+  surface_.weld(crumb_, welded);
+  for (auto& rings : cuts)
+    for (RingPolygon& ring : rings)
+      for (pcl::index_t& vertex : ring.vertices)
+        vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
+  const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
+  const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
+    return close(rings, opening, left);
+  });
+  if (!is_closed) {
+    std::map<pcl::index_t, pcl::index_t> back;
+    for (const auto& [vertex, kept] : welded)
+      back.emplace(kept, vertex);
+    surface_.weld(crumb_, back);
+  }
+  return is_closed;
+}
+
+bool
+CrumbLaying::close(const std::vector<RingPolygon>& rings,
+                   const Opening& opening,
+                   const ModelPart& left)
+{
+  const SurfaceObstacle obstacle(left.model, {place_});
+  for (const bool avoids : {false, true}) {
+    const Patch bare = fillRings(rings, left, avoids ? &obstacle : nullptr);
+    if (bare.triangles.empty() || !fitsModel(left.model, bare))
+      continue;
+    for (const bool refined : {true, false}) {
+      Patch patch = bare;
+      if (refined)
+        fair(left.model, obstacle, patch);
+      if (frame_.float_positions)
+        roundToFloats(frame_.origin, patch);
+      if (!isFree(patch, place_, obstacle) || !fitsModel(left.model, patch))
+        continue;
+      surface_.replace(part_, opening.is_open, left, patch, holeOf(opening));
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Where it runs into something, it is not relaxed. */
+void
+CrumbLaying::fair(const IncompleteModel& model,
+                  const SurfaceObstacle& obstacle,
+                  Patch& patch) const
+{
+  if (!parameters_.refine)
+    return;
+  refinePatch(model, parameters_.refinement, patch);
+  if (!parameters_.relax)
+    return;
+  const Positions before = patch.positions;
+  RelaxationParameters relaxation = parameters_.relaxation;
+  relaxation.trust = 0.0;
+  relaxPatch(model, {}, relaxation, patch);
+  for (const std::size_t rings : UNRELAXED_RINGS) {
+    const std::vector<std::size_t> obstructed = obstructedTriangles(patch, obstacle);
+    if (obstructed.empty())
+      return;
+    rollBackRelaxation(before, obstructed, rings, patch);
+  }
+}
+
+void
+CrumbLaying::turnCrumb()
+{
+  for (const std::size_t t : crumb_) {
+    std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
+    const auto own =
+        std::lower_bound(part_.triangles.begin(), part_.triangles.end(), t) -
+        part_.triangles.begin();
+    Triangle& triangle = part_.model.triangles[static_cast<std::size_t>(own)];
+    std::swap(triangle[1], triangle[2]);
+  }
+}
+
+/** The hole of what was opened that was closed first. */
+std::size_t
+CrumbLaying::holeOf(const Opening& opening) const
+{
+  std::size_t hole = NONE;
+  for (std::size_t i = 0; i < opening.is_open.size(); ++i)
+    if (opening.is_open[i])
+      hole = std::min(hole, surface_.hole[part_.triangles[i]]);
+  return hole;
+}
+
+} // namespace
+
+bool
+layCrumb(const std::vector<std::size_t>& crumb,
+         const RepairParameters& parameters,
+         const CloudFrame& frame,
+         GrowingSurface& surface)
+{
+  return CrumbLaying(crumb, parameters, frame, surface).run();
+}
+
+} // namespace repair
+} // namespace pcl

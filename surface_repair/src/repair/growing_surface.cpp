@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a surface of which parts are taken out and filled anew.
+
+#include "repair/growing_surface.h"
+
+#include "icadm/model_assembly.h"
+#include "mesh/intersection.h"
+#include "repair/pinched_points.h"
+#include "repair/repair_log.h"
+#include "survey/survey_stages.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+template <typename T>
+void
+keepMarked(const std::vector<bool>& is_marked, std::vector<T>& list)
+{
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (is_marked[i])
+      list[left++] = list[i];
+  list.resize(left);
+}
+
+} // namespace
+
+GrowingSurface::GrowingSurface(const IncompleteModel& model,
+                               const std::vector<std::size_t>& of_hole)
+: triangles(model.triangles)
+, positions(model.positions)
+, point_of_vertex(model.point_of_vertex)
+, hole(of_hole)
+, is_there(model.triangles.size(), true)
+, in_tree_(model.triangles.size())
+{
+  std::vector<ccaa::Box> boxes;
+  for (const Triangle& triangle : triangles)
+    boxes.push_back(ccaa::boxOf(ccaa::cornersOf(triangle, positions)));
+  tree_ = ccaa::BoxTree(boxes);
+}
+
+void
+GrowingSurface::weld(const std::vector<std::size_t>& some,
+                     const std::map<pcl::index_t, pcl::index_t>& kept)
+{
+  for (const std::size_t t : some)
+    for (pcl::index_t& corner : triangles[t]) {
+      const auto found = kept.find(corner);
+      if (found != kept.end())
+        corner = found->second;
+    }
+}
+
+void
+GrowingSurface::openAround(const std::vector<std::size_t>& some)
+{
+  const auto corners_of = [&](std::size_t t) {
+    return ccaa::cornersOf(triangles[t], positions);
+  };
+  for (const std::size_t own : some)
+    for (const std::size_t other : near(ccaa::boxOf(corners_of(own))))
+      if (hole[other] != NONE && !ccaa::isCollinear(corners_of(own)) &&
+          !ccaa::isCollinear(corners_of(other)) &&
+          ccaa::trianglesMeet(corners_of(own), corners_of(other)))
+        is_there[other] = false;
+}
+
+bool
+GrowingSurface::hasChanged() const
+{
+  return std::find(is_there.begin(), is_there.end(), false) != is_there.end();
+}
+
+std::vector<std::size_t>
+GrowingSurface::near(const ccaa::Box& box) const
+{
+  std::vector<std::size_t> found;
+  tree_.forEachMeeting(box, [&](pcl::index_t t) {
+    if (is_there[static_cast<std::size_t>(t)])
+      found.push_back(static_cast<std::size_t>(t));
+  });
+  for (std::size_t t = in_tree_; t < triangles.size(); ++t)
+    if (is_there[t] &&
+        ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)).intersects(box))
+      found.push_back(t);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+ModelPart
+GrowingSurface::part(std::vector<std::size_t> chosen) const
+{
+  ModelPart found;
+  Triangles own;
+  Positions places;
+  for (const std::size_t t : chosen) {
+    Triangle triangle = triangles[t];
+    for (pcl::index_t& corner : triangle) {
+      const auto [entry, is_new] =
+          found.number_of.emplace(corner, static_cast<pcl::index_t>(places.size()));
+      if (is_new) {
+        found.vertices.push_back(corner);
+        places.push_back(positions[static_cast<std::size_t>(corner)]);
+      }
+      corner = entry->second;
+    }
+    own.push_back(triangle);
+    found.is_new.push_back(hole[t] != NONE);
+  }
+  found.triangles = std::move(chosen);
+  found.model = assembleModel(std::move(own), std::move(places), ccaa::LoopContext());
+  return found;
+}
+
+void
+GrowingSurface::replace(const ModelPart& part,
+                        const std::vector<bool>& is_gone,
+                        const ModelPart& left,
+                        const Patch& patch,
+                        std::size_t of_hole)
+{
+  for (std::size_t i = 0; i < is_gone.size(); ++i)
+    if (is_gone[i])
+      is_there[part.triangles[i]] = false;
+  std::vector<pcl::index_t> number;
+  for (const pcl::index_t vertex : patch.rim)
+    number.push_back(left.vertices[static_cast<std::size_t>(vertex)]);
+  for (std::size_t v = patch.rim.size(); v < patch.positions.size(); ++v) {
+    number.push_back(static_cast<pcl::index_t>(positions.size()));
+    positions.push_back(patch.positions[v]);
+    point_of_vertex.push_back(pcl::UNAVAILABLE);
+  }
+  for (Triangle triangle : patch.triangles) {
+    for (pcl::index_t& corner : triangle)
+      corner = number[static_cast<std::size_t>(corner)];
+    triangles.push_back(triangle);
+    hole.push_back(of_hole);
+    is_there.push_back(true);
+  }
+}
+
+namespace {
+
+/** Triangles of each hole; one that became part of another hole is none any more. */
+void
+recount(RepairReport& report)
+{
+  std::vector<std::size_t> triangles(report.holes.size(), 0);
+  for (const std::size_t hole : report.hole_of)
+    if (hole != NONE)
+      ++triangles[hole];
+  std::vector<std::size_t> number(report.holes.size(), NONE);
+  std::size_t left = 0;
+  for (std::size_t h = 0; h < report.holes.size(); ++h) {
+    report.holes[h].triangles = triangles[h];
+    if (triangles[h] == 0 && report.holes[h].open == OpenReason::NONE)
+      continue;
+    number[h] = left;
+    report.holes[left++] = report.holes[h];
+  }
+  report.holes.resize(left);
+  report.origins.clear();
+  for (std::size_t& hole : report.hole_of) {
+    hole = hole == NONE ? NONE : number[hole];
+    report.origins.push_back(hole == NONE ? TriangleOrigin::INPUT
+                                          : originOf(report.holes[hole].filling));
+  }
+}
+
+} // namespace
+
+void
+takeOver(GrowingSurface surface,
+         const ccaa::LoopContext& context,
+         ModelSurvey& survey,
+         std::size_t& input_vertices,
+         RepairReport& report)
+{
+  IncompleteModel& model = survey.model;
+  keepMarked(surface.is_there, surface.triangles);
+  keepMarked(surface.is_there, surface.hole);
+  report.hole_of = std::move(surface.hole);
+  recount(report);
+  model.triangles = std::move(surface.triangles);
+  model.positions = std::move(surface.positions);
+  model.point_of_vertex = std::move(surface.point_of_vertex);
+  if (!model.viewpoints.empty())
+    model.viewpoints.resize(
+        model.positions.size(),
+        Position::Constant(std::numeric_limits<double>::quiet_NaN()));
+  const std::vector<pcl::index_t> number = separatePinches(context, model);
+  const auto of_input = number.begin() + static_cast<std::ptrdiff_t>(input_vertices);
+  input_vertices -= // those that were welded
+      static_cast<std::size_t>(std::count(number.begin(), of_input, pcl::UNAVAILABLE));
+  const std::vector<bool> none_used(model.free_points.size(), false);
+  survey = putInOrder(std::move(survey), none_used, context);
+}
+
+} // namespace repair
+} // namespace pcl

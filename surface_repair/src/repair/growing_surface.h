@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a surface of which parts are taken out and filled anew.
+
+#pragma once
+
+#include <pcl/surface_repair/repair_report.h>
+
+#include "filling/patch.h"
+#include "mesh/box_tree.h"
+#include "survey/model_survey.h"
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Part of a surface as a model of its own. */
+struct ModelPart {
+  std::vector<std::size_t> triangles; /**< of the whole, ascending */
+  std::vector<bool> is_new;           /**< of these: they fill a hole */
+  std::vector<pcl::index_t> vertices; /**< of the whole, for each of the part */
+  std::map<pcl::index_t, pcl::index_t> number_of; /**< in the part, of the whole's */
+  IncompleteModel model;
+};
+
+/** \brief Triangles that come and go after holes were closed. */
+class GrowingSurface {
+public:
+  /** \param[in] of_hole the hole of each triangle, NONE for those of the input */
+  GrowingSurface(const IncompleteModel& model, const std::vector<std::size_t>& of_hole);
+
+  /** \brief Triangles that are there and whose box meets another one, ascending. */
+  std::vector<std::size_t>
+  near(const ccaa::Box& box) const;
+
+  /** \brief Some triangles, ascending, as a model. */
+  ModelPart
+  part(std::vector<std::size_t> chosen) const;
+
+  /** \brief Let some triangles have other vertices, at the same places. */
+  void
+  weld(const std::vector<std::size_t>& some,
+       const std::map<pcl::index_t, pcl::index_t>& kept);
+
+  /** \brief Take away the triangles of holes that run through some triangles. */
+  void
+  openAround(const std::vector<std::size_t>& some);
+
+  /** \brief Take triangles of a part away and add a patch.
+   * \param[in] is_gone of the part's triangles \param[in] left the rest of the part, of
+   * which the rim of the patch is \param[in] of_hole that the patch closes */
+  void
+  replace(const ModelPart& part,
+          const std::vector<bool>& is_gone,
+          const ModelPart& left,
+          const Patch& patch,
+          std::size_t of_hole);
+
+  /** \brief Triangles have gone. */
+  bool
+  hasChanged() const;
+
+  pcl::index_t
+  pointOf(pcl::index_t vertex) const
+  {
+    return point_of_vertex[static_cast<std::size_t>(vertex)];
+  }
+
+  Triangles triangles;
+  Positions positions;
+  std::vector<pcl::index_t> point_of_vertex; /**< of the cloud */
+  std::vector<std::size_t> hole;             /**< of each triangle */
+  std::vector<bool> is_there;                /**< of each triangle */
+
+private:
+  std::size_t in_tree_;
+  ccaa::BoxTree tree_;
+};
+
+/** \brief The surface is what survey and report are about from now on. */
+void
+takeOver(GrowingSurface surface,
+         const ccaa::LoopContext& context,
+         ModelSurvey& survey,
+         std::size_t& input_vertices,
+         RepairReport& report);
+
+} // namespace repair
+} // namespace pcl

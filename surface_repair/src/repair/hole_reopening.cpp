@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: patches that are in the way of another one.
+
+#include "repair/hole_reopening.h"
+
+#include "boundary/extraction.h"
+#include "repair/opening.h"
+#include "repair/region_closing.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Rings of new triangles around a hole that are opened, one try after the other. */
+constexpr std::array<int, 4> WIDER_RINGS = {1, 2, 4, 8};
+/** What is looked at around a hole, in its extents. */
+constexpr double AROUND_EXTENTS = 3.0;
+/** At least, in mean edges of the hole. */
+constexpr double AROUND_EDGES = 20.0;
+
+/** Closes one hole. */
+class HoleReopening {
+public:
+  HoleReopening(const BoundaryLoop& loop,
+                const RepairParameters& parameters,
+                const CloudFrame& frame,
+                const ccaa::LoopContext& context,
+                GrowingSurface& surface)
+  : loop_(loop)
+  , parameters_(parameters)
+  , frame_(frame)
+  , context_(context)
+  , surface_(surface)
+  {}
+
+  /** \param[in] of_hole that new triangles close \return how; still open where no way
+   * was found */
+  HoleOutcome
+  run(std::size_t of_hole);
+
+private:
+  HoleOutcome
+  close(const Opening& opening, std::size_t of_hole);
+
+  const BoundaryLoop& loop_;
+  const RepairParameters& parameters_;
+  const CloudFrame& frame_;
+  const ccaa::LoopContext& context_;
+  GrowingSurface& surface_;
+  ccaa::Box around_;
+  ModelPart part_;
+};
+
+HoleOutcome
+HoleReopening::run(std::size_t of_hole)
+{
+  ccaa::Box box;
+  for (const Position& point : loop_.curve.points)
+    box.extend(point);
+  const double edge = loop_.length / static_cast<double>(loop_.vertices.size());
+  const Eigen::Vector3d room = Eigen::Vector3d::Constant(
+      std::max(AROUND_EXTENTS * box.diagonal().norm(), AROUND_EDGES * edge));
+  around_ = {box.min() - room, box.max() + room};
+  part_ = surface_.part(surface_.near(around_));
+  HoleOutcome outcome;
+  outcome.open = OpenReason::INTERSECTION;
+  std::vector<pcl::index_t> hole;
+  std::vector<bool> at_hole(part_.triangles.size(), false);
+  for (const pcl::index_t vertex : loop_.vertices) {
+    const auto found = part_.number_of.find(vertex);
+    if (found == part_.number_of.end())
+      return outcome;
+    hole.push_back(found->second);
+    const auto& adjacency = part_.model.adjacency;
+    for (const pcl::index_t* triangle = adjacency.begin(hole.back());
+         triangle != adjacency.end(hole.back());
+         ++triangle)
+      at_hole[static_cast<std::size_t>(*triangle)] =
+          part_.is_new[static_cast<std::size_t>(*triangle)];
+  }
+  std::size_t opened = 0;
+  for (const int rings : WIDER_RINGS) {
+    const Opening opening =
+        openFrom(part_, hole, ringsAround(part_, at_hole, rings - 1));
+    const auto now = static_cast<std::size_t>(
+        std::count(opening.is_open.begin(), opening.is_open.end(), true));
+    if (now == opened || context_.cancelled())
+      break; // nothing more can be opened
+    opened = now;
+    outcome = close(opening, of_hole);
+    if (outcome.open == OpenReason::NONE)
+      break;
+  }
+  return outcome;
+}
+
+HoleOutcome
+HoleReopening::close(const Opening& opening, std::size_t of_hole)
+{
+  HoleOutcome outcome;
+  outcome.open = OpenReason::INTERSECTION;
+  const bool is_inside = std::all_of(
+      opening.border.begin(), opening.border.end(), [&](pcl::index_t vertex) {
+        return around_.contains(
+            part_.model.positions[static_cast<std::size_t>(vertex)]);
+      });
+  if (opening.border.empty() || !is_inside)
+    return outcome;
+  const ccaa::Box around_opening = placeOf(part_, opening);
+  const ModelPart left = surface_.part(trianglesLeft(part_, opening, around_opening));
+  const pcl::index_t on_border = left.number_of.at(
+      part_.vertices[static_cast<std::size_t>(opening.border.front())]);
+  const BoundaryLoops loops = extractBoundaries(left.model);
+  const auto loop = std::find_if(loops.begin(), loops.end(), [&](const auto& found) {
+    return std::find(found.vertices.begin(), found.vertices.end(), on_border) !=
+           found.vertices.end();
+  });
+  if (loop == loops.end() || loop->vertices.size() != opening.border.size())
+    return outcome;
+  Region region;
+  region.holes.push_back(polygonOf(*loop));
+  region.is_certain.push_back(true);
+  const SurveyGuides guides;
+  const ClosingPlace place{
+      left.model, guides, parameters_, frame_.float_positions, frame_.origin};
+  const SurfaceObstacle obstacle(left.model, {around_opening});
+  const ClosedRegion closed = closeRegion(place, region, obstacle, context_);
+  if (closed.holes.front().open == OpenReason::NONE &&
+      !isFree(closed.patch, around_opening, obstacle))
+    return outcome;
+  outcome = closed.holes.front();
+  if (outcome.open == OpenReason::NONE)
+    surface_.replace(part_, opening.is_open, left, closed.patch, of_hole);
+  return outcome;
+}
+
+} // namespace
+
+std::size_t
+reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
+            const RepairParameters& parameters,
+            const CloudFrame& frame,
+            const ccaa::LoopContext& context,
+            ModelSurvey& survey,
+            std::size_t& input_vertices,
+            RepairLog& log,
+            RepairReport& report)
+{
+  GrowingSurface surface(survey.model, report.hole_of);
+  std::size_t closed = 0;
+  for (const BoundaryLoop& loop : survey.loops) {
+    const bool has_failed =
+        std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t v) {
+          const auto failure = failed.find(v);
+          return failure != failed.end() &&
+                 failure->second.open == OpenReason::INTERSECTION;
+        });
+    if (!has_failed)
+      continue;
+    const HoleOutcome outcome = HoleReopening(loop, parameters, frame, context, surface)
+                                    .run(report.holes.size());
+    if (context.cancelled())
+      return closed;
+    if (outcome.open != OpenReason::NONE)
+      continue;
+    OpenHole hole;
+    hole.polygon = polygonOf(loop);
+    HoleOutcome told = outcome;
+    told.bridges.clear(); // of another numbering
+    log.add(hole, told);
+    ++closed;
+  }
+  if (surface.hasChanged())
+    takeOver(std::move(surface), context, survey, input_vertices, report);
+  return closed;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: patches that are in the way of another one.
+
+#pragma once
+
+#include <pcl/surface_repair/repair_report.h>
+
+#include "repair/hole_closing.h"
+#include "survey/model_survey.h"
+
+#include <cstddef>
+#include <unordered_map>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Close holes that could not be closed because a patch would run through
+ * something, together with new triangles around them: what is in the way is mostly
+ * another patch that was made before, without knowledge of this one.
+ *
+ * Each is opened wider and wider, one ring of new triangles after the other; where that
+ * leads to nothing all stays as it was. Cost: of a hole some fillings (closeRegion()).
+ * \param[in] failed holes by a vertex of theirs, as a pass left them
+ * \param[in,out] report holes of new triangles \return holes that were closed */
+std::size_t
+reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
+            const RepairParameters& parameters,
+            const CloudFrame& frame,
+            const ccaa::LoopContext& context,
+            ModelSurvey& survey,
+            std::size_t& input_vertices,
+            RepairLog& log,
+            RepairReport& report);
+
+} // namespace repair
+} // namespace pcl

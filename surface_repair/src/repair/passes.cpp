@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: classify, bridge and close, and look again.
+
+#include "repair/passes.h"
+
+#include "repair/filling_choice.h"
+#include "repair/loop_reasons.h"
+#include "run/stage_clock.h"
+#include "survey/survey_stages.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Times that what came out is looked at again. What one pass leaves open because of
+ * its neighbours, the next one finds alone. */
+constexpr int MOST_PASSES = 5;
+
+/** Name of the stage for people; \a pass counts from 0. */
+std::string
+closingStage(int pass)
+{
+  return pass == 0 ? "closing"
+                   : "closing, pass " + std::to_string(pass + 1) + " of at most " +
+                         std::to_string(MOST_PASSES);
+}
+
+bool
+closesAll(const RepairParameters& parameters)
+{
+  return parameters.watertight || parameters.filling.close == CloseChoice::ALL;
+}
+
+/** Nothing is left that another look could find. */
+bool
+allIsClosed(const HoleList& list, const ClosedHoles& closed)
+{
+  return closed.failed.empty() &&
+         std::none_of(list.holes.begin(), list.holes.end(), [](const OpenHole& hole) {
+           return isShortfall(hole.open);
+         });
+}
+
+/** Anything at all is left that can be closed. */
+bool
+isOpen(const HoleList& list, const ClosedHoles& closed)
+{
+  return !closed.failed.empty() ||
+         std::any_of(list.holes.begin(), list.holes.end(), [](const OpenHole& hole) {
+           return hole.open != OpenReason::NONE && hole.open != OpenReason::ONE_SIDED;
+         });
+}
+
+/** ICM2 -> closed: each region of holes is subdivided (4.5), filled (4.7), faired and
+ * verified. */
+Pass
+closePass(int pass,
+          const RepairParameters& parameters,
+          const CloudFrame& frame,
+          const ccaa::LoopContext& context,
+          ModelSurvey& survey,
+          RepairLog& log)
+{
+  const ccaa::StageClock clock;
+  Pass now;
+  now.parameters = &parameters;
+  now.holes = holesOf(survey, parameters);
+  const std::string stage = closingStage(pass);
+  now.closed =
+      closeHoles(parameters, frame, context, stage.c_str(), now.holes, survey, log);
+  now.finished = allIsClosed(now.holes, now.closed);
+  log.countSeconds("closing", clock.seconds());
+  return now;
+}
+
+/** Classify, bridge and close, and again as long as that closes anything more. */
+Pass
+closeRound(const RepairParameters& round, const Course& course)
+{
+  const ccaa::LoopContext& context = course.context;
+  ModelSurvey& survey = course.survey;
+  Pass last;
+  for (int pass = 0; pass <= MOST_PASSES; ++pass) {
+    if (survey.classes.size() != survey.loops.size())
+      classifyBoundaries(round.survey, context, survey);
+    bridgeIslands(round.survey, context, survey);
+    if (context.cancelled())
+      break;
+    course.log.noteLook();
+    if (pass == MOST_PASSES)
+      break;
+    last = closePass(pass, round, course.frame, context, survey, course.log);
+    if (context.cancelled() || last.finished || last.closed.triangles.empty())
+      break;
+    takeClosed(context, last, survey, course.input_vertices);
+  }
+  return last;
+}
+
+} // namespace
+
+std::vector<RepairParameters>
+roundsFor(const RepairParameters& wanted, double diagonal)
+{
+  RepairParameters first = wanted;
+  first.survey.simple_edges = simpleEdges(wanted.filling);
+  first.survey.trace_in_holes = false;
+  first.survey.trace_between_islands = wanted.join_islands;
+  for (Extent* limit : {&first.filling.greatest_length, &first.survey.greatest_bridge})
+    *limit = Extent(limit->length(diagonal));
+  if (!closesAll(wanted))
+    return {first};
+  first.filling.close = CloseChoice::HOLES;
+  RepairParameters second = first;
+  second.filling.close = CloseChoice::ALL;
+  second.survey.trace_between_islands = false;
+  return {first, second};
+}
+
+HoleList
+holesOf(const ModelSurvey& survey, const RepairParameters& parameters)
+{
+  HoleList list = listHoles(survey, parameters.filling);
+  if (!parameters.join_islands && survey.model.islands.size() > 1)
+    for (OpenHole& hole : list.holes)
+      if (couldBeJoined(hole.open))
+        hole.open = OpenReason::NOT_WANTED;
+  return list;
+}
+
+void
+takeClosed(const ccaa::LoopContext& context,
+           Pass& pass,
+           ModelSurvey& survey,
+           std::size_t& input_vertices)
+{
+  addToModel(context, pass.holes, pass.closed, survey.model, input_vertices);
+  survey = putInOrder(std::move(survey), pass.closed.used, context);
+  pass.closed.used.assign(survey.model.free_points.size(), false);
+}
+
+Pass
+closeRounds(const Course& course)
+{
+  Pass last;
+  for (const RepairParameters& round : course.rounds) {
+    if (last.parameters != nullptr)
+      takeClosed(course.context, last, course.survey, course.input_vertices);
+    last = closeRound(round, course);
+    if (course.context.cancelled() || !isOpen(last.holes, last.closed))
+      break;
+  }
+  return last;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: classify, bridge and close, and look again.
+
+#pragma once
+
+#include "repair/hole_closing.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief One pass: the holes that were listed, and what came of it. */
+struct Pass {
+  HoleList holes;
+  ClosedHoles closed;
+  bool finished = false; /**< nothing is left that should be closed */
+  const RepairParameters* parameters = nullptr; /**< that it went by */
+};
+
+/** \brief What a repair works on, and what it goes by. */
+struct Course {
+  const std::vector<RepairParameters>& rounds;
+  const CloudFrame& frame;
+  const ccaa::LoopContext& context;
+  ModelSurvey& survey;
+  RepairLog& log;
+  std::size_t& input_vertices;
+};
+
+/** \brief What is done first, and, where all is to be closed, what once nothing more
+ * can be joined: then each boundary is closed by itself. \param[in] diagonal of the
+ * input, in shares of which lengths are wanted */
+std::vector<RepairParameters>
+roundsFor(const RepairParameters& wanted, double diagonal);
+
+/** \brief All boundaries, and which of them are to be closed. */
+HoleList
+holesOf(const ModelSurvey& survey, const RepairParameters& parameters);
+
+/** \brief The model with what a pass closed, in order for the next look. */
+void
+takeClosed(const ccaa::LoopContext& context,
+           Pass& pass,
+           ModelSurvey& survey,
+           std::size_t& input_vertices);
+
+/** \brief The passes of one round, or of two where all is to be closed. \return the
+ * last pass */
+Pass
+closeRounds(const Course& course);
+
+} // namespace repair
+} // namespace pcl

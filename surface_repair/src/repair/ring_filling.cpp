@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the ring between an opening and what lies within it.
+
+#include "repair/ring_filling.h"
+
+#include "filling/minimum_weight_filling.h"
+#include "icadm/model_assembly.h"
+#include "mesh/intersection.h"
+#include "mesh/sort_unique.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Bridges over which a ring is cut open, one try after the other. */
+constexpr std::size_t CUTS = 3;
+
+void
+add(const BoundaryLoop& loop, std::size_t place, RingPolygon& ring)
+{
+  ring.vertices.push_back(loop.vertices[place]);
+  ring.curve.points.push_back(loop.curve.points[place]);
+  ring.curve.normals.push_back(loop.curve.normals[place]);
+}
+
+/** Go along a loop, from one place up to but without another one; the same place twice
+ * is once around. */
+void
+follow(const BoundaryLoop& loop, std::size_t from, std::size_t to, RingPolygon& ring)
+{
+  std::size_t place = from;
+  do {
+    add(loop, place, ring);
+    place = (place + 1) % loop.vertices.size();
+  }
+  while (place != to);
+}
+
+/** The ring cut open over a bridge. */
+RingPolygon
+cutAt(const LoopPlaces& bridge, const BoundaryLoop& outer, const BoundaryLoop& inner)
+{
+  RingPolygon ring;
+  follow(outer, bridge.first, bridge.first, ring);
+  add(outer, bridge.first, ring);
+  const std::size_t first_inner = ring.vertices.size();
+  follow(inner, bridge.second, bridge.second, ring);
+  add(inner, bridge.second, ring);
+  const Direction across =
+      (ring.curve.normals.front() + ring.curve.normals[first_inner]).normalized();
+  ring.curve.normals[first_inner - 1] = ring.curve.normals.back() = across;
+  return ring;
+}
+
+/** Ends of bridges between two loops, the shortest first, one each from a part of the
+ * inner loop. */
+std::vector<LoopPlaces>
+bridgesBetween(const BoundaryLoop& outer, const BoundaryLoop& inner)
+{
+  std::vector<LoopPlaces> bridges;
+  const std::size_t count = inner.vertices.size();
+  const auto length = [&](const LoopPlaces& bridge) {
+    return (outer.curve.points[bridge.first] - inner.curve.points[bridge.second])
+        .norm();
+  };
+  for (std::size_t part = 0; part < CUTS; ++part) {
+    LoopPlaces best{0, part * count / CUTS};
+    for (std::size_t i = part * count / CUTS; i < (part + 1) * count / CUTS; ++i)
+      for (std::size_t o = 0; o < outer.vertices.size(); ++o)
+        if (length({o, i}) < length(best))
+          best = {o, i};
+    bridges.push_back(best);
+  }
+  std::stable_sort(
+      bridges.begin(), bridges.end(), [&](const LoopPlaces& a, const LoopPlaces& b) {
+        return length(a) < length(b);
+      });
+  return bridges;
+}
+
+/** The polygons between two loops that touch in points, by ascending places of the
+ * outer one; none where they do not touch one after the other. */
+std::vector<RingPolygon>
+cutWhereTouching(const std::vector<LoopPlaces>& touching,
+                 const BoundaryLoop& outer,
+                 const BoundaryLoop& inner)
+{
+  std::vector<RingPolygon> rings;
+  std::size_t inner_edges = 0;
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    const LoopPlaces& begin = touching[i];
+    const LoopPlaces& end = touching[(i + 1) % touching.size()];
+    RingPolygon ring;
+    follow(outer, begin.first, end.first, ring);
+    const std::size_t outer_edges = ring.vertices.size();
+    follow(inner, end.second, begin.second, ring);
+    inner_edges += ring.vertices.size() - outer_edges;
+    rings.push_back(std::move(ring));
+  }
+  return inner_edges == inner.vertices.size() ? rings : std::vector<RingPolygon>();
+}
+
+} // namespace
+
+std::vector<LoopPlaces>
+touchingPlaces(const GrowingSurface& surface,
+               const BoundaryLoop& outer,
+               const BoundaryLoop& inner)
+{
+  std::vector<LoopPlaces> touching;
+  const auto point_of = [&](const BoundaryLoop& loop, std::size_t place) {
+    return surface.pointOf(loop.vertices[place]);
+  };
+  for (std::size_t o = 0; o < outer.vertices.size(); ++o)
+    for (std::size_t i = 0; i < inner.vertices.size(); ++i)
+      if (point_of(outer, o) != pcl::UNAVAILABLE &&
+          point_of(outer, o) == point_of(inner, i))
+        touching.emplace_back(o, i);
+  return touching;
+}
+
+std::vector<std::vector<RingPolygon>>
+cutsOf(const BoundaryLoop& outer,
+       const BoundaryLoop& inner,
+       const std::vector<LoopPlaces>& touching)
+{
+  if (!touching.empty())
+    return {cutWhereTouching(touching, outer, inner)};
+  std::vector<std::vector<RingPolygon>> cuts;
+  for (const LoopPlaces& bridge : bridgesBetween(outer, inner))
+    cuts.push_back({cutAt(bridge, outer, inner)});
+  return cuts;
+}
+
+Patch
+fillRings(const std::vector<RingPolygon>& rings,
+          const ModelPart& part,
+          const SurfaceObstacle* obstacle)
+{
+  Patch patch;
+  Triangles triangles; // of vertices of the part
+  for (const RingPolygon& ring : rings) {
+    const auto in_part = [&](std::size_t k) {
+      return part.number_of.at(ring.vertices[k]);
+    };
+    FillingTask task;
+    task.polygon = ring.curve;
+    const std::size_t last = ring.vertices.size() - 1;
+    task.joined = [&](std::size_t a, std::size_t b) {
+      const std::pair<pcl::index_t, pcl::index_t> edge =
+          std::minmax(in_part(a), in_part(b));
+      return edge.first == edge.second ||
+             edge == std::pair<pcl::index_t, pcl::index_t>(
+                         std::minmax(in_part(0), in_part(last))) ||
+             areJoined(part.model, edge.first, edge.second);
+    };
+    task.obstructed = [&](const ccaa::Corners& corners) {
+      return ccaa::isCollinear(corners) ||
+             (obstacle != nullptr && obstacle->meets(corners));
+    };
+    if (last < 2) // an edge of both loops
+      continue;
+    const Filling filling = MinimumWeightFilling().close(task);
+    if (!filling.closed())
+      return {};
+    for (const Triangle& triangle : filling.triangles) {
+      triangles.push_back({in_part(static_cast<std::size_t>(triangle[0])),
+                           in_part(static_cast<std::size_t>(triangle[1])),
+                           in_part(static_cast<std::size_t>(triangle[2]))});
+      patch.rim.insert(
+          patch.rim.end(), triangles.back().begin(), triangles.back().end());
+    }
+  }
+  ccaa::sortUnique(patch.rim);
+  for (Triangle& triangle : triangles)
+    for (pcl::index_t& corner : triangle)
+      corner = static_cast<pcl::index_t>(
+          std::lower_bound(patch.rim.begin(), patch.rim.end(), corner) -
+          patch.rim.begin());
+  for (const pcl::index_t vertex : patch.rim)
+    patch.positions.push_back(part.model.positions[static_cast<std::size_t>(vertex)]);
+  patch.free_point.assign(patch.rim.size(), NONE);
+  patch.hole.assign(triangles.size(), 0);
+  patch.triangles = std::move(triangles);
+  return patch;
+}
+
+} // namespace repair
+} // namespace pcl
