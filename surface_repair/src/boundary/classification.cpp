@@ -4,6 +4,7 @@
 
 #include "boundary/facing_search.h"
 #include "boundary/loop_evidence.h"
+#include "mesh/corners.h"
 
 #include <cmath>
 
@@ -28,19 +29,55 @@ describe(BoundaryClass boundary_class)
 
 namespace {
 
+/** A body with a third of its surface lost on one side. */
+constexpr double BODY_FACING = 0.35;
+
+} // namespace
+
+double
+facingOf(const IncompleteModel& model)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0.0;
+  for (const Triangle& triangle : model.triangles) {
+    const Eigen::Vector3d normal =
+        ccaa::areaNormal(ccaa::cornersOf(triangle, model.positions));
+    sum += normal;
+    area += normal.norm();
+  }
+  return area > 0.0 ? sum.norm() / area : 0.0;
+}
+
+bool
+isSeenFromAllSides(double facing)
+{
+  return facing < BODY_FACING;
+}
+
+bool
+arePartsOfBody(const IncompleteModel& model)
+{
+  return model.islands.size() > 1 && isSeenFromAllSides(facingOf(model));
+}
+
+namespace {
+
 /** Loops are long or short; few of them make a block. */
 constexpr std::size_t BLOCK_LOOPS = 8;
 
 BoundaryClass
-decide(const LoopClass& loop, const ClassificationParameters& parameters)
+decide(const LoopClass& loop,
+       bool is_of_body,
+       const ClassificationParameters& parameters)
 {
   const double score = loop.evidence.score();
   if (loop.confidence < parameters.decided_from || score == 0.0)
     return BoundaryClass::UNDECIDED;
   if (score > 0.0)
     return BoundaryClass::HOLE;
-  return loop.faced >= parameters.faced_from ? BoundaryClass::ISLAND_RIM
-                                             : BoundaryClass::OUTER_BORDER;
+  return is_of_body || loop.faced >= parameters.faced_from
+             ? BoundaryClass::ISLAND_RIM
+             : BoundaryClass::OUTER_BORDER;
 }
 
 } // namespace
@@ -57,6 +94,7 @@ classifyBoundaries(const IncompleteModel& model,
   if (context.cancelled())
     return {};
   const FacingSearch facing(loops);
+  const bool are_of_body = arePartsOfBody(model);
   std::vector<LoopClass> classes(loops.size());
   const auto classify = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -68,7 +106,7 @@ classifyBoundaries(const IncompleteModel& model,
       result.confidence = std::tanh(0.5 * std::abs(score));
       if (score < 0.0)
         result.faced = facing.facedShare(i);
-      result.boundary_class = decide(result, parameters);
+      result.boundary_class = decide(result, are_of_body, parameters);
     }
   };
   return ccaa::forEachBlock(loops.size(), by_loop, classify) ? classes

@@ -16,12 +16,29 @@
 namespace pcl {
 namespace repair {
 
+/** \brief Length of the mean normal of a model, weighted by area: 0 for a body seen
+ * from all sides, 1 for a flat sheet. */
+double
+facingOf(const IncompleteModel& model);
+
+/** \brief Whether a model that faces so much is a body or parts of one, rather than a
+ * sheet: what is lost of a body turns as much of it one way. */
+bool
+isSeenFromAllSides(double facing);
+
+/** \brief Several islands that face too little to be a sheet: no rim of theirs is an
+ * outer border. */
+bool
+arePartsOfBody(const IncompleteModel& model);
+
 /** \brief Classify all loops of a model.
  *
  * D decides together with two witnesses that know what D cannot: how the loop turns on
  * the surface, and how large its island is. On a sphere with one round opening all
  * three agree; the stump of a limb, where D is about 0 or below, is known for a hole by
- * its island's size. Loops of one-sided islands are UNDECIDED.
+ * its island's size. Loops of one-sided islands are UNDECIDED. Several islands that
+ * together are seen from all sides are parts of a body: their rims are no outer
+ * borders, whatever faces them.
  *
  * Cost: about 3 us a boundary edge (see farthestPoints()), 0.1 us a triangle.
  * The result is the same for any number of threads.

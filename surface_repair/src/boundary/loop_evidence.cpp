@@ -22,6 +22,9 @@ constexpr double EVEN_RATIO = 2.0;
 constexpr double TUBE_DISCOUNT = 2.5;
 /** Share of the larger mouth's area that the other mouth of a tube has. */
 constexpr double TWIN_SHARE = 0.5;
+/** D by length, and turns, of what may be a stump. */
+constexpr double STUMP_INTEGRAL = 0.6;
+constexpr double STUMP_TURNING = 0.7;
 /** The course of a mouth says less than this for a hole or a rim. */
 constexpr double MOUTH_COURSE = 0.75;
 
@@ -216,6 +219,13 @@ evidenceOf(const BoundaryCurve& curve, double area)
   evidence.turning = turningOf(curve);
   evidence.area_ratio = areaRatio(area, leastSurface(curve));
   return evidence;
+}
+
+bool
+mayBeStump(const LoopEvidence& evidence)
+{
+  return evidence.integral.relative() < STUMP_INTEGRAL &&
+         evidence.turning < STUMP_TURNING;
 }
 
 AreaBounds

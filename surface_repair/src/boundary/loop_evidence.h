@@ -31,6 +31,12 @@ turningOf(const BoundaryCurve& curve);
 LoopEvidence
 evidenceOf(const BoundaryCurve& curve, double area);
 
+/** \brief Whether a hole may be the stump of a limb that goes on elsewhere: a hole in a
+ * surface has a D of its length and turns once, the mouth of a tube has none of both.
+ */
+bool
+mayBeStump(const LoopEvidence& evidence);
+
 /** \brief Between which the least surface that closes a curve has its area. */
 struct AreaBounds {
   double lower = 0.0; /**< length of the vector area */

@@ -3,6 +3,7 @@
 
 #include "junction/junction.h"
 
+#include "boundary/classification.h"
 #include "field/reach.h"
 #include "mesh/corners.h"
 
@@ -116,21 +117,6 @@ extentOf(const BoundaryCurve& curve)
   for (const Position& point : curve.points)
     box.extend(point);
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
-/** Length of the mean normal of a model, weighted by area. */
-double
-facingOf(const IncompleteModel& model)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double area = 0.0;
-  for (const Triangle& triangle : model.triangles) {
-    const Eigen::Vector3d normal =
-        ccaa::areaNormal(ccaa::cornersOf(triangle, model.positions));
-    sum += normal;
-    area += normal.norm();
-  }
-  return area > 0.0 ? sum.norm() / area : 0.0;
 }
 
 JunctionVerdict

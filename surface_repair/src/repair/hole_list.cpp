@@ -103,12 +103,12 @@ joinedAreas(const ModelSurvey& survey, Groups& groups)
   return areas;
 }
 
-/** D4.1-1 and what goes with it, for a contour. */
+/** D4.1-1 and what goes with it, for a contour. \param[in] outside what it is when it
+ * is no hole */
 OpenReason
-reasonForContour(const HolePolygon& polygon, double area)
+reasonForContour(const HolePolygon& polygon, double area, OpenReason outside)
 {
-  return evidenceOf(polygon.curve, area).score() < 0.0 ? OpenReason::OUTER_BORDER
-                                                       : OpenReason::NONE;
+  return evidenceOf(polygon.curve, area).score() < 0.0 ? outside : OpenReason::NONE;
 }
 
 class Listing {
@@ -135,6 +135,8 @@ public:
 private:
   void
   addContours();
+  OpenReason
+  outsideOf(Groups& groups) const;
   void
   countIslands();
   void
@@ -180,6 +182,19 @@ Listing::isWanted(const HoleContour& contour) const
              });
 }
 
+/** What a contour is that bounds joined islands from outside: a body has no outer
+ * border, so it faces islands that are not joined yet. */
+OpenReason
+Listing::outsideOf(Groups& groups) const
+{
+  if (!isSeenFromAllSides(survey_.facing))
+    return OpenReason::OUTER_BORDER;
+  for (std::size_t i = 1; i < survey_.model.islands.size(); ++i)
+    if (groups.find(i) != groups.find(0))
+      return OpenReason::NOT_JOINED;
+  return OpenReason::NONE;
+}
+
 void
 Listing::addContours()
 {
@@ -191,6 +206,7 @@ Listing::addContours()
   const BoundaryEdges boundaries = boundariesOf(survey_);
   const ContourVertices vertices = verticesOf(survey_);
   const std::vector<double> areas = joinedAreas(survey_, groups);
+  const OpenReason outside = outsideOf(groups);
   for (const Bridge& bridge : joined.bridges)
     list_.bridge_vertices += bridge.points.size() - 2;
   for (const HoleContour& contour : joined.holes.contours) {
@@ -205,7 +221,8 @@ Listing::addContours()
     hole.polygon = polygonOf(contour, boundaries, joined.bridges, vertices);
     hole.is_wanted = isWanted(contour);
     if (!hole.is_wanted)
-      hole.open = reasonForContour(hole.polygon, areas[survey_.loops[loop].island]);
+      hole.open =
+          reasonForContour(hole.polygon, areas[survey_.loops[loop].island], outside);
     add(std::move(hole));
   }
 }

@@ -3,6 +3,7 @@
 
 #include "repair/loop_reasons.h"
 
+#include "boundary/loop_evidence.h"
 #include "junction/depth_jump.h"
 
 #include <algorithm>
@@ -14,10 +15,14 @@ namespace repair {
 
 namespace {
 
-/** Why a rim was joined to none: what its junctions say, if they agree. */
+/** Why a rim was joined to none: what its junctions say, if they agree. Those of a
+ * crumb know too little of the surface to tell another object. */
 OpenReason
 reasonForRim(const ModelSurvey& survey, std::size_t loop)
 {
+  const Island& island = survey.model.islands[survey.loops[loop].island];
+  if (island.triangles < CRUMB_TRIANGLES)
+    return OpenReason::NOT_JOINED;
   std::optional<OpenReason> reason;
   for (const Junction& junction : survey.joined.junctions)
     for (const std::size_t curve : junction.curves) {
@@ -33,6 +38,21 @@ reasonForRim(const ModelSurvey& survey, std::size_t loop)
   return reason.value_or(OpenReason::NOT_JOINED);
 }
 
+/** Whether a hole may be the stump of a limb of which another island is a part: capped
+ * it would be one for good. */
+bool
+mayHavePartner(const ModelSurvey& survey, std::size_t number)
+{
+  if (!mayBeStump(survey.classes[number].evidence))
+    return false;
+  const double cap = leastSurface(survey.loops[number].curve).upper;
+  const std::vector<Island>& islands = survey.model.islands;
+  for (std::size_t i = 0; i < islands.size(); ++i)
+    if (i != survey.loops[number].island && islands[i].area > cap)
+      return true;
+  return false;
+}
+
 /** What its class says. */
 OpenReason
 reasonByClass(const ModelSurvey& survey, std::size_t number)
@@ -44,6 +64,8 @@ reasonByClass(const ModelSurvey& survey, std::size_t number)
     return OpenReason::ONE_SIDED;
   switch (found.boundary_class) {
   case BoundaryClass::HOLE:
+    if (mayHavePartner(survey, number))
+      return OpenReason::NOT_JOINED;
     return isDepthJump(fillAreaOf(loop.curve), loop.curve, loop.vertices, model)
                ? OpenReason::DEPTH_JUMP
                : OpenReason::NONE;
@@ -56,6 +78,10 @@ reasonByClass(const ModelSurvey& survey, std::size_t number)
   }
   if (isOutline(loop.curve, loop.vertices, model))
     return OpenReason::OUTER_BORDER;
+  // What joining has left of a gap is no border or mouth that somebody made.
+  const bool is_of_input = survey.wishes.inputLoop(model, loop) != NONE;
+  if (!is_of_input && isSeenFromAllSides(survey.facing))
+    return model.islands.size() == 1 ? OpenReason::NONE : OpenReason::UNDECIDED;
   return found.evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH : OpenReason::UNDECIDED;
 }
 

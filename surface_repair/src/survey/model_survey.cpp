@@ -170,6 +170,7 @@ classifyBoundaries(const SurveyParameters& parameters,
                                       survey.loops,
                                       parameters.classification,
                                       named(context, "classification"));
+  survey.facing = facingOf(survey.model);
   if (!context.cancelled())
     count(parameters.simple_edges, survey);
   survey.seconds.emplace_back("classification", clock.seconds());

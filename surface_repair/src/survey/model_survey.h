@@ -70,6 +70,7 @@ struct ModelSurvey {
   LoopWishes wishes;              /**< about the loops of the input */
   IcmCounts counts;
   IcmClass icm_class = IcmClass::ICM1;
+  double facing = 0.0;           /**< of the model, see facingOf() */
   double spacing = 0.0;          /**< mean source spacing, units of the cloud */
   SurveyedField between_islands; /**< step ICM3 -> ICM2 */
   SurveyedBridges joined;

@@ -3,6 +3,7 @@
 
 #include "survey/survey_fields.h"
 
+#include "boundary/loop_evidence.h"
 #include "boundary/opposed_loops.h"
 #include "field/reach.h"
 #include "field/source_sampling.h"
@@ -19,6 +20,22 @@ namespace {
 /** Share of an island's size that makes a hole a source (C4.46-1 says 1): of a limb
  * that was cut through the stump may be the thinner side. */
 constexpr double LEAST_HOLE = 0.5;
+
+/** Loops that are two ends of one gap. Within one island they make a handle: both have
+ * to be mouths of tubes for that. */
+std::vector<std::size_t>
+facingLoops(const ModelSurvey& survey)
+{
+  std::vector<std::size_t> opposed = opposedLoops(survey.loops);
+  for (std::size_t k = 0; k < opposed.size(); ++k) {
+    const std::size_t other = opposed[k];
+    if (other != NONE && survey.loops[other].island == survey.loops[k].island &&
+        !(mayBeStump(survey.classes[k].evidence) &&
+          mayBeStump(survey.classes[other].evidence)))
+      opposed[k] = NONE;
+  }
+  return opposed;
+}
 
 /** Median of the gaps of all sources; 0 when there is one island only. */
 double
@@ -98,12 +115,12 @@ traceLines(const LineField& place,
 IslandSources
 islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
 {
-  const std::vector<std::size_t> opposed = opposedLoops(survey.loops);
+  const std::vector<std::size_t> opposed = facingLoops(survey);
   std::vector<bool> is_hole;
   std::vector<SourceCurve> all;
   for (std::size_t k = 0; k < survey.loops.size(); ++k) {
     is_hole.push_back(survey.classes[k].boundary_class == BoundaryClass::HOLE &&
-                      opposed[k] == NONE);
+                      opposed[k] == NONE && !mayBeStump(survey.classes[k].evidence));
     all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
     all.back().island = sideOf(k, survey, opposed);
   }

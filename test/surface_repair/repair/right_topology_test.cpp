@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of whether damaged bodies come out with the topology
+// that they had, or are told to be incomplete.
+
+#include <gtest/gtest.h>
+
+#include "repair_fixture.h"
+#include "support/random_source.h"
+#include "surface_repair/boundary/boundary_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+namespace test {
+namespace {
+
+/** A sphere drawn out along z. */
+Shape
+ellipsoid(int subdivisions, double length)
+{
+  Shape shape = icosphere(subdivisions);
+  for (Position& vertex : shape.vertices)
+    vertex.z() *= length;
+  return shape;
+}
+
+/** As expectNothingWorse(), where islands may touch in points. */
+void
+expectNothingLost(const Repaired& result)
+{
+  EXPECT_TRUE(isIcadm(result.triangles(), pointsOf(result.output)));
+  EXPECT_TRUE(
+      isSubsetOf(toTriangles(result.input.polygons), trianglesOverPlaces(result)));
+  EXPECT_TRUE(keepsPoints(result));
+  EXPECT_TRUE(addsNoIntersection(result));
+  EXPECT_TRUE(hasConsistentReport(result));
+}
+
+/** Whole, and nothing that was given is lost. */
+void
+expectWhole(const Repaired& result, std::size_t pieces, long characteristic)
+{
+  expectNothingLost(result);
+  const Topology after = topologyOf(result.triangles());
+  EXPECT_EQ(pieces, after.components);
+  EXPECT_EQ(characteristic, after.characteristic);
+  EXPECT_EQ(0U, after.borders);
+  EXPECT_TRUE(result.report.complete());
+}
+
+/** A sphere without a cap but for single triangles, and what is around them, within it.
+ * \param[in] spared of its triangles */
+Shape
+capWithCrumbs(double height, const std::function<bool(std::size_t)>& spared)
+{
+  const Shape sphere = icosphere(4);
+  std::vector<std::size_t> removed;
+  for (std::size_t t = 0; t < sphere.triangles.size(); ++t) {
+    const Triangle& corners = sphere.triangles[t];
+    double z = 0.0;
+    for (const pcl::index_t corner : corners)
+      z += sphere.vertices[static_cast<std::size_t>(corner)].z() / 3.0;
+    if (z > height && !spared(t))
+      removed.push_back(t);
+  }
+  return withoutFreeVertices(withoutTriangles(sphere, removed));
+}
+
+TEST(RightTopology, CrumbsInAHoleBecomePartOfItsPatch)
+{
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomSource random(seed);
+    std::vector<bool> spared(5120);
+    for (std::size_t t = 0; t < spared.size(); ++t)
+      spared[t] = random.uniform() < 0.01;
+    const Repaired result =
+        repaired(capWithCrumbs(0.6, [&](std::size_t t) { return spared[t]; }));
+    EXPECT_GT(result.report.islands.size(), 2U);
+    expectWhole(result, 1, 2);
+  }
+}
+
+TEST(RightTopology, WithoutWaitingCrumbsAreIslandsFromTheStart)
+{
+  const auto spared = [](std::size_t t) { return t % 97 == 0; };
+  RepairParameters parameters;
+  parameters.crumb_triangles = 0;
+  const Repaired at_once = repaired(capWithCrumbs(0.6, spared), parameters);
+  const Repaired waiting = repaired(capWithCrumbs(0.6, spared));
+  EXPECT_GT(at_once.report.junctions.size(), waiting.report.junctions.size());
+  expectNothingLost(at_once);
+}
+
+TEST(RightTopology, StumpsOfALimbAreJoinedAndNotCapped)
+{
+  for (const double gap : {0.2, 0.5, 0.9}) {
+    SCOPED_TRACE(gap);
+    expectWhole(repaired(without(ellipsoid(4, 4.0),
+                                 [gap](const Position& p) {
+                                   return std::abs(p.z() - 1.5) < 0.5 * gap;
+                                 })),
+                1,
+                2);
+  }
+}
+
+/** Two bodies side by side, each without one end. */
+TEST(RightTopology, StumpsThatDoNotFaceEachOtherStayOpenAndAreTold)
+{
+  const auto stump = [](double x) {
+    return translated(
+        without(ellipsoid(4, 4.0), [](const Position& p) { return p.z() > 2.0; }),
+        Position(x, 0.0, 0.0));
+  };
+  const Repaired result = repaired(joined(stump(0.0), stump(5.0)));
+  expectNothingLost(result);
+  EXPECT_EQ(2U, topologyOf(result.triangles()).borders);
+  EXPECT_FALSE(result.report.complete());
+}
+
+TEST(RightTopology, AHoleBesideAnotherBodyIsCapped)
+{
+  const Shape with_hole =
+      without(icosphere(4), [](const Position& p) { return p.z() > 0.9; });
+  expectWhole(
+      repaired(joined(with_hole, translated(icosphere(4), Position(3.0, 0.0, 0.0)))),
+      2,
+      4);
+}
+
+TEST(RightTopology, AHandleThatWasCutThroughComesBack)
+{
+  for (const int cuts : {2, 3, 4}) {
+    SCOPED_TRACE(cuts);
+    const double period = 2.0 * M_PI / cuts;
+    expectWhole(repaired(without(torus(96, 40),
+                                 [period](const Position& p) {
+                                   const double angle = std::atan2(p.y(), p.x());
+                                   return std::abs(std::remainder(angle, period)) < 0.1;
+                                 })),
+                1,
+                0);
+  }
+}
+
+/** Balls and slabs taken away from a shape with its middle at the origin. */
+Shape
+damaged(const Shape& shape, std::uint64_t seed)
+{
+  RandomSource random(seed);
+  const auto direction = [&] {
+    return Position(random.normal(), random.normal(), random.normal()).normalized();
+  };
+  std::vector<std::pair<Position, double>> slabs;
+  for (std::size_t i = random.below(3); i > 0; --i)
+    slabs.emplace_back(direction(), random.uniform(-0.6, 0.6));
+  std::vector<Position> balls;
+  for (std::size_t i = 1 + random.below(3); i > 0; --i)
+    balls.push_back(shape.vertices[random.below(shape.vertices.size())]);
+  const double width = random.uniform(0.06, 0.15);
+  const double radius = random.uniform(0.15, 0.3);
+  return without(shape, [&](const Position& p) {
+    for (const auto& [normal, shift] : slabs)
+      if (std::abs(p.dot(normal) - shift) < 0.5 * width)
+        return true;
+    for (const Position& ball : balls)
+      if ((p - ball).norm() < radius)
+        return true;
+    return false;
+  });
+}
+
+/** The mouths of a tube stay open, and are reported so. */
+bool
+isTube(const Repaired& result)
+{
+  const auto& holes = result.report.holes;
+  return result.report.islands.size() == 1 &&
+         std::any_of(holes.begin(), holes.end(), [](const RepairedHole& hole) {
+           return hole.open == OpenReason::TUBE_MOUTH;
+         });
+}
+
+/** Whatever comes out: right, or told to be incomplete; most of it right. */
+TEST(RightTopology, NoDamageIsRepairedWronglyInSilence)
+{
+  const std::vector<std::pair<Shape, long>> bodies = {
+      {icosphere(3), 2}, {ellipsoid(3, 2.5), 2}, {torus(48, 20), 0}};
+  constexpr std::uint64_t SEEDS = 70;
+  std::size_t right = 0;
+  for (std::size_t body = 0; body < bodies.size(); ++body)
+    for (std::uint64_t seed = 0; seed < SEEDS; ++seed) {
+      SCOPED_TRACE(testing::Message() << "body " << body << ", seed " << seed);
+      const Repaired result =
+          repaired(withoutFreeVertices(damaged(bodies[body].first, seed)));
+      expectNothingLost(result);
+      const Topology after = topologyOf(result.triangles());
+      const bool is_right = after.components == 1 && after.borders == 0 &&
+                            after.characteristic == bodies[body].second;
+      right += is_right ? 1 : 0;
+      EXPECT_TRUE(is_right || !result.report.complete() || isTube(result));
+    }
+  EXPECT_GE(right, bodies.size() * SEEDS * 85 / 100);
+}
+
+} // namespace
+} // namespace test
+} // namespace repair
+} // namespace pcl
