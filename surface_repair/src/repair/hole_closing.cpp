@@ -181,6 +181,14 @@ addToModel(const ccaa::LoopContext& context,
            IncompleteModel& model,
            std::size_t& input_vertices)
 {
+  const VertexMap slits = slitsBetween(model, closed.triangles);
+  if (!slits.empty())
+    weldPinches(slits, context, model);
+  for (Triangle& triangle : closed.triangles)
+    for (pcl::index_t& corner : triangle) {
+      const auto slit = slits.find(corner);
+      corner = slit == slits.end() ? corner : slit->second;
+    }
   append(closed.triangles, model.triangles);
   append(closed.positions, model.positions);
   append(closed.point_of_vertex, model.point_of_vertex);
@@ -191,7 +199,7 @@ addToModel(const ccaa::LoopContext& context,
   closed.triangles.clear();
   closed.positions.clear();
   closed.point_of_vertex.clear();
-  if (list.replaced.empty())
+  if (list.replaced.empty() && slits.empty())
     return;
   list.replaced.clear();
   const std::vector<pcl::index_t> number = separatePinches(context, model);

@@ -4,10 +4,13 @@
 
 #include "repair/pinched_points.h"
 
+#include "icadm/model_assembly.h"
 #include "icadm/point_fans.h"
 #include "icadm/vertex_numbers.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace pcl {
@@ -27,6 +30,87 @@ weldPinches(const VertexMap& replaced,
     }
   model.adjacency.build(
       model.triangles, model.positions.size(), context.threads, context.control);
+}
+
+namespace {
+
+/** Edges of one triangle only, by where they begin. */
+struct OpenEdges {
+  std::map<pcl::index_t, pcl::index_t> next;
+  std::set<pcl::index_t> of_added; /**< they begin there and are of a new triangle */
+};
+
+OpenEdges
+openEdges(const IncompleteModel& model, const Triangles& added)
+{
+  std::set<std::pair<pcl::index_t, pcl::index_t>> edges;
+  for (const Triangle& triangle : added)
+    for (std::size_t c = 0; c < 3; ++c)
+      edges.emplace(triangle[c], triangle[(c + 1) % 3]);
+  OpenEdges open;
+  const auto old = static_cast<pcl::index_t>(model.adjacency.vertexCount());
+  for (const auto& [from, to] : edges)
+    if (edges.count({to, from}) == 0 &&
+        !(from < old && to < old && areJoined(model, from, to))) {
+      open.next.emplace(from, to);
+      open.of_added.insert(from);
+    }
+  for (std::size_t t = 0; t < model.triangles.size(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const pcl::index_t from = model.triangles[t][static_cast<std::size_t>(c)];
+      const pcl::index_t to = model.triangles[t][static_cast<std::size_t>((c + 1) % 3)];
+      if (model.adjacency.across(static_cast<pcl::index_t>(t), c) < 0 &&
+          edges.count({to, from}) == 0)
+        open.next.emplace(from, to);
+    }
+  return open;
+}
+
+/** All vertices that share an edge with one. */
+std::set<pcl::index_t>
+neighborsOf(const IncompleteModel& model, const Triangles& added, pcl::index_t vertex)
+{
+  std::set<pcl::index_t> neighbors;
+  const auto* triangle = model.adjacency.begin(vertex);
+  for (; triangle != model.adjacency.end(vertex); ++triangle)
+    for (const pcl::index_t corner :
+         model.triangles[static_cast<std::size_t>(*triangle)])
+      neighbors.insert(corner);
+  for (const Triangle& corners : added)
+    if (std::find(corners.begin(), corners.end(), vertex) != corners.end())
+      neighbors.insert(corners.begin(), corners.end());
+  neighbors.erase(vertex);
+  return neighbors;
+}
+
+} // namespace
+
+VertexMap
+slitsBetween(const IncompleteModel& model, const Triangles& added)
+{
+  VertexMap slits;
+  const auto old = static_cast<pcl::index_t>(model.adjacency.vertexCount());
+  const OpenEdges open = openEdges(model, added);
+  for (const auto& [first, middle] : open.next) {
+    const auto found = open.next.find(middle);
+    if (found == open.next.end() || first >= old || found->second >= old ||
+        (open.of_added.count(first) == 0 && open.of_added.count(middle) == 0))
+      continue;
+    const auto [kept, other] = std::minmax(first, found->second);
+    const auto point = [&](pcl::index_t vertex) {
+      return model.point_of_vertex[static_cast<std::size_t>(vertex)];
+    };
+    if (kept == other || point(kept) == pcl::UNAVAILABLE || point(kept) != point(other))
+      continue;
+    const std::set<pcl::index_t> one = neighborsOf(model, added, kept);
+    const std::set<pcl::index_t> two = neighborsOf(model, added, other);
+    const bool would_fit = std::none_of(one.begin(), one.end(), [&](pcl::index_t v) {
+      return v != middle && two.count(v) > 0;
+    });
+    if (would_fit && slits.count(kept) == 0)
+      slits.emplace(other, kept);
+  }
+  return slits;
 }
 
 std::vector<pcl::index_t>

@@ -24,6 +24,13 @@ weldPinches(const VertexMap& replaced,
             const ccaa::LoopContext& context,
             IncompleteModel& model);
 
+/** \brief Slits beside new triangles: two edges, one after the other on a boundary,
+ * from one vertex of a point to another one of the same point. Nothing is missing
+ * there; these vertices have to become one. \param[in] added new triangles, none of
+ * them in the model's adjacency \return the higher vertex with the lower one */
+VertexMap
+slitsBetween(const IncompleteModel& model, const Triangles& added);
+
 /** \brief Take out the vertices that were replaced, and give each fan of a point a
  * vertex of its own again where holes stayed open: the first keeps that which is there.
  * \param[in,out] model of which positions, points, viewpoints and triangles are brought

@@ -174,6 +174,33 @@ TEST(HolesThatMeet, AreClosedAtManyPoints)
   expectNothingWorse(result, toTriangles(result.input.polygons));
 }
 
+/** Two triangles that meet in a point have a vertex there each; new triangles beside
+ * both run along the same edge, to the vertex after them. */
+TEST(PinchedPoints, ASlitBetweenTwoNewTrianglesIsFound)
+{
+  const IncompleteModel model = readingOf(bowTie());
+  ASSERT_EQ(6U, model.positions.size());
+  const auto is_copy = [&](pcl::index_t vertex) {
+    return std::count(model.point_of_vertex.begin(),
+                      model.point_of_vertex.end(),
+                      model.point_of_vertex[static_cast<std::size_t>(vertex)]) == 2;
+  };
+  const auto from_copy = [&](Triangle triangle) {
+    while (!is_copy(triangle[0]))
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+    return triangle;
+  };
+  const Triangle one = from_copy(model.triangles[0]);
+  const Triangle two = from_copy(model.triangles[1]);
+  const pcl::index_t next = 6;
+  const Triangle before = {one[1], one[0], next};
+  const Triangle after = {next, two[0], two[2]};
+  const Triangle between = {one[1], next, two[2]};
+  const VertexMap expected = {{std::max(one[0], two[0]), std::min(one[0], two[0])}};
+  EXPECT_EQ(expected, slitsBetween(model, {before, after, between}));
+  EXPECT_TRUE(slitsBetween(model, {before, between}).empty());
+}
+
 } // namespace
 } // namespace test
 } // namespace repair

@@ -206,7 +206,7 @@ TEST(RightTopology, NoDamageIsRepairedWronglyInSilence)
       right += is_right ? 1 : 0;
       EXPECT_TRUE(is_right || !result.report.complete() || isTube(result));
     }
-  EXPECT_GE(right, bodies.size() * SEEDS * 85 / 100);
+  EXPECT_GE(right, bodies.size() * SEEDS * 90 / 100);
 }
 
 } // namespace
