@@ -111,6 +111,20 @@ reasonForContour(const HolePolygon& polygon, double area, OpenReason outside)
   return evidenceOf(polygon.curve, area).score() < 0.0 ? outside : OpenReason::NONE;
 }
 
+/** Without the points that are there once more right after themselves. */
+void
+dropRepeated(HolePolygon& polygon)
+{
+  HolePolygon left;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    if (polygon.vertices[k] != polygon.vertices[polygon.curve.next(k)]) {
+      left.vertices.push_back(polygon.vertices[k]);
+      left.curve.points.push_back(polygon.curve.points[k]);
+      left.curve.normals.push_back(polygon.curve.normals[k]);
+    }
+  polygon = std::move(left);
+}
+
 class Listing {
 public:
   Listing(const ModelSurvey& survey, const FillingParameters& parameters)
@@ -145,8 +159,15 @@ private:
   isWanted(const HoleContour& contour) const;
   void
   add(OpenHole hole);
+  pcl::index_t
+  vertexAt(const BoundaryPoint& end) const
+  {
+    return survey_.loops[survey_.joined.loops[end.curve]].vertices[end.edge];
+  }
   void
   weld();
+  void
+  addTouching();
   void
   joinRegions();
 
@@ -265,14 +286,44 @@ void
 Listing::weld()
 {
   list_.replaced = pinchedVertices(survey_.model, survey_.loops);
+  addTouching();
   if (list_.replaced.empty())
     return;
-  for (OpenHole& hole : list_.holes)
+  for (OpenHole& hole : list_.holes) {
     for (pcl::index_t& vertex : hole.polygon.vertices) {
       const auto found = list_.replaced.find(vertex);
       if (found != list_.replaced.end())
         vertex = found->second;
     }
+    dropRepeated(hole.polygon);
+  }
+}
+
+/** The ends of bridges without a length, where these are part of holes to be closed. */
+void
+Listing::addTouching()
+{
+  std::set<std::size_t> passed;
+  for (const OpenHole& hole : list_.holes)
+    if (hole.open == OpenReason::NONE)
+      passed.insert(hole.bridges.begin(), hole.bridges.end());
+  VertexMap& replaced = list_.replaced;
+  const auto lowest = [&](pcl::index_t vertex) {
+    const auto found = replaced.find(vertex);
+    return found == replaced.end() ? vertex : found->second;
+  };
+  for (const std::size_t number : passed) {
+    const Bridge& bridge = survey_.joined.bridges[number];
+    if (bridge.points.size() > 2 || bridge.points.front() != bridge.points.back())
+      continue;
+    const auto [kept, other] =
+        std::minmax(lowest(vertexAt(bridge.begin)), lowest(vertexAt(bridge.end)));
+    if (kept == other)
+      continue;
+    for (auto& [vertex, target] : replaced)
+      target = target == other ? kept : target;
+    replaced.emplace(other, kept);
+  }
 }
 
 /** Two fillings could have the edge between two points that both holes have. */

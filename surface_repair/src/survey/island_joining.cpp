@@ -4,6 +4,7 @@
 
 #include "survey/handle_choice.h"
 #include "survey/survey_fields.h"
+#include "survey/touching_points.h"
 #include "survey/wanted_lines.h"
 
 #include <algorithm>
@@ -92,9 +93,12 @@ Joining::choose()
                                    lines(),
                                    survey_.sight.get(),
                                    parameters_.junction);
-  joined.bridges = selectBridges(wantedLines(survey_, parameters_, joined.refused),
-                                 targets_,
-                                 {parameters_.bridge_spacing, 2.0 * spacing_});
+  joined.bridges = touchingBridges(survey_, targets_);
+  const std::vector<Bridge> along_lines =
+      selectBridges(wantedLines(survey_, parameters_, joined.refused),
+                    targets_,
+                    {parameters_.bridge_spacing, 2.0 * spacing_});
+  joined.bridges.insert(joined.bridges.end(), along_lines.begin(), along_lines.end());
   survey_.joined.holes = extractContours(targets_, survey_.joined.bridges);
   dropHandles(survey_, targets_, survey_.joined);
 }
