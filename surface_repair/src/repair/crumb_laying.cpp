@@ -34,6 +34,13 @@ constexpr std::array<double, 2> REACHES = {1.0, 6.0};
 /** What is looked at around a crumb, in the reach. */
 constexpr double ROOM = 4.0;
 
+ccaa::Box
+widened(const ccaa::Box& box, double room)
+{
+  const Eigen::Vector3d all_around = Eigen::Vector3d::Constant(room);
+  return {box.min() - all_around, box.max() + all_around};
+}
+
 /** Lays one crumb. */
 class CrumbLaying {
 public:
@@ -49,8 +56,6 @@ public:
   run();
 
 private:
-  bool
-  hasPatchNear(const ccaa::Box& box) const;
   bool
   findShadow(bool turned);
   bool
@@ -94,10 +99,9 @@ CrumbLaying::run()
     box.extend(ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
   for (const double reach : REACHES) {
     reach_ = reach * box.diagonal().norm();
-    if (!hasPatchNear(box))
+    if (!surface_.hasPatchIn(widened(box, reach_)))
       continue;
-    const Eigen::Vector3d room = Eigen::Vector3d::Constant(ROOM * reach_);
-    around_ = {box.min() - room, box.max() + room};
+    around_ = widened(box, ROOM * reach_);
     part_ = surface_.part(surface_.near(around_));
     for (const bool turned : {false, true}) {
       if (!findShadow(turned))
@@ -112,17 +116,6 @@ CrumbLaying::run()
     }
   }
   return false;
-}
-
-bool
-CrumbLaying::hasPatchNear(const ccaa::Box& box) const
-{
-  const Eigen::Vector3d room = Eigen::Vector3d::Constant(reach_);
-  const std::vector<std::size_t> near =
-      surface_.near({box.min() - room, box.max() + room});
-  return std::any_of(near.begin(), near.end(), [&](std::size_t t) {
-    return surface_.hole[t] != NONE;
-  });
 }
 
 /** The triangles of a patch that are nearest to the crumb's corners and centres, on the
@@ -221,7 +214,13 @@ CrumbLaying::layInto(int rings)
   for (const std::size_t t : crumb_)
     place_.extend(
         ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
+  place_ = place_.intersection(around_); // beyond that nothing is known
   const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
+  const std::vector<std::size_t> meeting = surface_.meeting(crumb_);
+  if (std::any_of(meeting.begin(), meeting.end(), [&](std::size_t t) {
+        return std::binary_search(left.triangles.begin(), left.triangles.end(), t);
+      }))
+    return false; // what is not opened runs through the crumb
   const BoundaryLoops loops = extractBoundaries(left.model);
   const auto loop_at = [&](pcl::index_t vertex) {
     return loopAt(loops, left.number_of.at(vertex));

@@ -111,12 +111,10 @@ setCrumbsAside(std::size_t fewer_than,
 }
 
 void
-putCrumbsBack(const ccaa::LoopContext& context,
-              const Crumbs& crumbs,
-              ModelSurvey& survey,
-              std::size_t& input_vertices)
+putCrumbsBack(const Crumbs& crumbs, const Course& course)
 {
-  IncompleteModel& model = survey.model;
+  std::size_t& input_vertices = course.input_vertices;
+  IncompleteModel& model = course.survey.model;
   const auto added = static_cast<pcl::index_t>(crumbs.positions.size());
   const auto first = static_cast<pcl::index_t>(input_vertices);
   for (Triangle& triangle : model.triangles)
@@ -139,32 +137,32 @@ putCrumbsBack(const ccaa::LoopContext& context,
   if (!model.viewpoints.empty())
     insertAt(input_vertices, crumbs.viewpoints, model.viewpoints);
   input_vertices += crumbs.positions.size();
-  keepInOrder(context, survey);
+  keepInOrder(course.context, course.survey);
 }
 
 void
-layCrumbs(std::size_t fewer_than,
-          const RepairParameters& parameters,
-          const CloudFrame& frame,
-          const ccaa::LoopContext& context,
-          ModelSurvey& survey,
-          std::size_t& input_vertices,
-          RepairReport& report)
+layCrumbs(std::size_t fewer_than, const Course& course)
 {
+  ModelSurvey& survey = course.survey;
   const std::vector<bool> are_crumbs = areCrumbs(survey.model, fewer_than);
   std::map<std::size_t, std::vector<std::size_t>> crumbs; // triangles, by island
   for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
     if (are_crumbs[survey.model.island_of[t]])
       crumbs[survey.model.island_of[t]].push_back(t);
-  GrowingSurface surface(survey.model, report.hole_of);
+  GrowingSurface surface(survey.model, course.report.hole_of);
   for (const auto& [island, crumb] : crumbs) {
-    if (context.cancelled())
+    if (course.context.cancelled())
       return;
-    if (!layCrumb(crumb, parameters, frame, surface))
-      surface.openAround(crumb);
+    if (!layCrumb(crumb, course.parameters, course.frame, surface))
+      for (const std::size_t triangle : surface.meeting(crumb))
+        surface.is_there[triangle] = false;
   }
   if (surface.hasChanged())
-    takeOver(std::move(surface), context, survey, input_vertices, report);
+    takeOver(std::move(surface),
+             course.context,
+             survey,
+             course.input_vertices,
+             course.report);
 }
 
 } // namespace repair

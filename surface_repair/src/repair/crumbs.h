@@ -5,7 +5,7 @@
 
 #include <pcl/surface_repair/repair_report.h>
 
-#include "repair/hole_closing.h"
+#include "repair/passes.h"
 #include "repair/repaired_model.h"
 #include "survey/model_survey.h"
 
@@ -44,10 +44,7 @@ setCrumbsAside(std::size_t fewer_than,
 /** \brief Make crumbs islands of the model again; input vertices and triangles come in
  * the input's order then. */
 void
-putCrumbsBack(const ccaa::LoopContext& context,
-              const Crumbs& crumbs,
-              ModelSurvey& survey,
-              std::size_t& input_vertices);
+putCrumbsBack(const Crumbs& crumbs, const Course& course);
 
 /** \brief Lay small discs that are islands of a model into the patches that cover them:
  * an opening is cut around the shadow of each, and the ring between them is closed.
@@ -55,16 +52,9 @@ putCrumbsBack(const ccaa::LoopContext& context,
  * A disc stays an island where no patch lies near it, or every ring would run through
  * something; where patches run through it they are opened. New triangles may be other
  * ones afterwards; input ones stay.
- * \param[in] fewer_than triangles of a disc
- * \param[in,out] report holes of new triangles */
+ * \param[in] fewer_than triangles of a disc */
 void
-layCrumbs(std::size_t fewer_than,
-          const RepairParameters& parameters,
-          const CloudFrame& frame,
-          const ccaa::LoopContext& context,
-          ModelSurvey& survey,
-          std::size_t& input_vertices,
-          RepairReport& report);
+layCrumbs(std::size_t fewer_than, const Course& course);
 
 } // namespace repair
 } // namespace pcl

@@ -58,18 +58,28 @@ GrowingSurface::weld(const std::vector<std::size_t>& some,
     }
 }
 
-void
-GrowingSurface::openAround(const std::vector<std::size_t>& some)
+bool
+GrowingSurface::hasPatchIn(const ccaa::Box& box) const
+{
+  const std::vector<std::size_t> found = near(box);
+  return std::any_of(
+      found.begin(), found.end(), [&](std::size_t t) { return hole[t] != NONE; });
+}
+
+std::vector<std::size_t>
+GrowingSurface::meeting(const std::vector<std::size_t>& some) const
 {
   const auto corners_of = [&](std::size_t t) {
     return ccaa::cornersOf(triangles[t], positions);
   };
+  std::vector<std::size_t> found;
   for (const std::size_t own : some)
     for (const std::size_t other : near(ccaa::boxOf(corners_of(own))))
       if (hole[other] != NONE && !ccaa::isCollinear(corners_of(own)) &&
           !ccaa::isCollinear(corners_of(other)) &&
           ccaa::trianglesMeet(corners_of(own), corners_of(other)))
-        is_there[other] = false;
+        found.push_back(other);
+  return found;
 }
 
 bool

@@ -35,6 +35,10 @@ public:
   std::vector<std::size_t>
   near(const ccaa::Box& box) const;
 
+  /** \brief Whether triangles of holes are among them. */
+  bool
+  hasPatchIn(const ccaa::Box& box) const;
+
   /** \brief Some triangles, ascending, as a model. */
   ModelPart
   part(std::vector<std::size_t> chosen) const;
@@ -44,9 +48,9 @@ public:
   weld(const std::vector<std::size_t>& some,
        const std::map<pcl::index_t, pcl::index_t>& kept);
 
-  /** \brief Take away the triangles of holes that run through some triangles. */
-  void
-  openAround(const std::vector<std::size_t>& some);
+  /** \brief Triangles of holes that run through some triangles. */
+  std::vector<std::size_t>
+  meeting(const std::vector<std::size_t>& some) const;
 
   /** \brief Take triangles of a part away and add a patch.
    * \param[in] is_gone of the part's triangles \param[in] left the rest of the part, of

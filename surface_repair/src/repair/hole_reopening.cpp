@@ -111,7 +111,8 @@ HoleReopening::close(const Opening& opening, std::size_t of_hole)
       });
   if (opening.border.empty() || !is_inside)
     return outcome;
-  const ccaa::Box around_opening = placeOf(part_, opening);
+  const ccaa::Box around_opening =
+      placeOf(part_, opening).intersection(around_); // beyond it nothing is known
   const ModelPart left = surface_.part(trianglesLeft(part_, opening, around_opening));
   const pcl::index_t on_border = left.number_of.at(
       part_.vertices[static_cast<std::size_t>(opening.border.front())]);
@@ -141,18 +142,12 @@ HoleReopening::close(const Opening& opening, std::size_t of_hole)
 
 } // namespace
 
-std::size_t
+void
 reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
-            const RepairParameters& parameters,
-            const CloudFrame& frame,
-            const ccaa::LoopContext& context,
-            ModelSurvey& survey,
-            std::size_t& input_vertices,
-            RepairLog& log,
-            RepairReport& report)
+            const Course& course)
 {
-  GrowingSurface surface(survey.model, report.hole_of);
-  std::size_t closed = 0;
+  ModelSurvey& survey = course.survey;
+  GrowingSurface surface(survey.model, course.report.hole_of);
   for (const BoundaryLoop& loop : survey.loops) {
     const bool has_failed =
         std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t v) {
@@ -162,22 +157,25 @@ reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
         });
     if (!has_failed)
       continue;
-    const HoleOutcome outcome = HoleReopening(loop, parameters, frame, context, surface)
-                                    .run(report.holes.size());
-    if (context.cancelled())
-      return closed;
+    const HoleOutcome outcome =
+        HoleReopening(loop, course.parameters, course.frame, course.context, surface)
+            .run(course.report.holes.size());
+    if (course.context.cancelled())
+      return;
     if (outcome.open != OpenReason::NONE)
       continue;
     OpenHole hole;
     hole.polygon = polygonOf(loop);
     HoleOutcome told = outcome;
     told.bridges.clear(); // of another numbering
-    log.add(hole, told);
-    ++closed;
+    course.log.add(hole, told);
   }
   if (surface.hasChanged())
-    takeOver(std::move(surface), context, survey, input_vertices, report);
-  return closed;
+    takeOver(std::move(surface),
+             course.context,
+             survey,
+             course.input_vertices,
+             course.report);
 }
 
 } // namespace repair

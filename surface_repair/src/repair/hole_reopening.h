@@ -5,7 +5,7 @@
 
 #include <pcl/surface_repair/repair_report.h>
 
-#include "repair/hole_closing.h"
+#include "repair/passes.h"
 #include "survey/model_survey.h"
 
 #include <cstddef>
@@ -21,16 +21,10 @@ namespace repair {
  * Each is opened wider and wider, one ring of new triangles after the other; where that
  * leads to nothing all stays as it was. Cost: of a hole some fillings (closeRegion()).
  * \param[in] failed holes by a vertex of theirs, as a pass left them
- * \param[in,out] report holes of new triangles \return holes that were closed */
-std::size_t
+ */
+void
 reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
-            const RepairParameters& parameters,
-            const CloudFrame& frame,
-            const ccaa::LoopContext& context,
-            ModelSurvey& survey,
-            std::size_t& input_vertices,
-            RepairLog& log,
-            RepairReport& report);
+            const Course& course);
 
 } // namespace repair
 } // namespace pcl

@@ -97,7 +97,7 @@ closeRound(const RepairParameters& round, const Course& course)
     last = closePass(pass, round, course.frame, context, survey, course.log);
     if (context.cancelled() || last.finished || last.closed.triangles.empty())
       break;
-    takeClosed(context, last, survey, course.input_vertices);
+    takeClosed(last, course);
   }
   return last;
 }
@@ -134,13 +134,12 @@ holesOf(const ModelSurvey& survey, const RepairParameters& parameters)
 }
 
 void
-takeClosed(const ccaa::LoopContext& context,
-           Pass& pass,
-           ModelSurvey& survey,
-           std::size_t& input_vertices)
+takeClosed(Pass& pass, const Course& course)
 {
-  addToModel(context, pass.holes, pass.closed, survey.model, input_vertices);
-  survey = putInOrder(std::move(survey), pass.closed.used, context);
+  ModelSurvey& survey = course.survey;
+  addToModel(
+      course.context, pass.holes, pass.closed, survey.model, course.input_vertices);
+  survey = putInOrder(std::move(survey), pass.closed.used, course.context);
   pass.closed.used.assign(survey.model.free_points.size(), false);
 }
 
@@ -150,7 +149,7 @@ closeRounds(const Course& course)
   Pass last;
   for (const RepairParameters& round : course.rounds) {
     if (last.parameters != nullptr)
-      takeClosed(course.context, last, course.survey, course.input_vertices);
+      takeClosed(last, course);
     last = closeRound(round, course);
     if (course.context.cancelled() || !isOpen(last.holes, last.closed))
       break;

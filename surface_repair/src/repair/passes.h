@@ -21,11 +21,13 @@ struct Pass {
 
 /** \brief What a repair works on, and what it goes by. */
 struct Course {
+  const RepairParameters& parameters;
   const std::vector<RepairParameters>& rounds;
   const CloudFrame& frame;
   const ccaa::LoopContext& context;
   ModelSurvey& survey;
   RepairLog& log;
+  RepairReport& report;
   std::size_t& input_vertices;
 };
 
@@ -41,10 +43,7 @@ holesOf(const ModelSurvey& survey, const RepairParameters& parameters);
 
 /** \brief The model with what a pass closed, in order for the next look. */
 void
-takeClosed(const ccaa::LoopContext& context,
-           Pass& pass,
-           ModelSurvey& survey,
-           std::size_t& input_vertices);
+takeClosed(Pass& pass, const Course& course);
 
 /** \brief The passes of one round, or of two where all is to be closed. \return the
  * last pass */

@@ -140,6 +140,37 @@ crumbsOf(const RepairParameters& parameters)
   return parameters.join_islands && !decided ? parameters.crumb_triangles : 0;
 }
 
+/** The last pass after crumbs are laid. */
+Pass
+afterCrumbs(const Crumbs& crumbs,
+            std::size_t crumb_triangles,
+            Pass last,
+            const Course& course)
+{
+  const ccaa::StageClock clock;
+  if (course.context.cancelled())
+    return last;
+  takeClosed(last, course);
+  if (!crumbs.empty())
+    putCrumbsBack(crumbs, course);
+  layCrumbs(LAID_CRUMBS * crumb_triangles, course);
+  course.log.countSeconds("crumbs", clock.seconds());
+  return closeRounds(course);
+}
+
+/** The last pass after holes are opened wider. */
+Pass
+afterReopening(Pass last, const Course& course)
+{
+  const ccaa::StageClock clock;
+  if (course.context.cancelled())
+    return last;
+  takeClosed(last, course);
+  reopenHoles(last.closed.failed, course);
+  course.log.countSeconds("reopening", clock.seconds());
+  return closeRounds(course);
+}
+
 } // namespace
 
 RepairedModel
@@ -164,34 +195,13 @@ repairModel(ModelSurvey survey,
   const Crumbs crumbs = setCrumbsAside(crumb_triangles, context, survey);
   RepairedModel result{{}, survey.model.positions.size(), report.input_triangles};
   const CloudFrame frame = frameOf(cloud, survey.reading);
-  const Course course{rounds, frame, context, survey, log, result.input_vertices};
+  const Course course{
+      parameters, rounds, frame, context, survey, log, report, result.input_vertices};
   Pass last = closeRounds(course);
-  const bool has_small = !crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last));
-  if (has_small && !context.cancelled()) {
-    takeClosed(context, last, survey, result.input_vertices);
-    if (!crumbs.empty())
-      putCrumbsBack(context, crumbs, survey, result.input_vertices);
-    layCrumbs(LAID_CRUMBS * crumb_triangles,
-              parameters,
-              frame,
-              context,
-              survey,
-              result.input_vertices,
-              report);
-    last = closeRounds(course);
-  }
-  if (hasObstructed(last.closed) && !context.cancelled()) {
-    takeClosed(context, last, survey, result.input_vertices);
-    reopenHoles(last.closed.failed,
-                parameters,
-                frame,
-                context,
-                survey,
-                result.input_vertices,
-                log,
-                report);
-    last = closeRounds(course);
-  }
+  if (!crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last)))
+    last = afterCrumbs(crumbs, crumb_triangles, std::move(last), course);
+  if (hasObstructed(last.closed))
+    last = afterReopening(std::move(last), course);
   if (context.cancelled())
     return {};
   reportEnd(last, survey, log, report);
