@@ -158,11 +158,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
         surface.is_there[triangle] = false;
   }
   if (surface.hasChanged())
-    takeOver(std::move(surface),
-             course.context,
-             survey,
-             course.input_vertices,
-             course.report);
+    takeOver(std::move(surface), course);
 }
 
 } // namespace repair

@@ -187,12 +187,11 @@ recount(RepairReport& report)
 } // namespace
 
 void
-takeOver(GrowingSurface surface,
-         const ccaa::LoopContext& context,
-         ModelSurvey& survey,
-         std::size_t& input_vertices,
-         RepairReport& report)
+takeOver(GrowingSurface surface, const Course& course)
 {
+  const ccaa::LoopContext& context = course.context;
+  ModelSurvey& survey = course.survey;
+  RepairReport& report = course.report;
   IncompleteModel& model = survey.model;
   keepMarked(surface.is_there, surface.triangles);
   keepMarked(surface.is_there, surface.hole);
@@ -206,8 +205,9 @@ takeOver(GrowingSurface surface,
         model.positions.size(),
         Position::Constant(std::numeric_limits<double>::quiet_NaN()));
   const std::vector<pcl::index_t> number = separatePinches(context, model);
-  const auto of_input = number.begin() + static_cast<std::ptrdiff_t>(input_vertices);
-  input_vertices -= // those that were welded
+  const auto of_input =
+      number.begin() + static_cast<std::ptrdiff_t>(course.input_vertices);
+  course.input_vertices -= // those that were welded
       static_cast<std::size_t>(std::count(number.begin(), of_input, pcl::UNAVAILABLE));
   const std::vector<bool> none_used(model.free_points.size(), false);
   survey = putInOrder(std::move(survey), none_used, context);

@@ -3,11 +3,9 @@
 
 #pragma once
 
-#include <pcl/surface_repair/repair_report.h>
-
 #include "filling/patch.h"
 #include "mesh/box_tree.h"
-#include "survey/model_survey.h"
+#include "repair/passes.h"
 
 #include <cstddef>
 #include <map>
@@ -85,11 +83,7 @@ private:
 
 /** \brief The surface is what survey and report are about from now on. */
 void
-takeOver(GrowingSurface surface,
-         const ccaa::LoopContext& context,
-         ModelSurvey& survey,
-         std::size_t& input_vertices,
-         RepairReport& report);
+takeOver(GrowingSurface surface, const Course& course);
 
 } // namespace repair
 } // namespace pcl

@@ -171,11 +171,7 @@ reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
     course.log.add(hole, told);
   }
   if (surface.hasChanged())
-    takeOver(std::move(surface),
-             course.context,
-             survey,
-             course.input_vertices,
-             course.report);
+    takeOver(std::move(surface), course);
 }
 
 } // namespace repair

@@ -104,8 +104,9 @@ slitsBetween(const IncompleteModel& model, const Triangles& added)
       continue;
     const std::set<pcl::index_t> one = neighborsOf(model, added, kept);
     const std::set<pcl::index_t> two = neighborsOf(model, added, other);
+    const pcl::index_t tip = middle;
     const bool would_fit = std::none_of(one.begin(), one.end(), [&](pcl::index_t v) {
-      return v != middle && two.count(v) > 0;
+      return v != tip && two.count(v) > 0;
     });
     if (would_fit && slits.count(kept) == 0)
       slits.emplace(other, kept);
