@@ -317,7 +317,7 @@ Listing::addTouching()
     if (bridge.points.size() > 2 || bridge.points.front() != bridge.points.back())
       continue;
     const auto [kept, other] =
-        std::minmax(lowest(vertexAt(bridge.begin)), lowest(vertexAt(bridge.end)));
+        std::minmax({lowest(vertexAt(bridge.begin)), lowest(vertexAt(bridge.end))});
     if (kept == other)
       continue;
     for (auto& [vertex, target] : replaced)
