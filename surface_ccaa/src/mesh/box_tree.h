@@ -23,6 +23,14 @@ boxOf(const Corners& corners)
           corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])};
 }
 
+/** \brief A box with so much room on every side. */
+inline Box
+widened(const Box& box, double room)
+{
+  const Position all_around = Position::Constant(room);
+  return {box.min() - all_around, box.max() + all_around};
+}
+
 /** \brief A static tree over boxes: sorted along a space-filling curve, eight
  * neighbours to a node, nodes in flat arrays level by level.
  *

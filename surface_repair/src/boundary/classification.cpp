@@ -54,12 +54,6 @@ isSeenFromAllSides(double facing)
   return facing < BODY_FACING;
 }
 
-bool
-arePartsOfBody(const IncompleteModel& model)
-{
-  return model.islands.size() > 1 && isSeenFromAllSides(facingOf(model));
-}
-
 namespace {
 
 /** Loops are long or short; few of them make a block. */
@@ -94,7 +88,8 @@ classifyBoundaries(const IncompleteModel& model,
   if (context.cancelled())
     return {};
   const FacingSearch facing(loops);
-  const bool are_of_body = arePartsOfBody(model);
+  const bool are_of_body =
+      model.islands.size() > 1 && isSeenFromAllSides(facingOf(model));
   std::vector<LoopClass> classes(loops.size());
   const auto classify = [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

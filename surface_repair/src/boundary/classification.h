@@ -26,11 +26,6 @@ facingOf(const IncompleteModel& model);
 bool
 isSeenFromAllSides(double facing);
 
-/** \brief Several islands that face too little to be a sheet: no rim of theirs is an
- * outer border. */
-bool
-arePartsOfBody(const IncompleteModel& model);
-
 /** \brief Classify all loops of a model.
  *
  * D decides together with two witnesses that know what D cannot: how the loop turns on

@@ -85,12 +85,10 @@ public:
     const LookingLoop& own = loops_[loop];
     const double widest = WIDEST * own.length;
     std::vector<std::size_t> others{loop};
-    const Eigen::Vector3d room = Eigen::Vector3d::Constant(widest);
-    tree_.forEachMeeting(ccaa::Box(own.box.min() - room, own.box.max() + room),
-                         [&](pcl::index_t i) {
-                           if (static_cast<std::size_t>(i) != loop)
-                             others.push_back(static_cast<std::size_t>(i));
-                         });
+    tree_.forEachMeeting(ccaa::widened(own.box, widest), [&](pcl::index_t i) {
+      if (static_cast<std::size_t>(i) != loop)
+        others.push_back(static_cast<std::size_t>(i));
+    });
     std::sort(others.begin() + 1, others.end());
     std::map<std::size_t, std::size_t> seeing; // points, by the loop they see
     for (std::size_t i = 0; i < own.points.size(); ++i) {

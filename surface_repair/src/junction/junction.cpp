@@ -3,7 +3,6 @@
 
 #include "junction/junction.h"
 
-#include "boundary/classification.h"
 #include "field/reach.h"
 #include "mesh/corners.h"
 
@@ -197,6 +196,7 @@ findJunctions(const IncompleteModel& model,
               const BoundaryEdges& boundaries,
               const std::vector<ForceLine>& lines,
               const SightLines* sight,
+              double facing,
               const JunctionParameters& parameters)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> pairs;
@@ -204,7 +204,6 @@ findJunctions(const IncompleteModel& model,
     if (lines[i].end == LineEnd::BRIDGE)
       pairs[std::minmax(lines[i].origin.curve, lines[i].target.curve)].push_back(i);
   Ends ends(model, loops, loop_of_curve);
-  const double facing = facingOf(model);
   std::vector<Junction> junctions;
   for (auto& [curves, between] : pairs) {
     Junction junction;

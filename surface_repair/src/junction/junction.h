@@ -49,7 +49,8 @@ surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex);
  * \param[in] loops of the model
  * \param[in] loop_of_curve the loop of each curve of the boundaries
  * \param[in] boundaries what the lines' ends refer to
- * \param[in] sight what sensors have seen, or null */
+ * \param[in] sight what sensors have seen, or null
+ * \param[in] facing of the model, see facingOf() */
 std::vector<Junction>
 findJunctions(const IncompleteModel& model,
               const BoundaryLoops& loops,
@@ -57,6 +58,7 @@ findJunctions(const IncompleteModel& model,
               const BoundaryEdges& boundaries,
               const std::vector<ForceLine>& lines,
               const SightLines* sight,
+              double facing,
               const JunctionParameters& parameters);
 
 } // namespace repair

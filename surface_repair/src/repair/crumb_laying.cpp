@@ -34,21 +34,16 @@ constexpr std::array<double, 2> REACHES = {1.0, 6.0};
 /** What is looked at around a crumb, in the reach. */
 constexpr double ROOM = 4.0;
 
-ccaa::Box
-widened(const ccaa::Box& box, double room)
-{
-  const Eigen::Vector3d all_around = Eigen::Vector3d::Constant(room);
-  return {box.min() - all_around, box.max() + all_around};
-}
-
 /** Lays one crumb. */
 class CrumbLaying {
 public:
   CrumbLaying(const std::vector<std::size_t>& crumb,
-              const RepairParameters& parameters,
-              const CloudFrame& frame,
+              const Course& course,
               GrowingSurface& surface)
-  : crumb_(crumb), parameters_(parameters), frame_(frame), surface_(surface)
+  : crumb_(crumb)
+  , parameters_(course.parameters)
+  , frame_(course.frame)
+  , surface_(surface)
   {}
 
   /** \return whether it is part of a patch now */
@@ -60,8 +55,6 @@ private:
   findShadow(bool turned);
   bool
   layInto(int rings);
-  bool
-  isInside(const std::vector<pcl::index_t>& border) const;
   bool
   close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
   bool
@@ -99,9 +92,9 @@ CrumbLaying::run()
     box.extend(ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
   for (const double reach : REACHES) {
     reach_ = reach * box.diagonal().norm();
-    if (!surface_.hasPatchIn(widened(box, reach_)))
+    if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
       continue;
-    around_ = widened(box, ROOM * reach_);
+    around_ = ccaa::widened(box, ROOM * reach_);
     part_ = surface_.part(surface_.near(around_));
     for (const bool turned : {false, true}) {
       if (!findShadow(turned))
@@ -158,27 +151,6 @@ CrumbLaying::findShadow(bool turned)
   return true;
 }
 
-/** All triangles at an opening are known. */
-bool
-CrumbLaying::isInside(const std::vector<pcl::index_t>& border) const
-{
-  return std::all_of(border.begin(), border.end(), [&](pcl::index_t vertex) {
-    return around_.contains(part_.model.positions[static_cast<std::size_t>(vertex)]);
-  });
-}
-
-/** The loop of a part that begins or goes on at a vertex. */
-const BoundaryLoop*
-loopAt(const BoundaryLoops& loops, pcl::index_t vertex)
-{
-  const auto found =
-      std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
-        return std::find(loop.vertices.begin(), loop.vertices.end(), vertex) !=
-               loop.vertices.end();
-      });
-  return found == loops.end() ? nullptr : &*found;
-}
-
 /** In the numbers of the whole. */
 BoundaryLoop
 inWhole(BoundaryLoop loop, const ModelPart& part)
@@ -207,8 +179,7 @@ bool
 CrumbLaying::layInto(int rings)
 {
   const Opening opening = openFrom(part_, nearest_, ringsAround(part_, shadow_, rings));
-  const std::vector<pcl::index_t>& border = opening.border;
-  if (border.empty() || !isInside(border))
+  if (opening.border.empty() || !isWithin(around_, part_, opening))
     return false;
   place_ = placeOf(part_, opening);
   for (const std::size_t t : crumb_)
@@ -222,14 +193,9 @@ CrumbLaying::layInto(int rings)
       }))
     return false; // what is not opened runs through the crumb
   const BoundaryLoops loops = extractBoundaries(left.model);
-  const auto loop_at = [&](pcl::index_t vertex) {
-    return loopAt(loops, left.number_of.at(vertex));
-  };
-  const BoundaryLoop* outer =
-      loop_at(part_.vertices[static_cast<std::size_t>(border.front())]);
-  const BoundaryLoop* inner = loop_at(rimVertex());
+  const BoundaryLoop* outer = loopOf(opening, part_, left, loops);
+  const BoundaryLoop* inner = loopAt(loops, left.number_of.at(rimVertex()));
   return outer != nullptr && inner != nullptr && outer != inner &&
-         outer->vertices.size() == border.size() &&
          close(opening, inWhole(*outer, left), inWhole(*inner, left));
 }
 
@@ -338,11 +304,10 @@ CrumbLaying::holeOf(const Opening& opening) const
 
 bool
 layCrumb(const std::vector<std::size_t>& crumb,
-         const RepairParameters& parameters,
-         const CloudFrame& frame,
+         const Course& course,
          GrowingSurface& surface)
 {
-  return CrumbLaying(crumb, parameters, frame, surface).run();
+  return CrumbLaying(crumb, course, surface).run();
 }
 
 } // namespace repair

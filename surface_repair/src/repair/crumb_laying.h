@@ -4,7 +4,6 @@
 #pragma once
 
 #include "repair/growing_surface.h"
-#include "repair/hole_closing.h"
 
 #include <cstddef>
 #include <vector>
@@ -22,8 +21,7 @@ namespace repair {
  * \return whether it is part of a patch now */
 bool
 layCrumb(const std::vector<std::size_t>& crumb,
-         const RepairParameters& parameters,
-         const CloudFrame& frame,
+         const Course& course,
          GrowingSurface& surface);
 
 } // namespace repair

@@ -5,11 +5,9 @@
 
 #include "icadm/vertex_numbers.h"
 #include "repair/crumb_laying.h"
-#include "repair/pinched_points.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -153,7 +151,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   for (const auto& [island, crumb] : crumbs) {
     if (course.context.cancelled())
       return;
-    if (!layCrumb(crumb, course.parameters, course.frame, surface))
+    if (!layCrumb(crumb, course, surface))
       for (const std::size_t triangle : surface.meeting(crumb))
         surface.is_there[triangle] = false;
   }

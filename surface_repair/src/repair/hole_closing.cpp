@@ -20,8 +20,7 @@ placeOf(const std::vector<HolePolygon>& holes)
   for (const HolePolygon& hole : holes)
     for (const Position& point : hole.curve.points)
       box.extend(point);
-  const Eigen::Vector3d room = Eigen::Vector3d::Constant(box.diagonal().norm());
-  return {box.min() - room, box.max() + room};
+  return ccaa::widened(box, box.diagonal().norm());
 }
 
 /** The cap of holes that are closed together. */

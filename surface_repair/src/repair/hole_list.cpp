@@ -5,12 +5,12 @@
 
 #include "boundary/extraction.h"
 #include "boundary/loop_evidence.h"
+#include "mesh/disjoint_sets.h"
 #include "repair/loop_reasons.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -19,33 +19,7 @@ namespace repair {
 
 namespace {
 
-/** Disjoint sets, each known by its lowest member. */
-class Groups {
-public:
-  explicit Groups(std::size_t count) : parent_(count)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t
-  find(std::size_t member)
-  {
-    while (parent_[member] != member)
-      member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-
-  void
-  join(std::size_t a, std::size_t b)
-  {
-    const std::size_t first = find(a);
-    const std::size_t second = find(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
-private:
-  std::vector<std::size_t> parent_;
-};
+using ccaa::DisjointSets;
 
 BoundaryEdges
 boundariesOf(const ModelSurvey& survey)
@@ -77,11 +51,11 @@ islandAt(const ModelSurvey& survey, const BoundaryPoint& end)
 }
 
 /** The islands that bridges join. */
-Groups
+DisjointSets
 joinedIslands(const ModelSurvey& survey)
 {
   const SurveyedBridges& joined = survey.joined;
-  Groups groups(survey.model.islands.size());
+  DisjointSets groups(survey.model.islands.size());
   for (const HoleContour& contour : joined.holes.contours)
     for (const ContourStep& step : contour.steps)
       if (step.bridge != NONE)
@@ -92,7 +66,7 @@ joinedIslands(const ModelSurvey& survey)
 
 /** For each island the area of all that are joined to it. */
 std::vector<double>
-joinedAreas(const ModelSurvey& survey, Groups& groups)
+joinedAreas(const ModelSurvey& survey, DisjointSets& groups)
 {
   std::vector<double> sums(survey.model.islands.size(), 0.0);
   for (std::size_t i = 0; i < sums.size(); ++i)
@@ -150,7 +124,7 @@ private:
   void
   addContours();
   OpenReason
-  outsideOf(Groups& groups) const;
+  outsideOf(DisjointSets& groups) const;
   void
   countIslands();
   void
@@ -206,7 +180,7 @@ Listing::isWanted(const HoleContour& contour) const
 /** What a contour is that bounds joined islands from outside: a body has no outer
  * border, so it faces islands that are not joined yet. */
 OpenReason
-Listing::outsideOf(Groups& groups) const
+Listing::outsideOf(DisjointSets& groups) const
 {
   if (!isSeenFromAllSides(survey_.facing))
     return OpenReason::OUTER_BORDER;
@@ -221,7 +195,7 @@ Listing::addContours()
 {
   is_listed_.assign(survey_.loops.size(), false);
   const SurveyedBridges& joined = survey_.joined;
-  Groups groups = joinedIslands(survey_);
+  DisjointSets groups = joinedIslands(survey_);
   if (joined.bridges.empty())
     return;
   const BoundaryEdges boundaries = boundariesOf(survey_);
@@ -253,14 +227,14 @@ void
 Listing::countIslands()
 {
   const SurveyedBridges& joined = survey_.joined;
-  Groups groups(survey_.model.islands.size());
+  DisjointSets groups(survey_.model.islands.size());
   for (const OpenHole& hole : list_.holes)
     for (const std::size_t bridge : hole.bridges)
       if (hole.open == OpenReason::NONE)
         groups.join(islandAt(survey_, joined.bridges[bridge].begin),
                     islandAt(survey_, joined.bridges[bridge].end));
   for (std::size_t i = 0; i < survey_.model.islands.size(); ++i)
-    list_.islands += groups.find(i) == i ? 1 : 0;
+    list_.islands += groups.isRoot(i) ? 1 : 0;
 }
 
 void
@@ -329,7 +303,7 @@ Listing::addTouching()
 /** Two fillings could have the edge between two points that both holes have. */
 void
 joinHolesThatMeetTwice(const std::map<pcl::index_t, std::vector<std::size_t>>& holes_at,
-                       Groups& groups)
+                       DisjointSets& groups)
 {
   std::set<std::pair<std::size_t, std::size_t>> met;
   for (const auto& [vertex, holes] : holes_at)
@@ -342,7 +316,7 @@ joinHolesThatMeetTwice(const std::map<pcl::index_t, std::vector<std::size_t>>& h
 void
 Listing::joinRegions()
 {
-  Groups groups(list_.holes.size());
+  DisjointSets groups(list_.holes.size());
   std::map<std::size_t, std::size_t> hole_at; // bridge -> first hole that passes it
   std::map<pcl::index_t, std::vector<std::size_t>> holes_at; // a pinched vertex
   for (const auto& [vertex, kept] : list_.replaced)

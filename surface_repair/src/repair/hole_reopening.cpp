@@ -26,15 +26,11 @@ constexpr double AROUND_EDGES = 20.0;
 /** Closes one hole. */
 class HoleReopening {
 public:
-  HoleReopening(const BoundaryLoop& loop,
-                const RepairParameters& parameters,
-                const CloudFrame& frame,
-                const ccaa::LoopContext& context,
-                GrowingSurface& surface)
+  HoleReopening(const BoundaryLoop& loop, const Course& course, GrowingSurface& surface)
   : loop_(loop)
-  , parameters_(parameters)
-  , frame_(frame)
-  , context_(context)
+  , parameters_(course.parameters)
+  , frame_(course.frame)
+  , context_(course.context)
   , surface_(surface)
   {}
 
@@ -63,9 +59,8 @@ HoleReopening::run(std::size_t of_hole)
   for (const Position& point : loop_.curve.points)
     box.extend(point);
   const double edge = loop_.length / static_cast<double>(loop_.vertices.size());
-  const Eigen::Vector3d room = Eigen::Vector3d::Constant(
-      std::max(AROUND_EXTENTS * box.diagonal().norm(), AROUND_EDGES * edge));
-  around_ = {box.min() - room, box.max() + room};
+  around_ = ccaa::widened(
+      box, std::max(AROUND_EXTENTS * box.diagonal().norm(), AROUND_EDGES * edge));
   part_ = surface_.part(surface_.near(around_));
   HoleOutcome outcome;
   outcome.open = OpenReason::INTERSECTION;
@@ -104,24 +99,14 @@ HoleReopening::close(const Opening& opening, std::size_t of_hole)
 {
   HoleOutcome outcome;
   outcome.open = OpenReason::INTERSECTION;
-  const bool is_inside = std::all_of(
-      opening.border.begin(), opening.border.end(), [&](pcl::index_t vertex) {
-        return around_.contains(
-            part_.model.positions[static_cast<std::size_t>(vertex)]);
-      });
-  if (opening.border.empty() || !is_inside)
+  if (opening.border.empty() || !isWithin(around_, part_, opening))
     return outcome;
   const ccaa::Box around_opening =
       placeOf(part_, opening).intersection(around_); // beyond it nothing is known
   const ModelPart left = surface_.part(trianglesLeft(part_, opening, around_opening));
-  const pcl::index_t on_border = left.number_of.at(
-      part_.vertices[static_cast<std::size_t>(opening.border.front())]);
   const BoundaryLoops loops = extractBoundaries(left.model);
-  const auto loop = std::find_if(loops.begin(), loops.end(), [&](const auto& found) {
-    return std::find(found.vertices.begin(), found.vertices.end(), on_border) !=
-           found.vertices.end();
-  });
-  if (loop == loops.end() || loop->vertices.size() != opening.border.size())
+  const BoundaryLoop* loop = loopOf(opening, part_, left, loops);
+  if (loop == nullptr)
     return outcome;
   Region region;
   region.holes.push_back(polygonOf(*loop));
@@ -158,8 +143,7 @@ reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
     if (!has_failed)
       continue;
     const HoleOutcome outcome =
-        HoleReopening(loop, course.parameters, course.frame, course.context, surface)
-            .run(course.report.holes.size());
+        HoleReopening(loop, course, surface).run(course.report.holes.size());
     if (course.context.cancelled())
       return;
     if (outcome.open != OpenReason::NONE)

@@ -8,6 +8,7 @@
 #include <pcl/point_types.h>
 
 #include "mesh/sort_unique.h"
+#include "repair/pinched_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,26 +102,6 @@ private:
   pcl::KdTreeFLANN<pcl::PointXYZ> tree_;
 };
 
-/** \brief Vertices with a point that an earlier vertex has: two fans of it may not be
- * one vertex of the mesh. */
-std::vector<bool>
-copiesOfPoints(const RepairedModel& repaired)
-{
-  const std::vector<pcl::index_t>& point_of = repaired.model.point_of_vertex;
-  std::vector<bool> is_copy(point_of.size(), false);
-  std::vector<bool> is_taken;
-  for (std::size_t v = 0; v < point_of.size(); ++v) {
-    if (point_of[v] == pcl::UNAVAILABLE)
-      continue;
-    const auto point = static_cast<std::size_t>(point_of[v]);
-    if (point >= is_taken.size())
-      is_taken.resize(2 * point + 1, false);
-    is_copy[v] = is_taken[point];
-    is_taken[point] = true;
-  }
-  return is_copy;
-}
-
 } // namespace
 
 AddedVertices
@@ -129,7 +110,7 @@ addedVertices(const RepairedModel& repaired)
   Inheritance inheritance(repaired);
   AddedVertices added;
   const IncompleteModel& model = repaired.model;
-  const std::vector<bool> is_copy = copiesOfPoints(repaired);
+  const std::vector<bool> is_copy = copiesOfPoints(repaired.model.point_of_vertex);
   for (std::size_t v = 0; v < model.positions.size(); ++v) {
     const pcl::index_t point = model.point_of_vertex[v];
     if (!is_copy[v] && point != pcl::UNAVAILABLE)

@@ -173,8 +173,39 @@ placeOf(const ModelPart& part, const Opening& opening)
   ccaa::Box box;
   for (const pcl::index_t vertex : opening.border)
     box.extend(part.model.positions[static_cast<std::size_t>(vertex)]);
-  const Eigen::Vector3d room = Eigen::Vector3d::Constant(0.5 * box.diagonal().norm());
-  return {box.min() - room, box.max() + room};
+  return ccaa::widened(box, 0.5 * box.diagonal().norm());
+}
+
+bool
+isWithin(const ccaa::Box& box, const ModelPart& part, const Opening& opening)
+{
+  return std::all_of(
+      opening.border.begin(), opening.border.end(), [&](pcl::index_t vertex) {
+        return box.contains(part.model.positions[static_cast<std::size_t>(vertex)]);
+      });
+}
+
+const BoundaryLoop*
+loopAt(const BoundaryLoops& loops, pcl::index_t vertex)
+{
+  const auto found =
+      std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+        return std::find(loop.vertices.begin(), loop.vertices.end(), vertex) !=
+               loop.vertices.end();
+      });
+  return found == loops.end() ? nullptr : &*found;
+}
+
+const BoundaryLoop*
+loopOf(const Opening& opening,
+       const ModelPart& part,
+       const ModelPart& left,
+       const BoundaryLoops& loops)
+{
+  const auto first = static_cast<std::size_t>(opening.border.front());
+  const BoundaryLoop* loop = loopAt(loops, left.number_of.at(part.vertices[first]));
+  return loop != nullptr && loop->vertices.size() == opening.border.size() ? loop
+                                                                           : nullptr;
 }
 
 std::vector<std::size_t>

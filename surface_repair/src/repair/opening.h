@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "boundary/boundary_loop.h"
 #include "repair/growing_surface.h"
 #include "repair/surface_obstacle.h"
 
@@ -37,6 +38,22 @@ openFrom(const ModelPart& part,
 /** \brief Where an opening is filled: its border with half as much room around it. */
 ccaa::Box
 placeOf(const ModelPart& part, const Opening& opening);
+
+/** \brief Whether all of the border lies in a box. */
+bool
+isWithin(const ccaa::Box& box, const ModelPart& part, const Opening& opening);
+
+/** \brief The loop that passes a vertex; or null. */
+const BoundaryLoop*
+loopAt(const BoundaryLoops& loops, pcl::index_t vertex);
+
+/** \brief The loop that the border of an opening is in what is left of a part.
+ * \return null where it touches something else in a point */
+const BoundaryLoop*
+loopOf(const Opening& opening,
+       const ModelPart& part,
+       const ModelPart& left,
+       const BoundaryLoops& loops);
 
 /** \brief The triangles of a part that are not open and meet a place, as numbered in
  * the whole. */

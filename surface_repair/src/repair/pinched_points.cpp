@@ -16,6 +16,23 @@
 namespace pcl {
 namespace repair {
 
+std::vector<bool>
+copiesOfPoints(const std::vector<pcl::index_t>& point_of)
+{
+  std::vector<bool> is_copy(point_of.size(), false);
+  std::vector<bool> is_taken;
+  for (std::size_t v = 0; v < point_of.size(); ++v) {
+    if (point_of[v] == pcl::UNAVAILABLE)
+      continue;
+    const auto point = static_cast<std::size_t>(point_of[v]);
+    if (point >= is_taken.size())
+      is_taken.resize(2 * point + 1, false);
+    is_copy[v] = is_taken[point];
+    is_taken[point] = true;
+  }
+  return is_copy;
+}
+
 void
 weldPinches(const VertexMap& replaced,
             const ccaa::LoopContext& context,
@@ -89,6 +106,9 @@ VertexMap
 slitsBetween(const IncompleteModel& model, const Triangles& added)
 {
   VertexMap slits;
+  const std::vector<bool> is_copy = copiesOfPoints(model.point_of_vertex);
+  if (added.empty() || std::find(is_copy.begin(), is_copy.end(), true) == is_copy.end())
+    return slits; // each point has one vertex
   const auto old = static_cast<pcl::index_t>(model.adjacency.vertexCount());
   const OpenEdges open = openEdges(model, added);
   for (const auto& [first, middle] : open.next) {

@@ -16,6 +16,12 @@ namespace repair {
 /** \brief Which vertex takes the place of a vertex. */
 using VertexMap = std::map<pcl::index_t, pcl::index_t>;
 
+/** \brief Vertices with a point that an earlier vertex has: two fans of it may not be
+ * one vertex of the mesh. \param[in] point_of the point of each vertex, or UNAVAILABLE
+ */
+std::vector<bool>
+copiesOfPoints(const std::vector<pcl::index_t>& point_of);
+
 /** \brief Let the fans of a point share a vertex where holes meet in it. Until these
  * are closed the model is no manifold there, and replaced vertices have no triangle.
  * \param[in] replaced what pinchedVertices() found */

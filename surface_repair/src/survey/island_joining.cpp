@@ -92,6 +92,7 @@ Joining::choose()
                                    targets_,
                                    lines(),
                                    survey_.sight.get(),
+                                   survey_.facing,
                                    parameters_.junction);
   joined.bridges = touchingBridges(survey_, targets_);
   const std::vector<Bridge> along_lines =
