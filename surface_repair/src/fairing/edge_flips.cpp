@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "fairing/vertex_spacing.h"
 #include "mesh/corners.h"
 
 #include <algorithm>
@@ -39,6 +40,12 @@ struct Corners4 {
     return cotangentAt(c, a, b) + cotangentAt(d, a, b) < -DELAUNAY_SLACK;
   }
 
+  bool
+  areInOnePlane() const
+  {
+    return ccaa::unitNormal({a, b, c}).dot(ccaa::unitNormal({b, a, d})) > ONE_PLANE;
+  }
+
   /** The new pair faces the way the old one did, and is not folded more sharply. */
   bool
   staysUnfolded() const
@@ -56,8 +63,8 @@ struct Corners4 {
 
 class Flipping {
 public:
-  Flipping(const Patch& patch, PatchEdges& edges)
-  : patch_(patch), edges_(edges), queued_(edges.count(), 1)
+  Flipping(const Patch& patch, PatchEdges& edges, bool keeps_shape)
+  : patch_(patch), edges_(edges), keeps_shape_(keeps_shape), queued_(edges.count(), 1)
   {
     for (std::size_t side = 0; side < edges.count(); ++side)
       queue_.push_back(side);
@@ -92,6 +99,7 @@ private:
                            patch_.positions[pair.c],
                            patch_.positions[pair.d]};
     return pair.c != pair.d && corners.wantsFlip() && corners.staysUnfolded() &&
+           (!keeps_shape_ || corners.areInOnePlane()) &&
            !edges_.areJoined(pair.c, pair.d) &&
            !edges_.areJoinedInModel(pair.c, pair.d);
   }
@@ -110,6 +118,7 @@ private:
 
   const Patch& patch_;
   PatchEdges& edges_;
+  bool keeps_shape_;
   std::vector<char> queued_;
   std::deque<std::size_t> queue_;
 };
@@ -117,9 +126,9 @@ private:
 } // namespace
 
 void
-flipToDelaunay(const Patch& patch, PatchEdges& edges)
+flipToDelaunay(const Patch& patch, PatchEdges& edges, bool keeps_shape)
 {
-  Flipping(patch, edges).run();
+  Flipping(patch, edges, keeps_shape).run();
 }
 
 } // namespace repair

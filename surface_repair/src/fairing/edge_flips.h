@@ -11,9 +11,10 @@ namespace repair {
 /** \brief Flip edges whose opposite angles add up to more than a half turn, where that
  * folds nothing over and the new edge is neither in the patch nor in the model.
  *
- * Ends after at most ten flips an edge; ties by number. */
+ * Ends after at most ten flips an edge; ties by number.
+ * \param[in] keeps_shape only edges between triangles of one plane */
 void
-flipToDelaunay(const Patch& patch, PatchEdges& edges);
+flipToDelaunay(const Patch& patch, PatchEdges& edges, bool keeps_shape = false);
 
 } // namespace repair
 } // namespace pcl

@@ -6,6 +6,7 @@
 #include "icadm/model_assembly.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace pcl {
@@ -100,6 +101,58 @@ PatchEdges::split(std::size_t side, const Position& place)
   edges_.erase(key(a, b));
   for (const std::size_t end : {a, b, c, d})
     edges_.insert(key(middle, end));
+  return middle;
+}
+
+std::vector<std::size_t>
+PatchEdges::borderOf(const std::vector<std::size_t>& disc) const
+{
+  std::vector<std::size_t> border;
+  for (const std::size_t triangle : disc)
+    for (std::size_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
+      if (!isInner(side) ||
+          std::find(disc.begin(), disc.end(), across_[side] / 3) == disc.end())
+        border.push_back(side);
+  return border;
+}
+
+std::size_t
+PatchEdges::star(std::vector<std::size_t> disc, const Position& place)
+{
+  struct Spoke {
+    std::size_t from, to;
+    std::uint32_t beyond;
+  };
+  std::vector<Spoke> spokes;
+  for (const std::size_t side : borderOf(disc))
+    spokes.push_back({from(side), to(side), across_[side]});
+  for (const std::size_t triangle : disc)
+    for (std::size_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
+      edges_.erase(key(from(side), to(side)));
+  const std::size_t middle = patch_.positions.size(), hole = patch_.hole[disc.front()];
+  patch_.positions.push_back(place);
+  patch_.free_point.push_back(NONE);
+  while (disc.size() < spokes.size()) {
+    disc.push_back(patch_.triangles.size());
+    patch_.triangles.push_back({});
+    patch_.hole.push_back(hole);
+  }
+  across_.resize(3 * patch_.triangles.size(), BORDER);
+  std::map<std::size_t, std::size_t> from_spoke, to_spoke; // of vertices: triangles
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    from_spoke[spokes[i].from] = disc[i];
+    to_spoke[spokes[i].to] = disc[i];
+  }
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    const Spoke& spoke = spokes[i];
+    setTriangle(disc[i],
+                {spoke.from, spoke.to, middle},
+                {spoke.beyond,
+                 static_cast<std::uint32_t>(3 * from_spoke.at(spoke.to) + 2),
+                 static_cast<std::uint32_t>(3 * to_spoke.at(spoke.from) + 1)});
+    edges_.insert(key(spoke.from, spoke.to));
+    edges_.insert(key(spoke.from, middle));
+  }
   return middle;
 }
 

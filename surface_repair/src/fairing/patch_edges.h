@@ -82,6 +82,15 @@ public:
   std::size_t
   split(std::size_t side, const Position& place);
 
+  /** \brief Sides of some triangles with none of these beyond. */
+  std::vector<std::size_t>
+  borderOf(const std::vector<std::size_t>& disc) const;
+
+  /** \brief Replace triangles that make a disc without an inner vertex by those
+   * between its border and a new vertex. \return its number */
+  std::size_t
+  star(std::vector<std::size_t> disc, const Position& place);
+
   /** \brief Replace inner edge a-b by c-d; the caller has seen to it that it is not
    * there yet. */
   void

@@ -28,9 +28,11 @@ class Refinement {
 public:
   Refinement(const IncompleteModel& model,
              const RefinementParameters& parameters,
-             Patch& patch)
+             Patch& patch,
+             bool keeps_shape)
   : parameters_(parameters)
   , patch_(patch)
+  , keeps_shape_(keeps_shape)
   , edges_(model, patch)
   , lengths_(sizingField(model, patch, FIRST_SWEEPS))
   , given_(patch.positions.size())
@@ -41,16 +43,16 @@ public:
   {
     splitChords();
     for (std::size_t pass = 0; pass < MOST_PASSES; ++pass) {
-      flipToDelaunay(patch_, edges_);
+      flipToDelaunay(patch_, edges_, keeps_shape_);
       if (!splitLongEdges())
         break;
       interpolateLengths(patch_, SWEEPS_A_PASS, lengths_);
-      flipToDelaunay(patch_, edges_);
-      spaceVertices(given_, lengths_, patch_);
+      flipToDelaunay(patch_, edges_, keeps_shape_);
+      spaceVertices(given_, lengths_, patch_, keeps_shape_);
     }
     for (std::size_t pass = 0; pass < SPACING_PASSES && hasNewVertices(); ++pass) {
-      spaceVertices(given_, lengths_, patch_);
-      flipToDelaunay(patch_, edges_);
+      spaceVertices(given_, lengths_, patch_, keeps_shape_);
+      flipToDelaunay(patch_, edges_, keeps_shape_);
     }
   }
 
@@ -120,6 +122,7 @@ private:
 
   const RefinementParameters& parameters_;
   Patch& patch_;
+  bool keeps_shape_;
   PatchEdges edges_;
   std::vector<double> lengths_;
   std::size_t given_; /**< vertices that were there before */
@@ -130,11 +133,12 @@ private:
 void
 refinePatch(const IncompleteModel& model,
             const RefinementParameters& parameters,
-            Patch& patch)
+            Patch& patch,
+            bool keeps_shape)
 {
   if (patch.triangles.empty() || patch.rim.empty())
     return;
-  Refinement(model, parameters, patch).run();
+  Refinement(model, parameters, patch, keeps_shape).run();
 }
 
 } // namespace repair

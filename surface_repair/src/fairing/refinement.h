@@ -17,11 +17,14 @@ namespace repair {
  * Edges on the border of the patch stay. No edge between two vertices of the rim is
  * left within the patch if the model has that edge too. New vertices are appended;
  * those that were there keep their numbers and places; a triangle keeps its hole (one
- * of a flipped pair, either of theirs). */
+ * of a flipped pair, either of theirs).
+ * \param[in] keeps_shape the surface stays the same set of points: what is free of
+ * others stays free */
 void
 refinePatch(const IncompleteModel& model,
             const RefinementParameters& parameters,
-            Patch& patch);
+            Patch& patch,
+            bool keeps_shape = false);
 
 } // namespace repair
 } // namespace pcl

@@ -8,6 +8,7 @@
 #include "fairing/vertex_triangles.h"
 #include "mesh/corners.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl {
@@ -19,8 +20,11 @@ constexpr double LEAST_TURN = 0.3; /**< cosine between a triangle's normals */
 
 class Spacing {
 public:
-  Spacing(const std::vector<double>& lengths, Patch& patch)
-  : lengths_(lengths), patch_(patch), around_(patch.triangles, patch.positions.size())
+  Spacing(const std::vector<double>& lengths, Patch& patch, bool keeps_shape)
+  : lengths_(lengths)
+  , patch_(patch)
+  , least_turn_(keeps_shape ? ONE_PLANE : LEAST_TURN)
+  , around_(patch.triangles, patch.positions.size())
   {}
 
   void
@@ -40,6 +44,8 @@ public:
     if (!(weights > 0.0) || !(normal.norm() > 0.0))
       return;
     normal.normalize();
+    if (least_turn_ == ONE_PLANE && !liesInPlane(vertex, normal))
+      return;
     const Eigen::Vector3d offset = moment / weights - patch_.positions[vertex];
     moveUnlessTurned(vertex, offset - offset.dot(normal) * normal);
   }
@@ -56,6 +62,14 @@ private:
     return 1.0 / (relative * relative * relative * relative);
   }
 
+  bool
+  liesInPlane(std::size_t vertex, const Eigen::Vector3d& normal) const
+  {
+    return std::all_of(around_.begin(vertex), around_.end(vertex), [&](const auto t) {
+      return normalOf(t).dot(normal) > ONE_PLANE;
+    });
+  }
+
   void
   moveUnlessTurned(std::size_t vertex, const Eigen::Vector3d& step)
   {
@@ -67,7 +81,7 @@ private:
     patch_.positions[vertex] = before + step;
     std::size_t i = 0;
     for (const auto* t = around_.begin(vertex); t != around_.end(vertex); ++t, ++i)
-      if (normalOf(*t).dot(normals[i]) < LEAST_TURN) {
+      if (normalOf(*t).dot(normals[i]) < least_turn_) {
         patch_.positions[vertex] = before;
         return;
       }
@@ -82,6 +96,7 @@ private:
 
   const std::vector<double>& lengths_;
   Patch& patch_;
+  double least_turn_;
   VertexTriangles around_;
   std::vector<Eigen::Vector3d> normals_;
 };
@@ -89,9 +104,12 @@ private:
 } // namespace
 
 void
-spaceVertices(std::size_t first, const std::vector<double>& lengths, Patch& patch)
+spaceVertices(std::size_t first,
+              const std::vector<double>& lengths,
+              Patch& patch,
+              bool keeps_shape)
 {
-  Spacing spacing(lengths, patch);
+  Spacing spacing(lengths, patch, keeps_shape);
   for (std::size_t vertex = first; vertex < patch.positions.size(); ++vertex)
     spacing.moveVertex(vertex);
 }

@@ -11,14 +11,21 @@
 namespace pcl {
 namespace repair {
 
+/** \brief Cosine between normals of triangles of one plane. */
+constexpr double ONE_PLANE = 1.0 - 1e-12;
+
 /** \brief Move vertices within their tangent planes towards the centroids of their
  * triangles, one after the other, where no triangle turns over by it.
  *
  * \param[in] first the vertices from this one on may move
  * \param[in] lengths wanted at the vertices: where they are short triangles weigh more
+ * \param[in] keeps_shape only vertices all around which the triangles lie in one plane
  */
 void
-spaceVertices(std::size_t first, const std::vector<double>& lengths, Patch& patch);
+spaceVertices(std::size_t first,
+              const std::vector<double>& lengths,
+              Patch& patch,
+              bool keeps_shape = false);
 
 } // namespace repair
 } // namespace pcl

@@ -75,5 +75,24 @@ FloatTree::near(const Position& center,
   std::sort(found.begin(), found.end());
 }
 
+std::vector<pcl::index_t>
+FloatTree::nearest(const Position& center, std::size_t number) const
+{
+  std::vector<pcl::index_t> found;
+  if (!tree_ || number == 0 || !center.allFinite())
+    return found;
+  std::vector<float> squared;
+  const auto wanted = std::min(number, static_cast<std::size_t>(size_));
+  tree_->nearestKSearch(
+      toPoint(toFrame(center)), static_cast<int>(wanted), found, squared);
+  std::vector<std::pair<float, pcl::index_t>> order;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    order.emplace_back(squared[i], found[i]);
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    found[i] = order[i].second;
+  return found;
+}
+
 } // namespace repair
 } // namespace pcl

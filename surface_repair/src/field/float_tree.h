@@ -29,6 +29,11 @@ public:
   void
   near(const Position& center, double radius, std::vector<pcl::index_t>& found) const;
 
+  /** \brief The nearest positions, as many or all, nearest first, the lower number
+   * among equals; as near as floats tell. */
+  std::vector<pcl::index_t>
+  nearest(const Position& center, std::size_t number) const;
+
 private:
   Position
   toFrame(const Position& position) const

@@ -89,5 +89,11 @@ FreePointField::within(const Position& center, double radius) const
   return found;
 }
 
+std::vector<pcl::index_t>
+FreePointField::nearest(const Position& center, std::size_t number) const
+{
+  return implementation_->tree.nearest(center, number);
+}
+
 } // namespace repair
 } // namespace pcl

@@ -54,6 +54,10 @@ public:
   std::vector<pcl::index_t>
   within(const Position& center, double radius) const;
 
+  /** \brief Indices of the nearest points, as many or all, nearest first. */
+  std::vector<pcl::index_t>
+  nearest(const Position& center, std::size_t number) const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

@@ -11,17 +11,16 @@ namespace repair {
 
 /** \brief A way to fill a hole. */
 struct FillStrategy {
-  bool avoids;       /**< the fill may not run through anything; expensive */
-  bool refined;      /**< to the density of the surface around */
-  bool relaxed;      /**< faired; only when refined */
+  bool avoids;      /**< the fill may not run through anything; expensive */
+  bool keeps_shape; /**< refined within its triangles, and relaxed no further than there
+                       is room: a fill that is free stays free */
   bool without_free; /**< free points do not become vertices */
 };
 
-constexpr FillStrategy PLAIN = {false, true, true, false};
-constexpr FillStrategy UNRELAXED = {false, true, false, false};
-constexpr FillStrategy AVOIDING = {true, true, true, false};
-constexpr FillStrategy AVOIDING_UNRELAXED = {true, true, false, false};
-constexpr FillStrategy AVOIDING_BARE = {true, false, false, false};
+constexpr FillStrategy PLAIN = {false, false, false};
+constexpr FillStrategy PLAIN_KEEPING = {false, true, false};
+constexpr FillStrategy AVOIDING = {true, false, false};
+constexpr FillStrategy AVOIDING_KEEPING = {true, true, false};
 
 /** \brief The same, but free points do not become vertices. */
 constexpr FillStrategy
@@ -33,19 +32,17 @@ withoutFreePoints(FillStrategy strategy)
 
 /** \brief Each is tried when all before have failed; those without free points only
  * where free points did become vertices. */
-constexpr std::array<FillStrategy, 8> FILL_STRATEGIES = {
+constexpr std::array<FillStrategy, 6> FILL_STRATEGIES = {
     {PLAIN,
+     PLAIN_KEEPING,
      AVOIDING,
-     UNRELAXED,
-     AVOIDING_UNRELAXED,
-     AVOIDING_BARE,
+     AVOIDING_KEEPING,
      withoutFreePoints(AVOIDING),
-     withoutFreePoints(AVOIDING_UNRELAXED),
-     withoutFreePoints(AVOIDING_BARE)}};
+     withoutFreePoints(AVOIDING_KEEPING)}};
 
 /** \brief So many of them for a hole that has others in its region: it is alone in the
  * next pass. */
-constexpr std::size_t STRATEGIES_AMONG_OTHERS = 1;
+constexpr std::size_t STRATEGIES_AMONG_OTHERS = 2;
 
 /** \brief No strategy is left. */
 constexpr std::size_t GIVEN_UP = FILL_STRATEGIES.size();

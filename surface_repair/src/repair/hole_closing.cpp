@@ -3,6 +3,8 @@
 
 #include "repair/hole_closing.h"
 
+#include "repair/sample_shares.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -12,14 +14,16 @@ namespace repair {
 
 namespace {
 
-/** Where a region is built: its boundary with room around it. */
+/** Where a region is built: its boundary and samples with room around them. */
 ccaa::Box
-placeOf(const std::vector<HolePolygon>& holes)
+placeOf(const Region& region, const IncompleteModel& model)
 {
   ccaa::Box box;
-  for (const HolePolygon& hole : holes)
+  for (const HolePolygon& hole : region.holes)
     for (const Position& point : hole.curve.points)
       box.extend(point);
+  for (const std::size_t sample : region.samples)
+    box.extend(model.free_points[sample]);
   return ccaa::widened(box, box.diagonal().norm());
 }
 
@@ -146,10 +150,15 @@ closeHoles(const RepairParameters& parameters,
   Triangles given = list.replaced.empty() ? Triangles() : survey.model.triangles;
   if (!list.replaced.empty())
     weldPinches(list.replaced, context, survey.model);
-  const std::vector<Region> regions = regionsOf(list, parameters.filling.cap);
+  std::vector<Region> regions = regionsOf(list, parameters.filling.cap);
+  if (survey.guides && survey.guides->free_points) {
+    auto shares = shareSamples(survey.model, *survey.guides->free_points, regions);
+    for (std::size_t r = 0; r < regions.size(); ++r)
+      regions[r].samples = std::move(shares[r]);
+  }
   std::vector<ccaa::Box> places;
   for (const Region& region : regions)
-    places.push_back(placeOf(region.holes));
+    places.push_back(placeOf(region, survey.model));
   SurfaceObstacle obstacle(survey.model, places);
   ClosedHoles closed;
   closed.used.assign(survey.model.free_points.size(), false);

@@ -6,6 +6,7 @@
 #include "fairing/flat_cap.h"
 #include "fairing/refinement.h"
 #include "fairing/relaxation.h"
+#include "fairing/sample_growth.h"
 #include "filling/completion_filling.h"
 #include "junction/depth_jump.h"
 #include "repair/fill_strategy.h"
@@ -61,6 +62,8 @@ private:
   void
   leaveDepthJumps();
   void
+  assemble();
+  void
   fair();
   void
   relax();
@@ -69,7 +72,7 @@ private:
   bool
   verify();
   bool
-  all(bool FillStrategy::*wanted) const;
+  any(bool FillStrategy::*wanted) const;
   void
   tryNext(std::size_t hole, OpenReason reason);
 
@@ -80,7 +83,9 @@ private:
   std::vector<std::size_t> strategy_; /**< of each hole: place in FILL_STRATEGIES */
   std::vector<FilledPart> parts_; /**< of all holes, whether they are filled or not */
   std::vector<bool> completed_;   /**< of each hole: free points are vertices */
-  bool flat_;                     /**< all lies in the plane of its rim */
+  Patch grown_;                   /**< over samples */
+  std::vector<std::size_t> grown_fills_; /**< it is made of: of each part */
+  bool flat_;                            /**< all lies in the plane of its rim */
   std::array<std::vector<ChosenFilling>, 3>
       fillings_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
@@ -98,7 +103,7 @@ RegionClosing::isToBeFlat() const
   return isBase(hole.curve,
                 place_.model,
                 *place_.model.adjacency.begin(hole.vertices.front())) &&
-         !hasSamples(hole);
+         region_.samples.empty() && !hasSamples(hole);
 }
 
 /** Whether free points tell the surface within a large rim: such as were given for
@@ -133,7 +138,9 @@ RegionClosing::subdivide()
                                  place_.guides.surface.get()};
   std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
-    if (flat_) { // bridges would follow the surface around, out of the plane
+    if (flat_ ||
+        !region_.samples
+             .empty()) { // bridges would follow the surface around, out of the plane
       parts_.push_back({region_.holes[h], {}, h});
       continue;
     }
@@ -149,14 +156,19 @@ RegionClosing::subdivide()
   }
 }
 
+/** Which of the fills serves a strategy. */
+std::size_t
+fillsIn(const FillStrategy& strategy)
+{
+  return strategy.without_free ? 2 : strategy.avoids ? 1 : 0;
+}
+
 /** The fills of all parts in one way or the other: made once, they serve every
  * strategy (4.7). */
 const std::vector<ChosenFilling>&
 RegionClosing::fillsOf(const FillStrategy& strategy)
 {
-  std::vector<ChosenFilling>& fillings = fillings_[strategy.without_free ? 2
-                                                   : strategy.avoids     ? 1
-                                                                         : 0];
+  std::vector<ChosenFilling>& fillings = fillings_[fillsIn(strategy)];
   if (!fillings.empty())
     return fillings;
   TakenEdges taken(place_.model);
@@ -217,28 +229,60 @@ RegionClosing::leaveDepthJumps()
   }
 }
 
-/** Whether all holes that are still to be closed want something. */
+/** Whether a hole that is still to be closed wants something. */
 bool
-RegionClosing::all(bool FillStrategy::*wanted) const
+RegionClosing::any(bool FillStrategy::*wanted) const
 {
-  return std::all_of(strategy_.begin(), strategy_.end(), [&](std::size_t strategy) {
-    return strategy == GIVEN_UP || FILL_STRATEGIES[strategy].*wanted;
+  return std::any_of(strategy_.begin(), strategy_.end(), [&](std::size_t strategy) {
+    return strategy != GIVEN_UP && FILL_STRATEGIES[strategy].*wanted;
   });
+}
+
+/** The fills of all that is not given up, grown over the samples; the last one serves
+ * as long as it is made of the same fills. */
+void
+RegionClosing::assemble()
+{
+  const bool grows =
+      !flat_ && !region_.samples.empty() && !any(&FillStrategy::without_free) &&
+      std::none_of(completed_.begin(), completed_.end(), [](bool c) { return c; });
+  std::vector<FilledPart> closed;
+  std::vector<std::size_t> fills;
+  for (const FilledPart& part : parts_) {
+    const std::size_t strategy = strategy_[part.hole];
+    fills.push_back(strategy == GIVEN_UP ? NONE : fillsIn(FILL_STRATEGIES[strategy]));
+    if (strategy != GIVEN_UP)
+      closed.push_back(part);
+  }
+  if (grows && fills == grown_fills_) {
+    result_.patch = grown_;
+    return;
+  }
+  result_.patch = assemblePatch(closed, place_.model.positions.size());
+  if (!grows)
+    return;
+  const auto is_obstructed = [&](const ccaa::Corners& corners) {
+    return obstacle_.meets(corners);
+  };
+  growOver(place_.model, region_.samples, is_obstructed, result_.patch);
+  grown_ = result_.patch;
+  grown_fills_ = std::move(fills);
 }
 
 void
 RegionClosing::fair()
 {
-  std::vector<FilledPart> closed;
-  for (const FilledPart& part : parts_)
-    if (strategy_[part.hole] != GIVEN_UP)
-      closed.push_back(part);
-  result_.patch = assemblePatch(closed, place_.model.positions.size());
+  assemble();
   const RepairParameters& parameters = place_.parameters;
-  const bool refined = parameters.refine && all(&FillStrategy::refined);
-  if (refined)
-    refinePatch(place_.model, parameters.refinement, result_.patch);
-  if (refined && parameters.relax && all(&FillStrategy::relaxed))
+  const bool keeps_shape = any(&FillStrategy::keeps_shape);
+  if (keeps_shape) {
+    findCollisions();
+    if (!obstructed_.empty())
+      return; // and would not become free
+  }
+  if (parameters.refine)
+    refinePatch(place_.model, parameters.refinement, result_.patch, keeps_shape);
+  if (parameters.refine && parameters.relax)
     relax();
   else
     findCollisions();
@@ -264,6 +308,10 @@ RegionClosing::relax()
     rollBackRelaxation(before, obstructed_, rings, patch);
     findCollisions();
   }
+  if (!obstructed_.empty() && any(&FillStrategy::keeps_shape)) {
+    patch.positions = before;
+    findCollisions();
+  }
 }
 
 /** What the patch, as it would be written, runs into. */
@@ -285,7 +333,7 @@ RegionClosing::tryNext(std::size_t hole, OpenReason reason)
   const bool has_others = region_.holes.size() > 1;
   if ((has_others && strategy_[hole] >= STRATEGIES_AMONG_OTHERS) ||
       (strategy_[hole] != GIVEN_UP && FILL_STRATEGIES[strategy_[hole]].without_free &&
-       !completed_[hole]))
+       !completed_[hole] && grown_fills_.empty()))
     strategy_[hole] = GIVEN_UP;
   if (strategy_[hole] == GIVEN_UP)
     result_.holes[hole].open = reason;
@@ -301,7 +349,9 @@ RegionClosing::verify()
     obstructed.insert(patch.hole[triangle]);
   for (const std::size_t hole : obstructed)
     tryNext(hole, OpenReason::INTERSECTION);
-  if (!obstructed.empty() && region_.holes.size() == 1)
+  if (std::any_of(obstructed.begin(), obstructed.end(), [&](std::size_t hole) {
+        return region_.holes.size() == 1 || strategy_[hole] != GIVEN_UP;
+      }))
     return false;
   // What is left of the patch without the holes in question has no other fault.
   if (!obstructed.empty())

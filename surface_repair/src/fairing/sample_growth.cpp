@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: a patch that grows over samples of the missing surface.
+
+#include "fairing/sample_growth.h"
+
+#include "fairing/patch_edges.h"
+#include "fairing/triangle_search.h"
+#include "mesh/box_tree.h"
+#include "mesh/intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** What is taken at most. */
+constexpr std::size_t MOST_SAMPLES = 4000;
+/** Triangles near a sample that may make room for it. */
+constexpr std::size_t NEAREST = 12;
+/** Triangles that may go for one sample. */
+constexpr std::size_t MOST_OPENED = 40;
+/** Flips after one sample. */
+constexpr std::size_t MOST_FLIPS = 200;
+/** Of a length: what bends less by that is as good. */
+constexpr double LEAST_GAIN = 1e-9;
+
+/** What an edge between two triangles adds to the total absolute mean curvature. */
+double
+bendingAt(const Position& a,
+          const Position& b,
+          const Direction& one,
+          const Direction& other)
+{
+  return (a - b).norm() * std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+class SampleGrowth {
+public:
+  SampleGrowth(const IncompleteModel& model,
+               const std::function<bool(const ccaa::Corners&)>& obstructed,
+               Patch& patch)
+  : points_(model.free_points)
+  , obstructed_(obstructed)
+  , patch_(patch)
+  , edges_(model, patch)
+  {
+    noteNew();
+    for (std::size_t side = 0; side < edges_.count(); ++side)
+      if (!edges_.isInner(side))
+        noteRim(model, edges_.from(side), edges_.to(side));
+  }
+
+  /** What finds no room waits until others are in. */
+  void
+  run(std::vector<std::size_t> samples)
+  {
+    for (std::size_t before = samples.size() + 1; samples.size() < before;) {
+      before = samples.size();
+      const auto rest = std::remove_if(
+          samples.begin(), samples.end(), [&](auto sample) { return take(sample); });
+      samples.erase(rest, samples.end());
+    }
+  }
+
+private:
+  /** Triangles that a sample could replace. */
+  struct Disc {
+    std::vector<std::size_t> triangles;
+    double bending = 0.0; /**< that would come in */
+  };
+
+  void
+  noteRim(const IncompleteModel& model, std::size_t from, std::size_t to);
+  void
+  note(std::size_t triangle);
+  void
+  noteNew();
+  bool
+  take(std::size_t sample);
+  std::vector<std::size_t>
+  nearestTo(const Position& point) const;
+  Disc
+  discOf(std::vector<std::size_t> triangles, const Position& point) const;
+  Disc
+  bestDisc(std::size_t first, const Position& point) const;
+  bool
+  mayJoin(std::size_t side,
+          const std::vector<std::size_t>& border,
+          const std::vector<std::size_t>& disc) const;
+  bool
+  openToward(const Position& point, std::vector<std::size_t>& disc) const;
+  void
+  flipAround(std::vector<std::size_t> triangles);
+  bool
+  mayFlip(std::size_t side) const;
+  double
+  bendingOf(const std::vector<std::size_t>& triangles) const;
+  double
+  bendingOfStar(const std::vector<std::size_t>& disc, const Position& point) const;
+  Direction
+  normalBeyond(std::size_t side) const;
+  bool
+  hasRoom(std::size_t from,
+          std::size_t to,
+          const Position& apex,
+          const std::vector<std::size_t>& old) const;
+
+  const Position&
+  at(std::size_t vertex) const
+  {
+    return patch_.positions[vertex];
+  }
+  ccaa::Corners
+  cornersAt(std::size_t triangle) const
+  {
+    return ccaa::cornersOf(patch_.triangles[triangle], patch_.positions);
+  }
+
+  const Positions& points_;
+  const std::function<bool(const ccaa::Corners&)>& obstructed_;
+  Patch& patch_;
+  PatchEdges edges_;
+  std::vector<ccaa::Box> boxes_; /**< of the triangles */
+  Directions normals_;           /**< of the triangles */
+  std::map<std::pair<std::size_t, std::size_t>, Direction>
+      beyond_rim_; /**< normals of the model's triangles at the sides of the rim */
+};
+
+void
+SampleGrowth::noteRim(const IncompleteModel& model, std::size_t from, std::size_t to)
+{
+  if (from >= patch_.rim.size() || to >= patch_.rim.size())
+    return;
+  const pcl::index_t start = patch_.rim[to]; // the model runs the other way
+  const auto& adjacency = model.adjacency;
+  for (const auto* t = adjacency.begin(start); t != adjacency.end(start); ++t) {
+    const Triangle& triangle = model.triangles[static_cast<std::size_t>(*t)];
+    for (std::size_t c = 0; c < 3; ++c)
+      if (triangle[c] == start && triangle[(c + 1) % 3] == patch_.rim[from])
+        beyond_rim_[{from, to}] =
+            ccaa::unitNormal(ccaa::cornersOf(triangle, model.positions));
+  }
+}
+
+void
+SampleGrowth::note(std::size_t triangle)
+{
+  boxes_[triangle] = ccaa::boxOf(cornersAt(triangle));
+  normals_[triangle] = ccaa::unitNormal(cornersAt(triangle));
+}
+
+void
+SampleGrowth::noteNew()
+{
+  std::size_t known = boxes_.size();
+  boxes_.resize(patch_.triangles.size());
+  normals_.resize(patch_.triangles.size());
+  for (; known < boxes_.size(); ++known)
+    note(known);
+}
+
+/** \return whether the sample is a vertex now */
+bool
+SampleGrowth::take(std::size_t sample)
+{
+  const Position& point = points_[sample];
+  std::vector<Disc> discs;
+  for (const std::size_t t : nearestTo(point))
+    discs.push_back(bestDisc(t, point));
+  std::stable_sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) {
+    return a.bending < b.bending;
+  });
+  const auto disc = std::find_if(discs.begin(), discs.end(), [&](Disc& one) {
+    return openToward(point, one.triangles);
+  });
+  if (disc == discs.end())
+    return false;
+  std::vector<std::size_t> changed = disc->triangles;
+  patch_.free_point[edges_.star(disc->triangles, point)] = sample;
+  for (const std::size_t triangle : changed)
+    note(triangle);
+  for (std::size_t born = boxes_.size(); born < patch_.triangles.size(); ++born)
+    changed.push_back(born);
+  noteNew();
+  flipAround(std::move(changed));
+  return true;
+}
+
+/** The nearest triangles, nearest first, the lower number among equals. */
+std::vector<std::size_t>
+SampleGrowth::nearestTo(const Position& point) const
+{
+  std::vector<std::pair<double, std::size_t>> all;
+  for (std::size_t t = 0; t < patch_.triangles.size(); ++t)
+    all.emplace_back(nearestPlace(point, cornersAt(t)).distance, t);
+  const std::size_t number = std::min(NEAREST, all.size());
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(number);
+  std::partial_sort(all.begin(), end, all.end());
+  std::vector<std::size_t> nearest;
+  for (auto one = all.begin(); one != end; ++one)
+    nearest.push_back(one->second);
+  return nearest;
+}
+
+SampleGrowth::Disc
+SampleGrowth::discOf(std::vector<std::size_t> triangles, const Position& point) const
+{
+  const double bending = bendingOfStar(triangles, point) - bendingOf(triangles);
+  return {std::move(triangles), bending};
+}
+
+/** Grown from a triangle as long as the surface becomes less bent by it. */
+SampleGrowth::Disc
+SampleGrowth::bestDisc(std::size_t first, const Position& point) const
+{
+  Disc best = discOf({first}, point);
+  for (bool grows = true; grows && best.triangles.size() < MOST_OPENED;) {
+    grows = false;
+    const std::vector<std::size_t> disc = best.triangles;
+    const std::vector<std::size_t> border = edges_.borderOf(disc);
+    for (const std::size_t side : border) {
+      if (!mayJoin(side, border, disc))
+        continue;
+      std::vector<std::size_t> wider = disc;
+      wider.push_back(edges_.across(side) / 3);
+      Disc more = discOf(std::move(wider), point);
+      if (!(more.bending < best.bending - LEAST_GAIN * std::abs(best.bending)))
+        continue;
+      best = std::move(more);
+      grows = true;
+    }
+  }
+  return best;
+}
+
+/** Whether what lies beyond a side of the border may join a disc: its third corner
+ * becomes one more of the border. */
+bool
+SampleGrowth::mayJoin(std::size_t side,
+                      const std::vector<std::size_t>& border,
+                      const std::vector<std::size_t>& disc) const
+{
+  if (!edges_.isInner(side))
+    return false;
+  const std::size_t beyond = edges_.across(side), next = beyond / 3;
+  const std::size_t apex = edges_.from(3 * next + (beyond + 2) % 3);
+  return patch_.hole[next] == patch_.hole[disc.front()] &&
+         std::none_of(border.begin(), border.end(), [&](std::size_t other) {
+           return edges_.from(other) == apex;
+         });
+}
+
+/** Let a disc grow over the sides that a point cannot be joined with, as something is
+ * in between. \return whether it can be joined with all in the end */
+bool
+SampleGrowth::openToward(const Position& point, std::vector<std::size_t>& disc) const
+{
+  while (disc.size() < MOST_OPENED) {
+    const std::vector<std::size_t> border = edges_.borderOf(disc);
+    const auto hidden = std::find_if(border.begin(), border.end(), [&](auto side) {
+      return !hasRoom(edges_.from(side), edges_.to(side), point, disc);
+    });
+    if (hidden == border.end())
+      return true;
+    if (!mayJoin(*hidden, border, disc))
+      return false;
+    disc.push_back(edges_.across(*hidden) / 3);
+  }
+  return false;
+}
+
+void
+SampleGrowth::flipAround(std::vector<std::size_t> triangles)
+{
+  std::size_t left = MOST_FLIPS;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t side = 3 * triangles[i]; side < 3 * triangles[i] + 3; ++side) {
+      if (left == 0 || !edges_.isInner(side) || !mayFlip(side))
+        continue;
+      const std::size_t one = side / 3, other = edges_.across(side) / 3;
+      edges_.flip(side);
+      --left;
+      for (const std::size_t triangle : {one, other}) {
+        note(triangle);
+        triangles.push_back(triangle);
+      }
+    }
+}
+
+/** Whether the surface is less bent by it, and runs into nothing. */
+bool
+SampleGrowth::mayFlip(std::size_t side) const
+{
+  const auto [a, b, c, d] = edges_.pairAt(side);
+  if (c == d || edges_.areJoined(c, d) || edges_.areJoinedInModel(c, d))
+    return false;
+  const std::size_t beyond = edges_.across(side), one = side / 3, two = beyond / 3;
+  const Direction at_a = ccaa::unitNormal({at(a), at(d), at(c)});
+  const Direction at_b = ccaa::unitNormal({at(d), at(b), at(c)});
+  const auto normalAt = [&](std::size_t triangle, std::size_t corner) {
+    return normalBeyond(3 * triangle + corner % 3);
+  };
+  const double now = bendingOf({one, two});
+  const double then = bendingAt(at(c), at(d), at_a, at_b) +
+                      bendingAt(at(b), at(c), at_b, normalAt(one, side + 1)) +
+                      bendingAt(at(c), at(a), at_a, normalAt(one, side + 2)) +
+                      bendingAt(at(a), at(d), at_a, normalAt(two, beyond + 1)) +
+                      bendingAt(at(d), at(b), at_b, normalAt(two, beyond + 2));
+  return then < now * (1.0 - LEAST_GAIN) && hasRoom(d, c, at(a), {one, two}) &&
+         hasRoom(d, c, at(b), {one, two});
+}
+
+/** At all edges of some triangles; those between two of them once. */
+double
+SampleGrowth::bendingOf(const std::vector<std::size_t>& triangles) const
+{
+  double inner = 0.0, border = 0.0;
+  for (const std::size_t t : triangles)
+    for (std::size_t side = 3 * t; side < 3 * t + 3; ++side) {
+      const bool is_inner =
+          edges_.isInner(side) &&
+          std::find(triangles.begin(), triangles.end(), edges_.across(side) / 3) !=
+              triangles.end();
+      (is_inner ? inner : border) += bendingAt(
+          at(edges_.from(side)), at(edges_.to(side)), normals_[t], normalBeyond(side));
+    }
+  return 0.5 * inner + border;
+}
+
+/** The same of the triangles between a point and the border of a disc. */
+double
+SampleGrowth::bendingOfStar(const std::vector<std::size_t>& disc,
+                            const Position& point) const
+{
+  double sum = 0.0;
+  const std::vector<std::size_t> border = edges_.borderOf(disc);
+  Directions normals;
+  for (const std::size_t side : border) {
+    const Position &from = at(edges_.from(side)), &to = at(edges_.to(side));
+    normals.push_back(ccaa::unitNormal({from, to, point}));
+    sum += bendingAt(from, to, normals.back(), normalBeyond(side));
+  }
+  for (std::size_t i = 0; i < border.size(); ++i)
+    for (std::size_t k = 0; k < border.size(); ++k)
+      if (edges_.to(border[i]) == edges_.from(border[k]))
+        sum += bendingAt(at(edges_.to(border[i])), point, normals[i], normals[k]);
+  return sum;
+}
+
+/** The normal beyond a side; zero where nothing is. */
+Direction
+SampleGrowth::normalBeyond(std::size_t side) const
+{
+  if (edges_.isInner(side))
+    return normals_[edges_.across(side) / 3];
+  const auto known = beyond_rim_.find({edges_.from(side), edges_.to(side)});
+  return known == beyond_rim_.end() ? Direction(Direction::Zero()) : known->second;
+}
+
+/** Whether a triangle runs into nothing, those that it replaces left out. */
+bool
+SampleGrowth::hasRoom(std::size_t from,
+                      std::size_t to,
+                      const Position& apex,
+                      const std::vector<std::size_t>& old) const
+{
+  const ccaa::Corners corners = {at(from), at(to), apex};
+  if (ccaa::isCollinear(corners))
+    return false;
+  const ccaa::Box box = ccaa::boxOf(corners);
+  for (std::size_t t = 0; t < boxes_.size(); ++t)
+    if (boxes_[t].intersects(box) &&
+        std::find(old.begin(), old.end(), t) == old.end() &&
+        ccaa::trianglesMeet(corners, cornersAt(t)))
+      return false;
+  return !obstructed_(corners);
+}
+
+} // namespace
+
+void
+growOver(const IncompleteModel& model,
+         const std::vector<std::size_t>& samples,
+         const std::function<bool(const ccaa::Corners&)>& obstructed,
+         Patch& patch)
+{
+  const std::size_t step = samples.size() / MOST_SAMPLES + 1;
+  std::vector<std::size_t> taken;
+  for (std::size_t i = 0; i < samples.size(); i += step)
+    taken.push_back(samples[i]);
+  if (!patch.triangles.empty() && !taken.empty())
+    SampleGrowth(model, obstructed, patch).run(std::move(taken));
+}
+
+} // namespace repair
+} // namespace pcl

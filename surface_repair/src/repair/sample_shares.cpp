@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which free points are samples of which missing area.
+
+#include "repair/sample_shares.h"
+
+#include "fairing/triangle_search.h"
+#include "field/float_tree.h"
+#include "mesh/box_tree.h"
+#include "mesh/corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Neighbours that a hop may lead to. */
+constexpr std::size_t NEIGHBOURS = 8;
+/** The distance to the so many-th neighbour is the spacing at a free point. */
+constexpr std::size_t SPACING_NEIGHBOUR = 3;
+/** Longest hop, in spacings of the denser end. */
+constexpr double LONGEST_HOP = 3.0;
+/** Longest hop from a rim, in diagonals of the box around it. */
+constexpr double FIRST_HOP = 0.75;
+/** A free point so close over the given surface tells nothing new, in spacings. */
+constexpr double CLOSE = 0.5;
+/** Samples that tell a surface. */
+constexpr std::size_t FEWEST = 4;
+
+/** A free point and those around it. */
+struct Sample {
+  std::vector<pcl::index_t> neighbours; /**< nearest first */
+  double spacing = 0.0;
+  bool is_given = false; /**< the given surface passes by */
+};
+
+std::vector<Sample>
+samplesOf(const FreePointField& free_points)
+{
+  const Positions& points = free_points.points();
+  std::vector<Sample> samples(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Sample& one = samples[i];
+    one.neighbours = free_points.nearest(points[i], NEIGHBOURS + 1);
+    one.neighbours.erase(std::remove(one.neighbours.begin(),
+                                     one.neighbours.end(),
+                                     static_cast<pcl::index_t>(i)),
+                         one.neighbours.end());
+    if (one.neighbours.size() < SPACING_NEIGHBOUR)
+      continue;
+    const auto other = one.neighbours[SPACING_NEIGHBOUR - 1];
+    one.spacing = (points[static_cast<std::size_t>(other)] - points[i]).norm();
+  }
+  return samples;
+}
+
+bool
+isOnBoundary(const IncompleteModel& model, pcl::index_t vertex)
+{
+  return !model.normals[static_cast<std::size_t>(vertex)].isZero();
+}
+
+/** What lies close over triangles; at the boundary, where the surface goes on, that is
+ * to be closer. */
+void
+markGiven(const IncompleteModel& model,
+          const Positions& points,
+          std::vector<Sample>& samples)
+{
+  std::vector<ccaa::Box> boxes;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    boxes.push_back(ccaa::widened(ccaa::Box(points[i]), CLOSE * samples[i].spacing));
+  const ccaa::BoxTree tree(boxes);
+  for (const Triangle& triangle : model.triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
+    const bool at_boundary = std::any_of(triangle.begin(), triangle.end(), [&](auto v) {
+      return isOnBoundary(model, v);
+    });
+    tree.forEachMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
+      const auto point = static_cast<std::size_t>(i);
+      if (at_boundary || samples[point].is_given)
+        return;
+      const double reach = CLOSE * samples[point].spacing;
+      samples[point].is_given = nearestPlace(points[point], corners).distance < reach;
+    });
+  }
+}
+
+/** Points of all rims, and the region of each. */
+struct Rims {
+  Positions points;
+  std::vector<std::size_t> region;
+  std::vector<double> reach; /**< of a region */
+  FloatTree tree;
+
+  explicit Rims(const std::vector<Region>& regions)
+  {
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      ccaa::Box box;
+      for (const HolePolygon& hole : regions[r].holes)
+        for (const Position& point : hole.curve.points) {
+          points.push_back(point);
+          region.push_back(r);
+          box.extend(point);
+        }
+      reach.push_back(FIRST_HOP * box.diagonal().norm());
+    }
+    tree = FloatTree(points);
+  }
+};
+
+/** The ways over free points, from all rims at once (Dijkstra's algorithm, the squares
+ * of the hops added: many short ones go before a long one). */
+std::vector<std::vector<std::size_t>>
+nearestRegions(const Positions& points,
+               const std::vector<Sample>& samples,
+               const Rims& rims)
+{
+  using Step = std::tuple<double, std::size_t, std::size_t>; // cost, sample, region
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].is_given || samples[i].neighbours.size() < SPACING_NEIGHBOUR)
+      continue;
+    const auto rim = static_cast<std::size_t>(rims.tree.nearest(points[i], 1).front());
+    const double hop = (rims.points[rim] - points[i]).norm();
+    const std::size_t region = rims.region[rim];
+    if (hop <= rims.reach[region])
+      open.emplace(hop * hop, i, region);
+  }
+  std::vector<std::vector<std::size_t>> shares(rims.reach.size());
+  std::vector<std::size_t> region_of(samples.size(), NONE);
+  while (!open.empty()) {
+    const auto [cost, i, region] = open.top();
+    open.pop();
+    if (region_of[i] != NONE)
+      continue;
+    region_of[i] = region;
+    shares[region].push_back(i);
+    for (const pcl::index_t neighbour : samples[i].neighbours) {
+      const auto next = static_cast<std::size_t>(neighbour);
+      const double hop = (points[next] - points[i]).norm();
+      if (region_of[next] == NONE && !samples[next].is_given &&
+          hop <= LONGEST_HOP * std::min(samples[i].spacing, samples[next].spacing))
+        open.emplace(cost + hop * hop, next, region);
+    }
+  }
+  return shares;
+}
+
+} // namespace
+
+std::vector<std::vector<std::size_t>>
+shareSamples(const IncompleteModel& model,
+             const FreePointField& free_points,
+             const std::vector<Region>& regions)
+{
+  const Positions& points = free_points.points();
+  if (regions.empty() || points.size() < FEWEST)
+    return std::vector<std::vector<std::size_t>>(regions.size());
+  std::vector<Sample> samples = samplesOf(free_points);
+  markGiven(model, points, samples);
+  auto shares = nearestRegions(points, samples, Rims(regions));
+  for (std::vector<std::size_t>& share : shares)
+    if (share.size() < FEWEST)
+      share.clear();
+  return shares;
+}
+
+} // namespace repair
+} // namespace pcl

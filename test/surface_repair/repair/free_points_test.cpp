@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of what sparse free points tell about lost parts.
+
+#include <gtest/gtest.h>
+
+#include "fairing/triangle_search.h"
+#include "repair_fixture.h"
+#include "support/random_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+namespace test {
+namespace {
+
+/** Mean length of an edge of the bodies here. */
+constexpr double SPACING = 0.08;
+
+/** A sphere drawn out along z. */
+Shape
+body()
+{
+  Shape shape = icosphere(4);
+  for (Position& vertex : shape.vertices)
+    vertex.z() *= 3.0;
+  return shape;
+}
+
+bool
+isLost(const Position& p)
+{
+  return p.z() > 1.0;
+}
+
+Shape
+remainder()
+{
+  const Shape whole = body();
+  std::vector<std::size_t> removed;
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t)
+    for (const pcl::index_t corner : whole.triangles[t])
+      if (isLost(whole.vertices[static_cast<std::size_t>(corner)]) &&
+          (removed.empty() || removed.back() != t))
+        removed.push_back(t);
+  return withoutFreeVertices(withoutTriangles(whole, removed));
+}
+
+/** Every so many-th of the lost vertices. */
+Positions
+samples(std::size_t every)
+{
+  Positions lost, taken;
+  for (const Position& vertex : body().vertices)
+    if (isLost(vertex))
+      lost.push_back(vertex);
+  for (std::size_t i = 0; i < lost.size(); i += every)
+    taken.push_back(lost[i]);
+  return taken;
+}
+
+Repaired
+repairedWith(const Positions& free_points)
+{
+  return repaired(toPolygonMesh(remainder()), free_points);
+}
+
+/** The distance from the surface that a share of points stays within. */
+double
+distanceOf(const Positions& points, const Repaired& result, double share = 0.95)
+{
+  const Positions places =
+      ccaa::copyPositions(ccaa::positionView(result.output.cloud)).positions;
+  std::vector<ccaa::Corners> triangles;
+  for (const Triangle& triangle : result.triangles())
+    triangles.push_back(ccaa::cornersOf(triangle, places));
+  const TriangleSearch surface(triangles);
+  std::vector<double> distances;
+  for (const Position& point : points)
+    distances.push_back(surface.nearest(point, 10.0).distance);
+  std::sort(distances.begin(), distances.end());
+  return distances[static_cast<std::size_t>(share *
+                                            static_cast<double>(distances.size() - 1))];
+}
+
+double
+highest(const Repaired& result)
+{
+  double height = -std::numeric_limits<double>::infinity();
+  const Positions places =
+      ccaa::copyPositions(ccaa::positionView(result.output.cloud)).positions;
+  for (const Triangle& triangle : result.triangles())
+    for (const pcl::index_t corner : triangle)
+      height = std::max(height, places[static_cast<std::size_t>(corner)].z());
+  return height;
+}
+
+void
+expectWholeBody(const Repaired& result)
+{
+  EXPECT_TRUE(isSubsetOf(toTriangles(result.input.polygons), result.triangles()));
+  EXPECT_TRUE(keepsPoints(result));
+  EXPECT_TRUE(addsNoIntersection(result));
+  const Topology after = topologyOf(result.triangles());
+  EXPECT_EQ(1U, after.components);
+  EXPECT_EQ(2, after.characteristic);
+  EXPECT_EQ(0U, after.borders);
+}
+
+TEST(FreePoints, BringBackALostLimb)
+{
+  for (const std::size_t every : {10U, 20U, 40U}) {
+    SCOPED_TRACE(every);
+    const Repaired result = repairedWith(samples(every));
+    expectWholeBody(result);
+    EXPECT_LE(distanceOf(samples(every), result), 0.15 * SPACING);
+    EXPECT_LE(distanceOf(samples(1), result), 1.5 * SPACING);
+  }
+}
+
+TEST(FreePoints, AreMetWithinTheirNoise)
+{
+  const double deviation = 0.3 * SPACING;
+  RandomSource random(5);
+  Positions noisy = samples(20);
+  for (Position& point : noisy)
+    point += deviation * Position(random.normal(), random.normal(), random.normal());
+  const Repaired result = repairedWith(noisy);
+  expectWholeBody(result);
+  EXPECT_LE(distanceOf(noisy, result), 1.5 * deviation);
+}
+
+TEST(FreePoints, FarOutliersRaiseNoBump)
+{
+  Positions points = samples(20);
+  points.emplace_back(0.5, 0.5, 9.0);
+  points.emplace_back(6.0, 0.0, 2.0);
+  const Repaired result = repairedWith(points);
+  expectWholeBody(result);
+  EXPECT_LT(highest(result), 3.0 + SPACING);
+}
+
+TEST(FreePoints, OverTheGivenSurfaceTellNothingNew)
+{
+  Positions points;
+  for (const Position& vertex : body().vertices)
+    if (vertex.z() < 0.5 && points.size() < 60)
+      points.push_back(1.01 * vertex);
+  const Repaired with = repairedWith(points);
+  const Repaired plain = repairedWith({});
+  expectWholeBody(with);
+  EXPECT_NEAR(highest(plain), highest(with), 0.05 * SPACING);
+}
+
+} // namespace
+} // namespace test
+} // namespace repair
+} // namespace pcl
