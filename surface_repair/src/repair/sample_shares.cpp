@@ -64,16 +64,19 @@ isOnBoundary(const IncompleteModel& model, pcl::index_t vertex)
   return !model.normals[static_cast<std::size_t>(vertex)].isZero();
 }
 
-/** What lies close over triangles; at the boundary, where the surface goes on, that is
- * to be closer. */
+/** What is close to the surface and nearest to it away from its boundary lies over it;
+ * beyond the boundary the surface goes on. */
 void
 markGiven(const IncompleteModel& model,
           const Positions& points,
           std::vector<Sample>& samples)
 {
   std::vector<ccaa::Box> boxes;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    boxes.push_back(ccaa::widened(ccaa::Box(points[i]), CLOSE * samples[i].spacing));
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    nearest.push_back(CLOSE * samples[i].spacing);
+    boxes.push_back(ccaa::widened(ccaa::Box(points[i]), nearest.back()));
+  }
   const ccaa::BoxTree tree(boxes);
   for (const Triangle& triangle : model.triangles) {
     const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
@@ -82,10 +85,12 @@ markGiven(const IncompleteModel& model,
     });
     tree.forEachMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
       const auto point = static_cast<std::size_t>(i);
-      if (at_boundary || samples[point].is_given)
+      const double distance = nearestPlace(points[point], corners).distance;
+      if (distance > nearest[point] ||
+          (distance == nearest[point] && !samples[point].is_given))
         return;
-      const double reach = CLOSE * samples[point].spacing;
-      samples[point].is_given = nearestPlace(points[point], corners).distance < reach;
+      nearest[point] = distance;
+      samples[point].is_given = !at_boundary;
     });
   }
 }
