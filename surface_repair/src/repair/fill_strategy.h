@@ -41,8 +41,8 @@ constexpr std::array<FillStrategy, 6> FILL_STRATEGIES = {
      withoutFreePoints(AVOIDING_KEEPING)}};
 
 /** \brief So many of them for a hole that has others in its region: it is alone in the
- * next pass. */
-constexpr std::size_t STRATEGIES_AMONG_OTHERS = 2;
+ * next pass. One more where samples tell the shape that is kept. */
+constexpr std::size_t STRATEGIES_AMONG_OTHERS = 1;
 
 /** \brief No strategy is left. */
 constexpr std::size_t GIVEN_UP = FILL_STRATEGIES.size();

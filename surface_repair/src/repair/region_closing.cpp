@@ -331,7 +331,9 @@ RegionClosing::tryNext(std::size_t hole, OpenReason reason)
   ++result_.holes[hole].tries;
   ++strategy_[hole];
   const bool has_others = region_.holes.size() > 1;
-  if ((has_others && strategy_[hole] >= STRATEGIES_AMONG_OTHERS) ||
+  const std::size_t most =
+      STRATEGIES_AMONG_OTHERS + (region_.samples.empty() ? 0U : 1U);
+  if ((has_others && strategy_[hole] >= most) ||
       (strategy_[hole] != GIVEN_UP && FILL_STRATEGIES[strategy_[hole]].without_free &&
        !completed_[hole] && grown_fills_.empty()))
     strategy_[hole] = GIVEN_UP;
