@@ -126,6 +126,15 @@ icosphere(int subdivisions, double radius)
 }
 
 Shape
+ellipsoid(int subdivisions, double length)
+{
+  Shape shape = icosphere(subdivisions);
+  for (Position& vertex : shape.vertices)
+    vertex.z() *= length;
+  return shape;
+}
+
+Shape
 torus(int around, int across, double major_radius, double minor_radius)
 {
   Shape shape;

@@ -28,6 +28,10 @@ tetrahedron();
 Shape
 icosphere(int subdivisions, double radius = 1.0);
 
+/** \brief The icosphere of radius 1 drawn out along z: half axes 1, 1, length. */
+Shape
+ellipsoid(int subdivisions, double length);
+
 /** \brief Closed, genus 1: around * across vertices, twice as many triangles. The axis
  * is z; around, across >= 3. */
 Shape

@@ -389,7 +389,7 @@ growOver(const IncompleteModel& model,
          const std::function<bool(const ccaa::Corners&)>& obstructed,
          Patch& patch)
 {
-  const std::size_t step = samples.size() / MOST_SAMPLES + 1;
+  const std::size_t step = (samples.size() + MOST_SAMPLES - 1) / MOST_SAMPLES;
   std::vector<std::size_t> taken;
   for (std::size_t i = 0; i < samples.size(); i += step)
     taken.push_back(samples[i]);

@@ -138,9 +138,8 @@ RegionClosing::subdivide()
                                  place_.guides.surface.get()};
   std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
-    if (flat_ ||
-        !region_.samples
-             .empty()) { // bridges would follow the surface around, out of the plane
+    // Bridges would follow the surface around: out of the plane, or past the samples.
+    if (flat_ || !region_.samples.empty()) {
       parts_.push_back({region_.holes[h], {}, h});
       continue;
     }
@@ -246,18 +245,19 @@ RegionClosing::assemble()
   const bool grows =
       !flat_ && !region_.samples.empty() && !any(&FillStrategy::without_free) &&
       std::none_of(completed_.begin(), completed_.end(), [](bool c) { return c; });
-  std::vector<FilledPart> closed;
   std::vector<std::size_t> fills;
   for (const FilledPart& part : parts_) {
     const std::size_t strategy = strategy_[part.hole];
     fills.push_back(strategy == GIVEN_UP ? NONE : fillsIn(FILL_STRATEGIES[strategy]));
-    if (strategy != GIVEN_UP)
-      closed.push_back(part);
   }
   if (grows && fills == grown_fills_) {
     result_.patch = grown_;
     return;
   }
+  std::vector<FilledPart> closed;
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    if (fills[p] != NONE)
+      closed.push_back(parts_[p]);
   result_.patch = assemblePatch(closed, place_.model.positions.size());
   if (!grows)
     return;
@@ -275,14 +275,13 @@ RegionClosing::fair()
   assemble();
   const RepairParameters& parameters = place_.parameters;
   const bool keeps_shape = any(&FillStrategy::keeps_shape);
-  if (keeps_shape) {
+  if (keeps_shape || !parameters.refine)
     findCollisions();
-    if (!obstructed_.empty())
-      return; // and would not become free
-  }
-  if (parameters.refine)
-    refinePatch(place_.model, parameters.refinement, result_.patch, keeps_shape);
-  if (parameters.refine && parameters.relax)
+  const bool stays_obstructed = keeps_shape && !obstructed_.empty();
+  if (stays_obstructed || !parameters.refine)
+    return;
+  refinePatch(place_.model, parameters.refinement, result_.patch, keeps_shape);
+  if (parameters.relax)
     relax();
   else
     findCollisions();

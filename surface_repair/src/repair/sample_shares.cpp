@@ -9,7 +9,7 @@
 #include "mesh/corners.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <queue>
 #include <tuple>
 

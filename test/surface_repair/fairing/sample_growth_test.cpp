@@ -26,10 +26,8 @@ isFree(const ccaa::Corners&)
 PatchedHole
 lostLimb()
 {
-  ccaa::test::Shape shape = ccaa::test::icosphere(4);
-  for (Position& vertex : shape.vertices)
-    vertex.z() *= 4.0;
-  PatchedHole hole = withStrip(shape, [](const Position& p) { return p.z() > 1.0; });
+  PatchedHole hole = withStrip(ccaa::test::ellipsoid(4, 4.0),
+                               [](const Position& p) { return p.z() > 1.0; });
   for (std::size_t i = 0; i < hole.lost.size(); i += EVERY)
     hole.model.free_points.push_back(hole.lost[i]);
   std::sort(hole.model.free_points.begin(),

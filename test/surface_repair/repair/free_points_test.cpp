@@ -20,14 +20,10 @@ namespace {
 /** Mean length of an edge of the bodies here. */
 constexpr double SPACING = 0.08;
 
-/** A sphere drawn out along z. */
 Shape
 body()
 {
-  Shape shape = icosphere(4);
-  for (Position& vertex : shape.vertices)
-    vertex.z() *= 3.0;
-  return shape;
+  return ellipsoid(4, 3.0);
 }
 
 bool

@@ -19,16 +19,6 @@ namespace repair {
 namespace test {
 namespace {
 
-/** A sphere drawn out along z. */
-Shape
-ellipsoid(int subdivisions, double length)
-{
-  Shape shape = icosphere(subdivisions);
-  for (Position& vertex : shape.vertices)
-    vertex.z() *= length;
-  return shape;
-}
-
 /** As expectNothingWorse(), where islands may touch in points. */
 void
 expectNothingLost(const Repaired& result)
