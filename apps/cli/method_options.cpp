@@ -232,6 +232,10 @@ addMethodOptions(CommandLine& command_line, RepairParameters& method)
   command_line.options().count("crumbs", method.crumb_triangles, 0, MOST_EDGES)(
       "islands of fewer triangles wait until the others are joined, and are laid into "
       "the patches that cover them; 0: none wait, nor do any with decisions");
+  command_line.options().real(
+      "greatest-unsupported", method.greatest_unsupported, 0.0, 1.0)(
+      "share of the surface above which what is new, and little supports, leaves the "
+      "result in doubt (exit code 2); 1: never");
   addWishOptions(command_line, method);
   addFillingOptions(command_line, method);
   addSurveyOptions(command_line.method(), method.survey);

@@ -108,6 +108,18 @@ describeHoles(const RepairReport& report)
 }
 
 json
+describeDoubts(const RepairReport& report)
+{
+  json list = json::array();
+  for (const pcl::RepairDoubt& doubt : report.doubts)
+    list.push_back({{"reason", nameOf(doubt.reason)},
+                    {"why", describe(doubt.reason)},
+                    {"points", doubt.points},
+                    {"ratio", doubt.ratio}});
+  return list;
+}
+
+json
 describeState(const pcl::repair::IcmCounts& counts,
               pcl::repair::IcmClass icm_class,
               const pcl::ccaa::SurfaceTopology& topology)
@@ -135,12 +147,12 @@ describeTriangles(const RepairReport& report)
 }
 
 std::string
-placeOf(const RepairedHole& hole, const pcl::PolygonMesh& mesh)
+placeOf(pcl::index_t number, const pcl::PolygonMesh& mesh)
 {
-  if (hole.point < 0)
+  if (number < 0)
     return "";
-  const auto point = static_cast<std::size_t>(hole.point);
-  std::string place = "at point " + std::to_string(hole.point);
+  const auto point = static_cast<std::size_t>(number);
+  std::string place = "at point " + std::to_string(number);
   if (point >= pointCount(mesh.cloud))
     return place;
   const Eigen::Vector3d position = pcl::ccaa::positionView(mesh.cloud)[point];
@@ -174,6 +186,7 @@ describeRepair(const RepairReport& report)
       {"junctions", describeJunctions(report)},
       {"bridges", describeBridges(report)},
       {"holes", describeHoles(report)},
+      {"doubts", describeDoubts(report)},
       {"triangles", describeTriangles(report)},
       {"new_vertices", report.new_vertices},
       {"free_points", report.free_points},
@@ -229,13 +242,21 @@ tellShortfalls(const RepairReport& report, const pcl::PolygonMesh& mesh)
       groups[hole.open].push_back(&hole);
   std::string text;
   for (const auto& [reason, holes] : groups) {
-    const std::string place = placeOf(*holes.front(), mesh);
+    const std::string place = placeOf(holes.front()->point, mesh);
     const bool is_one = holes.size() == 1;
     text += (text.empty() ? "" : ". ") + pluralIs(holes.size(), "boundary loop") +
             " left open" + (is_one ? " because " : ", each because ") +
             describe(reason);
     if (!place.empty())
       text += std::string(" (") + (is_one ? "" : "one is ") + place + ")";
+  }
+  for (const pcl::RepairDoubt& doubt : report.doubts) {
+    text += (text.empty() ? "" : ". ") + std::string(describe(doubt.reason));
+    if (doubt.reason == pcl::DoubtReason::TUNNEL)
+      text += " (" + placeOf(doubt.points[0], mesh) + " and " +
+              placeOf(doubt.points[1], mesh) + ")";
+    else
+      text += formatted(" (%.0f %%)", 100.0 * doubt.ratio);
   }
   return text;
 }

@@ -20,9 +20,9 @@ describeRepair(const pcl::RepairReport& report);
 std::string
 summarizeRepair(const pcl::RepairReport& report);
 
-/** \brief What should be closed and is not: one sentence a reason, with the number of
- * such holes and a place where one is; empty if there is none.
- * \param[in] mesh the repaired one */
+/** \brief What should be closed and is not, and what is in doubt: one sentence a
+ * reason, with the number of such holes and a place where one is; empty if there is
+ * none. \param[in] mesh the repaired one */
 std::string
 tellShortfalls(const pcl::RepairReport& report, const pcl::PolygonMesh& mesh);
 

@@ -101,6 +101,7 @@ describeParameters(const pcl::repair::RepairParameters& method)
             {"share_of_all_area", method.survey.dropped.share_of_all_area}}},
           {"join_islands", method.join_islands},
           {"crumbs", method.crumb_triangles},
+          {"greatest_unsupported", method.greatest_unsupported},
           {"refine", method.refine},
           {"edge_length", method.refinement.edge_length},
           {"fair", method.refine && method.relax}};

@@ -29,6 +29,8 @@ tellSurface(const SurfaceFacts& facts)
     addToList(text, "watertight");
   if (facts.pieces)
     addToList(text, plural(*facts.pieces, "piece"));
+  if (!facts.doubts.empty())
+    addToList(text, "in doubt (" + facts.doubts + ")");
   return text;
 }
 
@@ -47,6 +49,10 @@ surfaceFacts(const pcl::RepairReport& report)
   const std::size_t openings = report.after.boundary_loops;
   facts.open = openings - std::min(openings, facts.left_open);
   facts.reasons = reasons.text();
+  Tally doubts;
+  for (const pcl::RepairDoubt& doubt : report.doubts)
+    doubts.add(nameOf(doubt.reason));
+  facts.doubts = doubts.text();
   facts.pieces = report.counts_after.islands;
   return facts;
 }

@@ -37,11 +37,17 @@ constexpr double BODY_FACING = 0.35;
 double
 facingOf(const IncompleteModel& model)
 {
+  return facingOf(model, model.triangles.size());
+}
+
+double
+facingOf(const IncompleteModel& model, std::size_t triangles)
+{
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double area = 0.0;
-  for (const Triangle& triangle : model.triangles) {
+  for (std::size_t t = 0; t < triangles; ++t) {
     const Eigen::Vector3d normal =
-        ccaa::areaNormal(ccaa::cornersOf(triangle, model.positions));
+        ccaa::areaNormal(ccaa::cornersOf(model.triangles[t], model.positions));
     sum += normal;
     area += normal.norm();
   }

@@ -16,10 +16,12 @@
 namespace pcl {
 namespace repair {
 
-/** \brief Length of the mean normal of a model, weighted by area: 0 for a body seen
- * from all sides, 1 for a flat sheet. */
+/** \brief Length of the mean normal of a model, or of its first triangles, weighted by
+ * area: 0 for a body seen from all sides, 1 for a flat sheet. */
 double
 facingOf(const IncompleteModel& model);
+double
+facingOf(const IncompleteModel& model, std::size_t triangles);
 
 /** \brief Whether a model that faces so much is a body or parts of one, rather than a
  * sheet: what is lost of a body turns as much of it one way. */

@@ -70,6 +70,16 @@ public:
            const BoundaryLoop& first,
            const BoundaryLoop& second) const;
 
+  bool
+  anyJoined() const
+  {
+    return !joined_.empty();
+  }
+
+  /** \brief The first loop of the input that the user wants joined to one, or NONE. */
+  std::size_t
+  partnerOf(std::size_t input_loop) const;
+
   /** \brief Whether bridges between two loops, of this pass, may be built. Cost: linear
    * in their edges. */
   bool

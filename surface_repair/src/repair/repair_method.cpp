@@ -4,6 +4,7 @@
 #include "repair/repair_method.h"
 
 #include "repair/crumbs.h"
+#include "repair/doubts.h"
 #include "repair/hole_reopening.h"
 #include "repair/last_check.h"
 #include "repair/loop_reasons.h"
@@ -86,6 +87,7 @@ reportEnd(const Pass& last, ModelSurvey& survey, RepairLog& log, RepairReport& r
 /** The model as it is written, once it is proved to be a manifold. */
 RepairedModel
 proved(RepairedModel result,
+       const RepairParameters& parameters,
        const ccaa::LoopContext& context,
        RepairLog& log,
        RepairReport& report)
@@ -96,6 +98,7 @@ proved(RepairedModel result,
       report.reading.problem = "the result would be no manifold, by a fault of ours";
     return {};
   }
+  report.doubts = doubtsAbout(result, report, parameters);
   log.countSeconds("last check", clock.seconds());
   report.new_triangles = result.model.triangles.size() - result.input_triangles;
   return result;
@@ -208,7 +211,7 @@ repairModel(ModelSurvey survey,
   addToModel(context, last.holes, last.closed, survey.model, result.input_vertices);
   result.model = std::move(survey.model);
   moveBridges(report.reading.global_shift, report.bridges);
-  return proved(std::move(result), context, log, report);
+  return proved(std::move(result), parameters, context, log, report);
 }
 
 } // namespace repair

@@ -42,6 +42,24 @@ describe(OpenReason reason)
 }
 
 const char*
+describe(DoubtReason reason)
+{
+  switch (reason) {
+  case DoubtReason::TUNNEL:
+    return "two holes that were closed may be the mouths of a tunnel";
+  case DoubtReason::UNSUPPORTED:
+    return "so much of the surface is new that more may be lost than can be told";
+  }
+  return "";
+}
+
+const char*
+nameOf(DoubtReason reason)
+{
+  return reason == DoubtReason::TUNNEL ? "TUNNEL" : "UNSUPPORTED";
+}
+
+const char*
 nameOf(OpenReason reason)
 {
   switch (reason) {

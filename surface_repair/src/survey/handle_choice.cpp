@@ -65,15 +65,20 @@ struct Candidate {
 /** Of junctions that may not make a handle: single bridges first, so that most of them
  * can stay, then whole junctions. The most bent ones first. */
 std::vector<Candidate>
-candidatesOf(const SurveyedBridges& joined)
+candidatesOf(const ModelSurvey& survey, const SurveyedBridges& joined)
 {
+  const auto loopOf = [&](const Junction& junction,
+                          std::size_t end) -> const BoundaryLoop& {
+    return survey.loops[joined.loops[junction.curves[end]]];
+  };
   std::map<CurvePair, std::vector<std::size_t>> bridges_of;
   for (std::size_t b = joined.bridges.size(); b-- > 0;) // the best was chosen first
     bridges_of[curvesOf(joined.bridges[b])].push_back(b);
   std::vector<const Junction*> junctions;
   for (const Junction& junction : joined.junctions)
     if (bridges_of.count(junction.curves) > 0 &&
-        junction.verdict == JunctionVerdict::JOINED && // the others the user wants
+        !survey.wishes.mustJoin(
+            survey.model, loopOf(junction, 0), loopOf(junction, 1)) &&
         bendOf(junction) > MOST_BENT && junction.evidence.logOdds() < CARRYING_ODDS)
       junctions.push_back(&junction);
   std::stable_sort(
@@ -129,7 +134,7 @@ dropHandles(const ModelSurvey& survey,
   BridgedTopology now = bridgedTopology(survey, joined);
   for (bool dropped = true; dropped && now.handles > 0;) {
     dropped = false;
-    for (const Candidate& candidate : candidatesOf(joined)) {
+    for (const Candidate& candidate : candidatesOf(survey, joined)) {
       const auto is_dropped = [&](std::size_t bridge) {
         return candidate.bridge == NONE
                    ? curvesOf(joined.bridges[bridge]) == candidate.junction->curves

@@ -141,6 +141,8 @@ Joining::run()
       originsBetweenIslands(field_, targets_, reachOf(parameters_.field), context_);
   double apart = parameters_.line_spacing;
   traceFrom(survey_.between_islands.origins, apart);
+  std::vector<ForceLine> chords = wantedChords(survey_, targets_, spacing_);
+  std::move(chords.begin(), chords.end(), std::back_inserter(lines()));
   choose();
   for (int round = 0; round < MORE_ROUNDS && !context_.cancelled(); ++round) {
     apart *= CLOSER;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace pcl {
@@ -21,8 +22,26 @@ namespace {
  * that was cut through the stump may be the thinner side. */
 constexpr double LEAST_HOLE = 0.5;
 
+/** Loops of one island that the user wants joined. */
+void
+opposeWanted(const ModelSurvey& survey, std::vector<std::size_t>& opposed)
+{
+  if (!survey.wishes.anyJoined())
+    return;
+  std::map<std::size_t, std::size_t> loop_of;
+  for (std::size_t k = 0; k < opposed.size(); ++k)
+    loop_of[survey.wishes.inputLoop(survey.model, survey.loops[k])] = k;
+  loop_of.erase(NONE);
+  for (const auto& [input_loop, k] : loop_of) {
+    const auto other = loop_of.find(survey.wishes.partnerOf(input_loop));
+    if (other != loop_of.end() &&
+        survey.loops[other->second].island == survey.loops[k].island)
+      opposed[k] = other->second;
+  }
+}
+
 /** Loops that are two ends of one gap. Within one island they make a handle: both have
- * to be mouths of tubes for that. */
+ * to be mouths of tubes for that, or the user wants it. */
 std::vector<std::size_t>
 facingLoops(const ModelSurvey& survey)
 {
@@ -34,6 +53,7 @@ facingLoops(const ModelSurvey& survey)
           mayBeStump(survey.classes[other].evidence)))
       opposed[k] = NONE;
   }
+  opposeWanted(survey, opposed);
   return opposed;
 }
 

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -34,7 +35,63 @@ mayBeJoined(const Junction& junction, const ModelSurvey& survey)
          survey.wishes.mayJoin(survey.model, loop(0), loop(1));
 }
 
+/** A straight line from the middle of an edge. At its ends the surface turns about the
+ * boundary into the line, and its normal turns along. */
+ForceLine
+chordFrom(const BoundaryEdges& boundaries,
+          std::size_t curve,
+          std::size_t edge,
+          std::size_t other)
+{
+  ForceLine line;
+  line.origin = boundaries.pointAt(curve, boundaries.arcOfEdge(curve, edge));
+  const Position& from = line.origin.position;
+  line.target = boundaries
+                    .closest(from,
+                             from,
+                             std::numeric_limits<double>::max(),
+                             [other](std::size_t c, std::size_t) { return c == other; })
+                    ->point;
+  const Position& to = line.target.position;
+  const auto normalAt = [&](const BoundaryPoint& end, const Eigen::Vector3d& way) {
+    return way.cross(boundaries.curves()[end.curve].curve.edge(end.edge)).normalized();
+  };
+  line.end = LineEnd::BRIDGE;
+  line.length = (to - from).norm();
+  line.points = {from, to};
+  line.normals = {normalAt(line.origin, to - from), normalAt(line.target, from - to)};
+  line.tensions = {0.0, 0.0};
+  return line;
+}
+
 } // namespace
+
+std::vector<ForceLine>
+wantedChords(const ModelSurvey& survey, const BoundaryEdges& boundaries, double spacing)
+{
+  std::vector<ForceLine> chords;
+  if (!survey.wishes.anyJoined())
+    return chords;
+  const std::vector<std::size_t>& loops = survey.joined.loops;
+  std::set<std::pair<std::size_t, std::size_t>> connected;
+  for (const ForceLine& line : survey.between_islands.lines)
+    if (line.end == LineEnd::BRIDGE)
+      connected.insert(std::minmax(line.origin.curve, line.target.curve));
+  for (std::size_t a = 0; a < loops.size(); ++a)
+    for (std::size_t b = a + 1; b < loops.size(); ++b) {
+      const BoundaryLoop& first = survey.loops[loops[a]];
+      const BoundaryLoop& second = survey.loops[loops[b]];
+      if (connected.count({a, b}) > 0 ||
+          !survey.wishes.mustJoin(survey.model, first, second))
+        continue;
+      const bool is_shorter = first.curve.size() <= second.curve.size();
+      const std::size_t from = is_shorter ? a : b;
+      for (std::size_t e = 0; e < boundaries.curves()[from].curve.size(); ++e)
+        chords.push_back(
+            resampled(chordFrom(boundaries, from, e, is_shorter ? b : a), spacing));
+    }
+  return chords;
+}
 
 double
 diagonalOf(const IncompleteModel& model)

@@ -20,5 +20,14 @@ wantedLines(const ModelSurvey& survey,
             const SurveyParameters& parameters,
             std::vector<std::size_t>& refused);
 
+/** \brief Straight lines between pairs of boundaries that the user wants joined and
+ * that no line connects, such as the mouths of a tunnel: from each edge of the boundary
+ * of fewer edges to the nearest place of the other one, resampled. \param[in]
+ * boundaries of SurveyedBridges::loops, one a curve */
+std::vector<ForceLine>
+wantedChords(const ModelSurvey& survey,
+             const BoundaryEdges& boundaries,
+             double spacing);
+
 } // namespace repair
 } // namespace pcl

@@ -268,6 +268,9 @@ struct RepairParameters {
   /** \brief A surface without any boundary is wanted: CloseChoice::ALL, and whatever
    * stays open is a shortfall. */
   bool watertight = false;
+  /** \brief Share of the area, 0 to 1, above which new triangles that little supports
+   * leave the topology in doubt (DoubtReason::UNSUPPORTED). 1: never. Default 0.2. */
+  double greatest_unsupported = 0.2;
   bool refine = true;
   bool relax = true; /**< only when refined */
   RefinementParameters refinement;

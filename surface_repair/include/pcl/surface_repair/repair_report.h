@@ -118,6 +118,31 @@ enum class TriangleOrigin : std::uint8_t {
 const char*
 describe(TriangleOrigin origin);
 
+/** \brief Why another topology than that of the output may be the true one. */
+enum class DoubtReason : std::uint8_t {
+  TUNNEL,     /**< two holes on opposite sides of a body were capped, and a tube between
+                  them would take about as little area */
+  UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
+};
+
+/** \brief A sentence part for messages, such as "two holes may be the mouths of a
+ * tunnel". */
+const char*
+describe(DoubtReason reason);
+
+/** \brief As it is called above, such as "TUNNEL". */
+const char*
+nameOf(DoubtReason reason);
+
+/** \brief What the evidence does not decide: the output has the likelier topology. */
+struct RepairDoubt {
+  DoubtReason reason = DoubtReason::TUNNEL;
+  std::array<pcl::index_t, 2> points{-1, -1}; /**< of the cloud, the lowest on the rim
+                                                 of each cap; of a TUNNEL, ascending */
+  double ratio = 0.0; /**< area of the tube in that of the two caps, or of what nothing
+                           supports in that of all */
+};
+
 /** \brief What one run of ForceLineHoleRepair found and did. */
 struct RepairReport {
   repair::ReadingReport reading;
@@ -140,16 +165,18 @@ struct RepairReport {
   std::vector<std::size_t> hole_of;    /**< one a triangle of the output: index into
                                             holes, repair::NONE for input triangles */
   std::size_t shortfalls = 0;          /**< holes left open that should be closed */
+  std::vector<RepairDoubt> doubts;     /**< about what was closed */
   std::vector<std::pair<std::string, double>> seconds; /**< of each step */
   bool cancelled = false;
   bool finished = false; /**< the output holds the result; false before the first run,
                               after an error and after cancelling */
 
-  /** \brief The run came to its end, and all that should be closed is closed. */
+  /** \brief The run came to its end, all that should be closed is closed, and nothing
+   * is in doubt. */
   bool
   complete() const
   {
-    return finished && shortfalls == 0;
+    return finished && shortfalls == 0 && doubts.empty();
   }
 };
 

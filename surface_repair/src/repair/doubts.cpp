@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: where another topology is as likely as the repaired one.
+
+#include "repair/doubts.h"
+
+#include <pcl/surface_repair/decisions.h>
+
+#include "boundary/classification.h"
+#include "field/float_tree.h"
+#include "mesh/corners.h"
+#include "mesh/disjoint_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Area of the tube between two rims, in that of their caps, up to which either may be
+ * meant. The tunnels that caps have closed in damaged machine parts have 0.4 to 1.2. */
+constexpr double MOST_OF_CAPS = 1.25;
+/** Cosine between what looks in opposite directions. */
+constexpr double OPPOSITE = 0.8;
+/** Length of the mean normal of what is flat: where something stood, or was cut off. */
+constexpr double FLAT = 0.999;
+/** Confidence of a junction up to which it supports nothing, and from which all. */
+constexpr double UNSURE = 0.5;
+constexpr double SURE = 0.75;
+
+/** New triangles that hang together. */
+struct NewPart {
+  std::size_t piece = 0;
+  double area = 0.0;
+  Eigen::Vector3d out = Eigen::Vector3d::Zero(); /**< sum of normals times area */
+  Position center = Position::Zero();            /**< of area */
+  double rim = 0.0;                              /**< its length */
+  pcl::index_t point = pcl::UNAVAILABLE;         /**< the lowest on its rim */
+  double unsupported = 0.0;                      /**< area */
+  bool is_disc = false;
+};
+
+/** Lowest points of two loops, ascending. */
+using PointPair = std::array<pcl::index_t, 2>;
+
+/** The loops of which the user says that they are not to be joined. */
+std::set<PointPair>
+loopsApart(const Decisions* decisions)
+{
+  std::set<PointPair> apart;
+  if (decisions == nullptr)
+    return apart;
+  for (const JunctionDecision& junction : decisions->junctions)
+    if (!junction.join) {
+      const auto [low, high] =
+          std::minmax(decisions->loops[junction.first_loop].key.point,
+                      decisions->loops[junction.second_loop].key.point);
+      apart.insert({low, high});
+    }
+  return apart;
+}
+
+/** How little the junctions tell of what lies between islands, 0 to 1. */
+double
+doubtOfJunctions(const std::vector<RepairJunction>& junctions)
+{
+  double weakest = 1.0;
+  for (const RepairJunction& junction : junctions)
+    if (junction.verdict == JunctionVerdict::JOINED)
+      weakest = std::min(weakest, junction.confidence);
+  return std::clamp((SURE - weakest) / (SURE - UNSURE), 0.0, 1.0);
+}
+
+class NewParts {
+public:
+  NewParts(const RepairedModel& repaired, const RepairReport& report)
+  : model_(repaired.model)
+  , first_new_(repaired.input_triangles)
+  , report_(report)
+  , doubt_of_junctions_(doubtOfJunctions(report.junctions))
+  {}
+
+  /** By lowest triangle. */
+  std::vector<NewPart>
+  list() const
+  {
+    const std::size_t count = model_.triangles.size() - first_new_;
+    ccaa::DisjointSets sets(count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (int corner = 0; corner < 3; ++corner)
+        if (const std::size_t other = newAcross(i, corner); other != NONE)
+          sets.join(i, other);
+    std::map<std::size_t, std::vector<std::size_t>> parts;
+    for (std::size_t i = 0; i < count; ++i)
+      parts[sets.find(i)].push_back(i);
+    const ccaa::Islands pieces = ccaa::labelIslands(model_.adjacency);
+    std::vector<NewPart> list;
+    for (const auto& [lowest, triangles] : parts) {
+      list.push_back(partOf(triangles));
+      list.back().piece = pieces[first_new_ + lowest];
+    }
+    return list;
+  }
+
+private:
+  /** The new triangle, numbered from 0, beyond an edge of one, or NONE. */
+  std::size_t
+  newAcross(std::size_t number, int corner) const
+  {
+    const pcl::index_t other =
+        model_.adjacency.across(static_cast<pcl::index_t>(first_new_ + number), corner);
+    const auto first_new = static_cast<pcl::index_t>(first_new_);
+    return other < first_new ? NONE : static_cast<std::size_t>(other - first_new);
+  }
+
+  /** Of a triangle, 0 to 1: how little tells of what it stands for. */
+  double
+  doubtOf(std::size_t triangle) const
+  {
+    if (report_.origins[triangle] == TriangleOrigin::COMPLETION)
+      return 0.0;
+    const bool joins = report_.holes[report_.hole_of[triangle]].islands.size() > 1;
+    return joins ? doubt_of_junctions_ : 1.0;
+  }
+
+  NewPart
+  partOf(const std::vector<std::size_t>& triangles) const
+  {
+    NewPart part;
+    std::set<pcl::index_t> vertices;
+    std::set<pcl::index_t> rim;
+    for (const std::size_t number : triangles) {
+      const Triangle& triangle = model_.triangles[first_new_ + number];
+      const ccaa::Corners corners = ccaa::cornersOf(triangle, model_.positions);
+      const Eigen::Vector3d normal = 0.5 * ccaa::areaNormal(corners);
+      const double area = normal.norm();
+      part.area += area;
+      part.unsupported += doubtOf(first_new_ + number) * area;
+      part.out += normal;
+      part.center += area / 3.0 * (corners[0] + corners[1] + corners[2]);
+      vertices.insert(triangle.begin(), triangle.end());
+      for (int i = 0; i < 3; ++i) {
+        if (newAcross(number, i) != NONE)
+          continue;
+        const auto from = static_cast<std::size_t>(i);
+        const std::size_t to = (from + 1) % 3;
+        part.rim += (corners[to] - corners[from]).norm();
+        rim.insert(triangle[from]);
+      }
+    }
+    part.center /= part.area;
+    if (part.out.norm() > FLAT * part.area)
+      part.unsupported = 0.0;
+    // Each triangle has three edges, and all but those of the rim have two triangles:
+    // with as many edges as vertices on it, V - E + F is V - R / 2 - F / 2.
+    part.is_disc = 2 * vertices.size() == triangles.size() + rim.size() + 2;
+    for (const pcl::index_t vertex : rim) {
+      const pcl::index_t point =
+          model_.point_of_vertex[static_cast<std::size_t>(vertex)];
+      if (point >= 0 && (part.point < 0 || point < part.point))
+        part.point = point;
+    }
+    return part;
+  }
+
+  const IncompleteModel& model_;
+  std::size_t first_new_;
+  const RepairReport& report_;
+  double doubt_of_junctions_;
+};
+
+double
+areaOf(const IncompleteModel& model)
+{
+  double area = 0.0;
+  for (const Triangle& triangle : model.triangles)
+    area += 0.5 * ccaa::areaNormal(ccaa::cornersOf(triangle, model.positions)).norm();
+  return std::max(area, std::numeric_limits<double>::min());
+}
+
+/** Area of the tube between the rims of two caps in that of the caps, where they lie on
+ * opposite sides of a body; else more than the most. */
+double
+tubeOverCaps(const NewPart& first, const NewPart& second)
+{
+  const Eigen::Vector3d way = second.center - first.center;
+  const double distance = way.norm();
+  const Eigen::Vector3d out = first.out.normalized();
+  const Eigen::Vector3d other_out = second.out.normalized();
+  if (first.piece != second.piece || out.dot(other_out) > -OPPOSITE ||
+      out.dot(way) > -OPPOSITE * distance || other_out.dot(way) < OPPOSITE * distance)
+    return 2.0 * MOST_OF_CAPS;
+  return 0.5 * (first.rim + second.rim) * distance / (first.area + second.area);
+}
+
+/** By their points, ascending. */
+std::vector<RepairDoubt>
+tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
+{
+  Positions centers;
+  for (const NewPart& cap : caps)
+    centers.push_back(cap.center);
+  const FloatTree tree(centers);
+  std::map<PointPair, double> ratios;
+  std::vector<pcl::index_t> near;
+  for (const NewPart& cap : caps) {
+    // One of the two reaches at least as far for its size as both together.
+    tree.near(cap.center, 2.0 * MOST_OF_CAPS * cap.area / cap.rim, near);
+    for (const pcl::index_t found : near) {
+      const NewPart& other = caps[static_cast<std::size_t>(found)];
+      const double ratio = tubeOverCaps(cap, other);
+      if (ratio <= MOST_OF_CAPS)
+        ratios[{std::min(cap.point, other.point), std::max(cap.point, other.point)}] =
+            ratio;
+    }
+  }
+  std::vector<RepairDoubt> tunnels;
+  for (const auto& [points, ratio] : ratios)
+    if (apart.count(points) == 0)
+      tunnels.push_back({DoubtReason::TUNNEL, points, ratio});
+  return tunnels;
+}
+
+} // namespace
+
+std::vector<RepairDoubt>
+doubtsAbout(const RepairedModel& repaired,
+            const RepairReport& report,
+            const RepairParameters& parameters)
+{
+  std::vector<NewPart> caps;
+  double unsupported = 0.0;
+  for (const NewPart& part : NewParts(repaired, report).list()) {
+    unsupported += part.unsupported;
+    if (part.is_disc)
+      caps.push_back(part);
+  }
+  std::vector<RepairDoubt> doubts =
+      tunnelsOf(caps, loopsApart(parameters.survey.decisions.get()));
+  const double share = unsupported / areaOf(repaired.model);
+  const bool is_asked_for =
+      parameters.watertight || parameters.filling.close == CloseChoice::ALL;
+  const bool is_body =
+      isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
+  if (is_body && !is_asked_for && share > parameters.greatest_unsupported)
+    doubts.push_back({DoubtReason::UNSUPPORTED, {-1, -1}, share});
+  return doubts;
+}
+
+} // namespace repair
+} // namespace pcl

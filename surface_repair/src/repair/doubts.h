@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: where another topology is as likely as the repaired one.
+
+#pragma once
+
+#include <pcl/surface_repair/repair_parameters.h>
+#include <pcl/surface_repair/repair_report.h>
+
+#include "repair/repaired_model.h"
+
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Judge the finished model by its new triangles, whatever way they came about.
+ *
+ * TUNNEL: two caps of areas A, B on opposite sides of a piece, with rims of lengths L,
+ * M and a distance h between them: (L + M) / 2 h, the area of a tube between the rims,
+ * is at most 1.25 (A + B). None where the user does not want
+ * the two joined.
+ *
+ * UNSUPPORTED, of a body (isSeenFromAllSides()): of new triangles those of COMPLETION
+ * have measured corners, and a flat patch is where something stood. Nothing supports
+ * the others within one island, and those between islands are supported by the
+ * junctions: w = (0.75 - c) / 0.25, at least 0 and at most 1, of their area counts as
+ * unsupported, where c is the confidence of the weakest junction that is joined. The
+ * doubt: it is more than RepairParameters::greatest_unsupported of the whole area.
+ * CloseChoice::ALL asks for it, and gives none.
+ *
+ * Cost: n log n in the new triangles and linear in all.
+ * \param[in] repaired with its adjacency
+ * \param[in] report of its holes, origins and junctions
+ * \return tunnels by their points, ascending, then UNSUPPORTED */
+std::vector<RepairDoubt>
+doubtsAbout(const RepairedModel& repaired,
+            const RepairReport& report,
+            const RepairParameters& parameters);
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of what a finished model leaves in doubt.
+
+#include "repair/decision_proposal.h"
+#include "repair_fixture.h"
+
+#include <cmath>
+#include <memory>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using namespace test;
+
+Shape
+lacking(const Shape& shape, const std::function<bool(const Position&)>& is_lost)
+{
+  return inPieces(shape, [&](const Position& p) { return is_lost(p) ? -1 : 0; });
+}
+
+/** A sphere pressed flat, without what lies around its poles. */
+Shape
+discWithOppositeHoles(double thickness)
+{
+  Shape shape = lacking(
+      icosphere(4), [](const Position& p) { return std::hypot(p.x(), p.y()) < 0.4; });
+  for (Position& p : shape.vertices)
+    p.z() *= thickness;
+  return shape;
+}
+
+Repaired
+afterDeciding(const Shape& shape, const std::function<void(Decisions&)>& change)
+{
+  RepairParameters parameters;
+  Decisions decisions = proposeDecisions(
+      surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
+                  nullptr,
+                  parameters.survey,
+                  {}),
+      parameters);
+  change(decisions);
+  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
+  return repaired(shape, parameters);
+}
+
+TEST(Doubts, OppositeHolesOfAPlateMayBeATunnel)
+{
+  const Repaired result = repaired(discWithOppositeHoles(0.15));
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  EXPECT_EQ(0U, result.report.shortfalls);
+  EXPECT_FALSE(result.report.complete());
+  ASSERT_EQ(1U, result.report.doubts.size());
+  const RepairDoubt& doubt = result.report.doubts.front();
+  EXPECT_EQ(DoubtReason::TUNNEL, doubt.reason);
+  // Two circles with a radius of 0.4, and 0.27 between the middles of their caps.
+  EXPECT_NEAR(0.27 / 0.4, doubt.ratio, 0.1);
+  const auto points = ccaa::positionView(result.input.cloud);
+  for (const pcl::index_t point : doubt.points) {
+    const Position p = points[static_cast<std::size_t>(point)];
+    EXPECT_NEAR(0.4, std::hypot(p.x(), p.y()), 0.1);
+  }
+}
+
+TEST(Doubts, OppositeHolesOfAThickBodyAreNone)
+{
+  const Repaired result = repaired(discWithOppositeHoles(1.0));
+  EXPECT_TRUE(result.report.complete());
+  EXPECT_TRUE(result.report.doubts.empty());
+}
+
+JunctionDecision
+betweenTheHoles(bool join)
+{
+  JunctionDecision junction;
+  junction.first_loop = 0;
+  junction.second_loop = 1;
+  junction.join = join;
+  return junction;
+}
+
+TEST(Doubts, TheUserMayWantTheCaps)
+{
+  const Repaired proposed =
+      afterDeciding(discWithOppositeHoles(0.15), [](Decisions&) {});
+  EXPECT_FALSE(proposed.report.complete());
+  const Repaired result =
+      afterDeciding(discWithOppositeHoles(0.15), [](Decisions& decisions) {
+        decisions.junctions.push_back(betweenTheHoles(false));
+      });
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  EXPECT_TRUE(result.report.complete());
+}
+
+TEST(Doubts, TheUserMayWantTheTunnel)
+{
+  const Repaired result =
+      afterDeciding(discWithOppositeHoles(0.15), [](Decisions& decisions) {
+        decisions.junctions.push_back(betweenTheHoles(true));
+      });
+  EXPECT_EQ(0, topologyOf(result.triangles()).characteristic);
+  EXPECT_EQ(0U, topologyOf(result.triangles()).borders);
+  EXPECT_TRUE(addsNoIntersection(result));
+}
+
+/** A sphere of which 0.3 is lost on one side. */
+Shape
+bowl()
+{
+  return lacking(icosphere(4), [](const Position& p) { return p.z() > 0.4; });
+}
+
+TEST(Doubts, ALargePartThatIsNewMayHideMore)
+{
+  const Repaired result = repaired(bowl());
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  EXPECT_FALSE(result.report.complete());
+  ASSERT_EQ(1U, result.report.doubts.size());
+  EXPECT_EQ(DoubtReason::UNSUPPORTED, result.report.doubts.front().reason);
+  EXPECT_GT(result.report.doubts.front().ratio, 0.2);
+  EXPECT_LT(result.report.doubts.front().ratio, 0.4);
+}
+
+TEST(Doubts, ALimitOfOneAcceptsAllThatIsNew)
+{
+  RepairParameters parameters;
+  parameters.greatest_unsupported = 1.0;
+  EXPECT_TRUE(repaired(bowl(), parameters).report.complete());
+}
+
+TEST(Doubts, WhatIsToBeClosedAnywayIsNone)
+{
+  RepairParameters parameters;
+  parameters.filling.close = CloseChoice::ALL;
+  EXPECT_TRUE(repaired(bowl(), parameters).report.complete());
+}
+
+TEST(Doubts, AFlatCapIsWhereSomethingStood)
+{
+  Shape box = cube(12);
+  for (Position& p : box.vertices)
+    p.z() *= 0.6;
+  double top = 0.0;
+  for (const Position& p : box.vertices)
+    top = std::max(top, p.z());
+  const Repaired result = repaired(lacking(box, [top](const Position& p) {
+    return p.z() > top - 1e-6 && std::abs(p.x()) < 0.45 && std::abs(p.y()) < 0.45;
+  }));
+  EXPECT_GT(result.report.new_triangles, 50U);
+  EXPECT_TRUE(result.report.complete());
+}
+
+/** Between pieces the junctions support what is new. */
+TEST(Doubts, SureJunctionsSupportWhatIsNewBetweenIslands)
+{
+  const Repaired result = repaired(
+      lacking(icosphere(4), [](const Position& p) { return std::abs(p.z()) < 0.25; }));
+  EXPECT_EQ(2U, result.report.islands.size());
+  EXPECT_TRUE(result.report.complete());
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
