@@ -4,12 +4,8 @@
 #include "repair/crumb_laying.h"
 
 #include "boundary/extraction.h"
-#include "fairing/refinement.h"
-#include "fairing/relaxation.h"
 #include "fairing/triangle_search.h"
 #include "repair/opening.h"
-#include "repair/patch_assembly.h"
-#include "repair/relaxation_rollback.h"
 #include "repair/ring_filling.h"
 
 #include <algorithm>
@@ -26,8 +22,6 @@ namespace {
 
 /** Rings around the shadow of a crumb that are opened, one try after the other. */
 constexpr std::array<int, 4> OPENED_RINGS = {1, 2, 4, 0};
-/** Rings around what runs into something that are not relaxed. */
-constexpr std::array<std::size_t, 3> UNRELAXED_RINGS = {0, 2, 8};
 /** A patch covers a crumb that is nearer than so many of its extents, one try after the
  * other. */
 constexpr std::array<double, 2> REACHES = {1.0, 6.0};
@@ -40,10 +34,7 @@ public:
   CrumbLaying(const std::vector<std::size_t>& crumb,
               const Course& course,
               GrowingSurface& surface)
-  : crumb_(crumb)
-  , parameters_(course.parameters)
-  , frame_(course.frame)
-  , surface_(surface)
+  : crumb_(crumb), course_(course), surface_(surface)
   {}
 
   /** \return whether it is part of a patch now */
@@ -57,14 +48,6 @@ private:
   layInto(int rings);
   bool
   close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
-  bool
-  close(const std::vector<RingPolygon>& rings,
-        const Opening& opening,
-        const ModelPart& left);
-  void
-  fair(const IncompleteModel& model,
-       const SurfaceObstacle& obstacle,
-       Patch& patch) const;
   pcl::index_t
   rimVertex() const;
   void
@@ -73,8 +56,7 @@ private:
   holeOf(const Opening& opening) const;
 
   const std::vector<std::size_t>& crumb_;
-  const RepairParameters& parameters_;
-  const CloudFrame& frame_;
+  const Course& course_;
   GrowingSurface& surface_;
   double reach_ = 0.0;
   ccaa::Box around_;
@@ -216,8 +198,10 @@ CrumbLaying::close(const Opening& opening,
       for (pcl::index_t& vertex : ring.vertices)
         vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
   const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
+  const RingPlace place{part_, opening.is_open, left, place_};
+  const std::size_t hole = holeOf(opening);
   const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
-    return close(rings, opening, left);
+    return closeRings(rings, place, hole, course_, surface_);
   });
   if (!is_closed) {
     std::map<pcl::index_t, pcl::index_t> back;
@@ -226,54 +210,6 @@ CrumbLaying::close(const Opening& opening,
     surface_.weld(crumb_, back);
   }
   return is_closed;
-}
-
-bool
-CrumbLaying::close(const std::vector<RingPolygon>& rings,
-                   const Opening& opening,
-                   const ModelPart& left)
-{
-  const SurfaceObstacle obstacle(left.model, {place_});
-  for (const bool avoids : {false, true}) {
-    const Patch bare = fillRings(rings, left, avoids ? &obstacle : nullptr);
-    if (bare.triangles.empty() || !fitsModel(left.model, bare))
-      continue;
-    for (const bool refined : {true, false}) {
-      Patch patch = bare;
-      if (refined)
-        fair(left.model, obstacle, patch);
-      if (frame_.float_positions)
-        roundToFloats(frame_.origin, patch);
-      if (!isFree(patch, place_, obstacle) || !fitsModel(left.model, patch))
-        continue;
-      surface_.replace(part_, opening.is_open, left, patch, holeOf(opening));
-      return true;
-    }
-  }
-  return false;
-}
-
-/** Where it runs into something, it is not relaxed. */
-void
-CrumbLaying::fair(const IncompleteModel& model,
-                  const SurfaceObstacle& obstacle,
-                  Patch& patch) const
-{
-  if (!parameters_.refine)
-    return;
-  refinePatch(model, parameters_.refinement, patch);
-  if (!parameters_.relax)
-    return;
-  const Positions before = patch.positions;
-  RelaxationParameters relaxation = parameters_.relaxation;
-  relaxation.trust = 0.0;
-  relaxPatch(model, {}, relaxation, patch);
-  for (const std::size_t rings : UNRELAXED_RINGS) {
-    const std::vector<std::size_t> obstructed = obstructedTriangles(patch, obstacle);
-    if (obstructed.empty())
-      return;
-    rollBackRelaxation(before, obstructed, rings, patch);
-  }
 }
 
 void

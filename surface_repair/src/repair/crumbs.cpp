@@ -111,6 +111,7 @@ setCrumbsAside(std::size_t fewer_than,
 void
 putCrumbsBack(const Crumbs& crumbs, const Course& course)
 {
+  course.log.takeIn(crumbs.triangles.size());
   std::size_t& input_vertices = course.input_vertices;
   IncompleteModel& model = course.survey.model;
   const auto added = static_cast<pcl::index_t>(crumbs.positions.size());

@@ -175,6 +175,22 @@ RepairLog::bridgeEntry(std::size_t bridge)
   return entry;
 }
 
+/** Those of the input come first, and fill no hole. */
+void
+RepairLog::leaveOut(std::size_t triangles)
+{
+  const auto count = static_cast<std::ptrdiff_t>(triangles);
+  report_.hole_of.erase(report_.hole_of.begin(), report_.hole_of.begin() + count);
+  report_.origins.erase(report_.origins.begin(), report_.origins.begin() + count);
+}
+
+void
+RepairLog::takeIn(std::size_t triangles)
+{
+  report_.hole_of.insert(report_.hole_of.begin(), triangles, NONE);
+  report_.origins.insert(report_.origins.begin(), triangles, TriangleOrigin::INPUT);
+}
+
 void
 RepairLog::addTriangle(std::size_t hole)
 {

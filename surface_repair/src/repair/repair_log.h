@@ -44,6 +44,12 @@ public:
   std::size_t
   add(const OpenHole& hole, const HoleOutcome& outcome);
 
+  /** \brief So many triangles of the input are no part of the model for a while. */
+  void
+  leaveOut(std::size_t triangles);
+  void
+  takeIn(std::size_t triangles);
+
   /** \brief The next triangle of the output belongs to a closed hole. */
   void
   addTriangle(std::size_t hole);

@@ -9,6 +9,7 @@
 #include "repair/last_check.h"
 #include "repair/loop_reasons.h"
 #include "repair/passes.h"
+#include "repair/ring_joining.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
 
@@ -161,6 +162,18 @@ afterCrumbs(const Crumbs& crumbs,
   return closeRounds(course);
 }
 
+/** The last pass after boundaries are joined all around at once. */
+Pass
+afterRings(Pass last, const Course& course)
+{
+  const ccaa::StageClock clock;
+  if (course.context.cancelled() || !last.closed.triangles.empty() ||
+      !joinRings(last.closed.failed, course))
+    return last;
+  course.log.countSeconds("rings", clock.seconds());
+  return closeRounds(course);
+}
+
 /** The last pass after holes are opened wider. */
 Pass
 afterReopening(Pass last, const Course& course)
@@ -196,11 +209,14 @@ repairModel(ModelSurvey survey,
   log.noteInput();
   const std::size_t crumb_triangles = crumbsOf(parameters);
   const Crumbs crumbs = setCrumbsAside(crumb_triangles, context, survey);
+  log.leaveOut(crumbs.triangles.size());
   RepairedModel result{{}, survey.model.positions.size(), report.input_triangles};
   const CloudFrame frame = frameOf(cloud, survey.reading);
   const Course course{
       parameters, rounds, frame, context, survey, log, report, result.input_vertices};
   Pass last = closeRounds(course);
+  if (hasObstructed(last.closed))
+    last = afterRings(std::move(last), course);
   if (!crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last)))
     last = afterCrumbs(crumbs, crumb_triangles, std::move(last), course);
   if (hasObstructed(last.closed))

@@ -3,12 +3,18 @@
 
 #include "repair/ring_filling.h"
 
+#include "fairing/refinement.h"
+#include "fairing/relaxation.h"
 #include "filling/minimum_weight_filling.h"
 #include "icadm/model_assembly.h"
 #include "mesh/intersection.h"
 #include "mesh/sort_unique.h"
+#include "repair/opening.h"
+#include "repair/patch_assembly.h"
+#include "repair/relaxation_rollback.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pcl {
 namespace repair {
@@ -17,6 +23,8 @@ namespace {
 
 /** Bridges over which a ring is cut open, one try after the other. */
 constexpr std::size_t CUTS = 3;
+/** Rings around what runs into something that are not relaxed. */
+constexpr std::array<std::size_t, 3> UNRELAXED_RINGS = {0, 2, 8};
 
 void
 add(const BoundaryLoop& loop, std::size_t place, RingPolygon& ring)
@@ -135,6 +143,10 @@ cutsOf(const BoundaryLoop& outer,
   return cuts;
 }
 
+namespace {
+
+/** \param[in] part that has their vertices \param[in] obstacle to be avoided, or null
+ * \return without triangles where one of them cannot be filled */
 Patch
 fillRings(const std::vector<RingPolygon>& rings,
           const ModelPart& part,
@@ -186,6 +198,60 @@ fillRings(const std::vector<RingPolygon>& rings,
   patch.hole.assign(triangles.size(), 0);
   patch.triangles = std::move(triangles);
   return patch;
+}
+
+/** Where it runs into something, it is not relaxed. */
+void
+fair(const IncompleteModel& model,
+     const SurfaceObstacle& obstacle,
+     const RepairParameters& parameters,
+     Patch& patch)
+{
+  if (!parameters.refine)
+    return;
+  refinePatch(model, parameters.refinement, patch);
+  if (!parameters.relax)
+    return;
+  const Positions before = patch.positions;
+  RelaxationParameters relaxation = parameters.relaxation;
+  relaxation.trust = 0.0;
+  relaxPatch(model, {}, relaxation, patch);
+  for (const std::size_t rings : UNRELAXED_RINGS) {
+    const std::vector<std::size_t> obstructed = obstructedTriangles(patch, obstacle);
+    if (obstructed.empty())
+      return;
+    rollBackRelaxation(before, obstructed, rings, patch);
+  }
+}
+
+} // namespace
+
+bool
+closeRings(const std::vector<RingPolygon>& rings,
+           const RingPlace& place,
+           std::size_t of_hole,
+           const Course& course,
+           GrowingSurface& surface)
+{
+  const IncompleteModel& model = place.left.model;
+  const SurfaceObstacle obstacle(model, {place.box});
+  for (const bool avoids : {false, true}) {
+    const Patch bare = fillRings(rings, place.left, avoids ? &obstacle : nullptr);
+    if (bare.triangles.empty() || !fitsModel(model, bare))
+      continue;
+    for (const bool is_refined : {true, false}) {
+      Patch patch = bare;
+      if (is_refined)
+        fair(model, obstacle, course.parameters, patch);
+      if (course.frame.float_positions)
+        roundToFloats(course.frame.origin, patch);
+      if (!isFree(patch, place.box, obstacle) || !fitsModel(model, patch))
+        continue;
+      surface.replace(place.part, place.is_open, place.left, patch, of_hole);
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace repair

@@ -42,13 +42,23 @@ cutsOf(const BoundaryLoop& outer,
        const BoundaryLoop& inner,
        const std::vector<LoopPlaces>& touching);
 
-/** \brief Fill polygons by minimum weight. \param[in] part that has their vertices
- * \param[in] obstacle to be avoided, or null \return without triangles where one of
- * them cannot be filled */
-Patch
-fillRings(const std::vector<RingPolygon>& rings,
-          const ModelPart& part,
-          const SurfaceObstacle* obstacle);
+/** \brief Where rings are closed. */
+struct RingPlace {
+  const ModelPart& part;            /**< what is known around it */
+  const std::vector<bool>& is_open; /**< of the part's triangles: they go */
+  const ModelPart& left;            /**< what stays of it, with the rings' vertices */
+  ccaa::Box box;
+};
+
+/** \brief Fill polygons by minimum weight, refine and relax them, and let the surface
+ * have them where they run into nothing.
+ * \param[in] of_hole that they close \return whether it has them */
+bool
+closeRings(const std::vector<RingPolygon>& rings,
+           const RingPlace& place,
+           std::size_t of_hole,
+           const Course& course,
+           GrowingSurface& surface);
 
 } // namespace repair
 } // namespace pcl

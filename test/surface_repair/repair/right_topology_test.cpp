@@ -114,6 +114,37 @@ TEST(RightTopology, StumpsOfALimbAreJoinedAndNotCapped)
   }
 }
 
+/** A bent limb of which a slanting slice is lost. */
+Shape
+cutLimb(std::uint64_t seed)
+{
+  RandomSource random(seed);
+  const double length = random.uniform(3.0, 10.0);
+  const double bend = random.uniform(0.0, 0.6) / length;
+  const double tilt = random.uniform(0.0, 1.5);
+  const double gap = random.uniform(0.5, 2.5);
+  const double height = length * random.uniform(0.2, 0.6);
+  const auto bent = [bend](const Position& p) { return bend * p.z() * p.z(); };
+  Shape limb = ellipsoid(3, length);
+  for (Position& p : limb.vertices)
+    p.x() += bent(p);
+  return without(limb, [=](const Position& p) {
+    return std::abs(p.z() - height + tilt * (p.x() - bent(p))) < 0.5 * gap;
+  });
+}
+
+/** Each hole that bridges leave there would run into another one. */
+TEST(RightTopology, LimbsAreJoinedAllAroundWherePartsOfTheGapCannotBeFilled)
+{
+  for (const std::uint64_t seed : {121, 504, 706, 1214}) {
+    SCOPED_TRACE(seed);
+    const Repaired result = repaired(cutLimb(seed));
+    expectNothingLost(result);
+    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(0U, topologyOf(result.triangles()).borders);
+  }
+}
+
 /** Two bodies side by side, each without one end. */
 TEST(RightTopology, StumpsThatDoNotFaceEachOtherStayOpenAndAreTold)
 {

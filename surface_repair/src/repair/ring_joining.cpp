@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: joins two boundaries all around at once.
+
+#include "repair/ring_joining.h"
+
+#include "filling/minimum_weight_filling.h"
+#include "repair/ring_filling.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Two loops. */
+using Ring = std::pair<std::size_t, std::size_t>;
+
+/** Loops that bridges connect with each other and with no other one, ascending. */
+std::vector<Ring>
+ringsOf(const SurveyedBridges& joined)
+{
+  std::map<std::size_t, std::set<std::size_t>> partners;
+  for (const Bridge& bridge : joined.bridges) {
+    const std::size_t begin = joined.loops[bridge.begin.curve];
+    const std::size_t end = joined.loops[bridge.end.curve];
+    partners[begin].insert(end);
+    partners[end].insert(begin);
+  }
+  std::vector<Ring> rings;
+  for (const auto& [loop, others] : partners) {
+    const std::size_t other = *others.begin();
+    if (loop < other && others.size() == 1 && partners[other].size() == 1)
+      rings.emplace_back(loop, other);
+  }
+  return rings;
+}
+
+bool
+ranIntoSomething(const BoundaryLoop& loop,
+                 const std::unordered_map<pcl::index_t, Failure>& failed)
+{
+  return std::any_of(
+      loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t vertex) {
+        const auto failure = failed.find(vertex);
+        return failure != failed.end() &&
+               failure->second.open == OpenReason::INTERSECTION;
+      });
+}
+
+/** The ring as one hole, for the report. */
+OpenHole
+holeOf(const RingPolygon& ring)
+{
+  OpenHole hole;
+  hole.polygon.curve = ring.curve;
+  hole.polygon.vertices = ring.vertices;
+  return hole;
+}
+
+bool
+join(const BoundaryLoop& first,
+     const BoundaryLoop& second,
+     const Course& course,
+     GrowingSurface& surface)
+{
+  ccaa::Box box;
+  for (const BoundaryLoop* loop : {&first, &second})
+    for (const Position& point : loop->curve.points)
+      box.extend(point);
+  box = ccaa::widened(box, 0.5 * box.diagonal().norm());
+  const ModelPart part = surface.part(surface.near(box));
+  const std::vector<bool> none_open(part.triangles.size(), false);
+  const RingPlace place{part, none_open, part, box};
+  for (const std::vector<RingPolygon>& rings : cutsOf(first, second, {})) {
+    if (!closeRings(rings, place, course.report.holes.size(), course, surface))
+      continue;
+    HoleOutcome outcome;
+    outcome.filling = MinimumWeightFilling().name();
+    course.log.add(holeOf(rings.front()), outcome);
+    return true;
+  }
+  return false;
+}
+
+} // namespace
+
+bool
+joinRings(const std::unordered_map<pcl::index_t, Failure>& failed, const Course& course)
+{
+  ModelSurvey& survey = course.survey;
+  GrowingSurface surface(survey.model, course.report.hole_of);
+  bool has_joined = false;
+  for (const auto& [first, second] : ringsOf(survey.joined)) {
+    const BoundaryLoop& one = survey.loops[first];
+    const BoundaryLoop& other = survey.loops[second];
+    if (!course.context.cancelled() && ranIntoSomething(one, failed) &&
+        ranIntoSomething(other, failed))
+      has_joined = join(one, other, course, surface) || has_joined;
+  }
+  if (has_joined)
+    takeOver(std::move(surface), course);
+  return has_joined;
+}
+
+} // namespace repair
+} // namespace pcl
