@@ -39,11 +39,12 @@ ringsOf(const SurveyedBridges& joined)
   return rings;
 }
 
+/** All around: what bounds joined sheets from outside has not been tried. */
 bool
 ranIntoSomething(const BoundaryLoop& loop,
                  const std::unordered_map<pcl::index_t, Failure>& failed)
 {
-  return std::any_of(
+  return std::all_of(
       loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t vertex) {
         const auto failure = failed.find(vertex);
         return failure != failed.end() &&
