@@ -162,7 +162,7 @@ FreePointPulls::weighted(const std::vector<AttachedPoint>& attached) const
 FreePointPulls::FreePointPulls(const IncompleteModel& model,
                                const Positions& free_points,
                                const RelaxationParameters& parameters,
-                               const std::vector<pcl::index_t>& rim,
+                               const Patch& patch,
                                const JoinedSurface& surface)
 : trust_(parameters.trust / (1.0 - parameters.trust)), reach_(parameters.reach)
 {
@@ -174,13 +174,15 @@ FreePointPulls::FreePointPulls(const IncompleteModel& model,
   // The patch may grow into the box by its own size, which is 1.
   const Position margin = Position::Constant(0.5);
   around = ccaa::Box(around.min() - margin, around.max() + margin);
-  for (const Position& point : free_points) {
-    const Position place = (point - surface.centre) / surface.size;
-    if (around.contains(place))
+  const std::unordered_set<std::size_t> vertices(patch.free_point.begin(),
+                                                 patch.free_point.end());
+  for (std::size_t i = 0; i < free_points.size(); ++i) {
+    const Position place = (free_points[i] - surface.centre) / surface.size;
+    if (around.contains(place) && vertices.count(i) == 0)
       points_.push_back(place);
   }
   if (!points_.empty())
-    gatherModel(model, rim, surface, around);
+    gatherModel(model, patch.rim, surface, around);
 }
 
 /** Outward from the rim: looking at all triangles for every patch would be too much. */

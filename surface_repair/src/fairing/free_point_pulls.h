@@ -6,6 +6,7 @@
 #include "fairing/fairing_system.h"
 #include "fairing/joined_surface.h"
 #include "fairing/relaxation.h"
+#include "filling/patch.h"
 #include "mesh/box_tree.h"
 
 #include <cstddef>
@@ -21,14 +22,14 @@ struct AttachedPoint {
   double edge = 0.0;   /**< mean edge of the triangle */
 };
 
-/** \brief The free points around a patch, in the frame of the joined surface, and the
- * model's triangles among them. */
+/** \brief The free points around a patch but those that are its vertices, in the frame
+ * of the joined surface, and the model's triangles among them. */
 class FreePointPulls {
 public:
   FreePointPulls(const IncompleteModel& model,
                  const Positions& free_points,
                  const RelaxationParameters& parameters,
-                 const std::vector<pcl::index_t>& rim,
+                 const Patch& patch,
                  const JoinedSurface& surface);
 
   bool

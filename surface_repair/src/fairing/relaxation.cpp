@@ -107,7 +107,7 @@ relaxPatch(const IncompleteModel& model,
   FairingTask task;
   task.fixed = fixedVertices(surface, patch);
   const std::vector<double> rim = rimCurvatures(surface, patch.rim.size());
-  const FreePointPulls pulls(model, free_points, parameters, patch.rim, surface);
+  const FreePointPulls pulls(model, free_points, parameters, patch, surface);
   FairingSolver solver;
   bool settled = false;
   for (std::size_t round = 0; round < parameters.rounds && !settled; ++round) {

@@ -170,8 +170,14 @@ SampleGrowth::take(std::size_t sample)
 {
   const Position& point = points_[sample];
   std::vector<Disc> discs;
-  for (const std::size_t t : nearestTo(point))
-    discs.push_back(bestDisc(t, point));
+  for (const std::size_t t : nearestTo(point)) {
+    const bool is_known = std::any_of(discs.begin(), discs.end(), [t](const Disc& one) {
+      return std::find(one.triangles.begin(), one.triangles.end(), t) !=
+             one.triangles.end();
+    });
+    if (!is_known)
+      discs.push_back(bestDisc(t, point));
+  }
   std::stable_sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) {
     return a.bending < b.bending;
   });
@@ -195,15 +201,22 @@ SampleGrowth::take(std::size_t sample)
 std::vector<std::size_t>
 SampleGrowth::nearestTo(const Position& point) const
 {
-  std::vector<std::pair<double, std::size_t>> all;
-  for (std::size_t t = 0; t < patch_.triangles.size(); ++t)
-    all.emplace_back(nearestPlace(point, cornersAt(t)).distance, t);
-  const std::size_t number = std::min(NEAREST, all.size());
-  const auto end = all.begin() + static_cast<std::ptrdiff_t>(number);
-  std::partial_sort(all.begin(), end, all.end());
+  std::vector<std::pair<double, std::size_t>> found; // ascending
+  for (std::size_t t = 0; t < boxes_.size(); ++t) {
+    const bool is_full = found.size() == NEAREST;
+    if (is_full && boxes_[t].exteriorDistance(point) > found.back().first)
+      continue;
+    const std::pair<double, std::size_t> place(
+        nearestPlace(point, cornersAt(t)).distance, t);
+    if (is_full && !(place < found.back()))
+      continue;
+    if (is_full)
+      found.pop_back();
+    found.insert(std::upper_bound(found.begin(), found.end(), place), place);
+  }
   std::vector<std::size_t> nearest;
-  for (auto one = all.begin(); one != end; ++one)
-    nearest.push_back(one->second);
+  for (const auto& [distance, triangle] : found)
+    nearest.push_back(triangle);
   return nearest;
 }
 
