@@ -103,7 +103,8 @@ describeHoles(const RepairReport& report)
                     {"why", describe(hole.open)},
                     {"filling", hole.filling},
                     {"triangles", hole.triangles},
-                    {"tries", hole.tries}});
+                    {"tries", hole.tries},
+                    {"free_points", hole.free_points}});
   return list;
 }
 

@@ -9,6 +9,7 @@
 #include "repair_error_table.h"
 #include "repair_time_table.h"
 #include "sides_table.h"
+#include "topology_table.h"
 
 #include <algorithm>
 #include <array>
@@ -34,16 +35,17 @@ constexpr const char* HELP =
     "  growth  time against the length of all boundaries\n"
     "  large   ten holes in 5 million triangles beside reading the adjacency\n"
     "  sides   scenes from one side: what of them faces the sensor\n"
+    "  topology  closed models that lose parts: how many get their topology back\n"
+    "  free    what sparse free points of lost parts do, and what they cost\n"
     "  fuzz    random damage to random shapes: whether anything goes wrong\n"
     "\n"
     "  --seeds N    seeds of cases and sides, places of curved (default 5), seeds of "
-    "fuzz "
-    "(1000)\n"
+    "topology (1), of fuzz (1000)\n"
     "  --repeats N  runs of which the median time counts (default 3)\n"
     "\n"
     "Real models are looked for in the folder named by PSR_SHARED_DATA.\n";
 
-const std::array<std::string, 10> PARTS = {"junctions",
+const std::array<std::string, 12> PARTS = {"junctions",
                                            "cases",
                                            "thesis",
                                            "bunny",
@@ -52,6 +54,8 @@ const std::array<std::string, 10> PARTS = {"junctions",
                                            "growth",
                                            "large",
                                            "sides",
+                                           "topology",
+                                           "free",
                                            "fuzz"};
 
 struct Settings {
@@ -106,6 +110,10 @@ run(const std::string& part, const Settings& settings)
     bench::printRepairGrowth(std::cout, settings.repeats);
   else if (part == "large")
     bench::printLargeRepair(std::cout, settings.repeats);
+  else if (part == "topology")
+    bench::printTopologyTable(std::cout, settings.seeds == 0 ? 1 : settings.seeds);
+  else if (part == "free")
+    bench::printFreePointTable(std::cout);
   else if (part == "sides")
     bench::printSides(std::cout, settings.seeds == 0 ? 5 : settings.seeds);
   else

@@ -25,6 +25,9 @@ struct FillingTask {
   /** \brief Whether a triangle would run through what is there already. Null: nothing
    * is in the way, or it is not to be looked at. Expensive: some microseconds. */
   std::function<bool(const ccaa::Corners&)> obstructed;
+  /** \brief Of a ring that was cut open the place at which its second loop begins, and
+   * then two points may be at one place; else 0. See stitchRing(). */
+  std::size_t second_loop = 0;
   Positions free_points; /**< trusted samples of the missing area, near the hole */
 };
 

@@ -20,6 +20,7 @@ struct HolePolygon {
   std::vector<pcl::index_t> vertices; /**< one a point: below the number of the model's
                                            vertices one of these, from there on a new
                                            one */
+  std::size_t second_loop = 0;        /**< see FillingTask */
 
   std::size_t
   size() const

@@ -57,7 +57,7 @@ proposeLoops(const ModelSurvey& survey, const FillingParameters& parameters)
     loops.push_back(loop);
   }
   for (const OpenHole& hole : listHoles(survey, parameters).holes)
-    if (hole.loop != NONE) {
+    if (hole.loop != NONE && hole.other_loop == NONE) {
       LoopDecision& loop = loops[hole.loop];
       loop.joined = false;
       loop.reason = hole.open;

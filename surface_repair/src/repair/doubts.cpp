@@ -29,6 +29,8 @@ constexpr double MOST_OF_CAPS = 1.25;
 constexpr double OPPOSITE = 0.8;
 /** Length of the mean normal of what is flat: where something stood, or was cut off. */
 constexpr double FLAT = 0.999;
+/** Measured vertices that support what is new. */
+constexpr std::size_t FEWEST_SAMPLES = 4;
 /** Confidence of a junction up to which it supports nothing, and from which all. */
 constexpr double UNSURE = 0.5;
 constexpr double SURE = 0.75;
@@ -122,9 +124,11 @@ private:
   double
   doubtOf(std::size_t triangle) const
   {
-    if (report_.origins[triangle] == TriangleOrigin::COMPLETION)
+    const RepairedHole& hole = report_.holes[report_.hole_of[triangle]];
+    const bool joins = hole.islands.size() > 1;
+    if (report_.origins[triangle] == TriangleOrigin::COMPLETION ||
+        (joins && hole.bridges.empty() && hole.free_points >= FEWEST_SAMPLES))
       return 0.0;
-    const bool joins = report_.holes[report_.hole_of[triangle]].islands.size() > 1;
     return joins ? doubt_of_junctions_ : 1.0;
   }
 

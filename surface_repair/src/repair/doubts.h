@@ -20,8 +20,9 @@ namespace repair {
  * is at most 1.25 (A + B). None where the user does not want
  * the two joined.
  *
- * UNSUPPORTED, of a body (isSeenFromAllSides()): of new triangles those of COMPLETION
- * have measured corners, and a flat patch is where something stood. Nothing supports
+ * UNSUPPORTED, of a body (isSeenFromAllSides()): those of COMPLETION have measured
+ * corners, samples support what joins stumps over them, and a flat patch is where
+ * something stood. Nothing supports
  * the others within one island, and those between islands are supported by the
  * junctions: w = (0.75 - c) / 0.25, at least 0 and at most 1, of their area counts as
  * unsupported, where c is the confidence of the weakest junction that is joined. The
@@ -30,7 +31,7 @@ namespace repair {
  *
  * Cost: n log n in the new triangles and linear in all.
  * \param[in] repaired with its adjacency
- * \param[in] report of its holes, origins and junctions
+ * \param[in] report of its holes and junctions
  * \return tunnels by their points, ascending, then UNSUPPORTED */
 std::vector<RepairDoubt>
 doubtsAbout(const RepairedModel& repaired,

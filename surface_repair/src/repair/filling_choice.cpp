@@ -6,6 +6,7 @@
 #include "filling/completion_filling.h"
 #include "filling/fan_filling.h"
 #include "filling/minimum_weight_filling.h"
+#include "filling/ring_stitching.h"
 #include "mesh/box_tree.h"
 
 #include <algorithm>
@@ -137,6 +138,8 @@ ChosenFilling
 fillHole(FillingTask task, FillingChoice choice, const FreePointField* free_points)
 {
   const MinimumWeightFilling basic;
+  if (task.second_loop > 0 && !task.obstructed)
+    return {stitchRing(task.polygon, task.second_loop), basic.name()};
   if (choice == FillingChoice::FAN) {
     const FanFilling fan;
     Filling made = fan.close(task);

@@ -40,7 +40,9 @@ capOf(const HoleList& list, const std::vector<std::size_t>& holes, Cap usual)
   });
   if (all_flat)
     return Cap::FLAT;
-  const bool is_loop = holes.size() == 1 && list.holes[holes.front()].loop != NONE;
+  const OpenHole& first = list.holes[holes.front()];
+  const bool is_loop =
+      holes.size() == 1 && first.loop != NONE && first.other_loop == NONE;
   return is_loop ? cap_of(holes.front()) : Cap::SMOOTH;
 }
 
@@ -83,10 +85,16 @@ addPatch(const Patch& patch,
     closed.point_of_vertex.push_back(is_own ? model.point_of_free_point[free_point]
                                             : pcl::UNAVAILABLE);
   }
+  std::vector<bool> is_counted(patch.positions.size(), false);
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     Triangle triangle = patch.triangles[t];
-    for (pcl::index_t& corner : triangle)
-      corner = number[static_cast<std::size_t>(corner)];
+    for (pcl::index_t& corner : triangle) {
+      const auto vertex = static_cast<std::size_t>(corner);
+      if (patch.free_point[vertex] != NONE && !is_counted[vertex])
+        log.addFreePoint(reported[patch.hole[t]]);
+      is_counted[vertex] = true;
+      corner = number[vertex];
+    }
     closed.triangles.push_back(triangle);
     log.addTriangle(reported[patch.hole[t]]);
   }

@@ -7,6 +7,7 @@
 #include "boundary/loop_evidence.h"
 #include "mesh/disjoint_sets.h"
 #include "repair/loop_reasons.h"
+#include "repair/sampled_rings.h"
 
 #include <algorithm>
 #include <limits>
@@ -90,12 +91,15 @@ void
 dropRepeated(HolePolygon& polygon)
 {
   HolePolygon left;
-  for (std::size_t k = 0; k < polygon.size(); ++k)
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    if (k == polygon.second_loop)
+      left.second_loop = left.vertices.size();
     if (polygon.vertices[k] != polygon.vertices[polygon.curve.next(k)]) {
       left.vertices.push_back(polygon.vertices[k]);
       left.curve.points.push_back(polygon.curve.points[k]);
       left.curve.normals.push_back(polygon.curve.normals[k]);
     }
+  }
   polygon = std::move(left);
 }
 
@@ -110,8 +114,10 @@ public:
   {}
 
   HoleList
-  run()
+  run(double longest_join)
   {
+    is_listed_.assign(survey_.loops.size(), false);
+    addRings(longest_join);
     addContours();
     countIslands();
     addLoops();
@@ -125,6 +131,8 @@ private:
   addContours();
   OpenReason
   outsideOf(DisjointSets& groups) const;
+  void
+  addRings(double longest_join);
   void
   countIslands();
   void
@@ -148,7 +156,7 @@ private:
   const ModelSurvey& survey_;
   const FillingParameters& parameters_;
   double longest_;              /**< that is to be closed */
-  std::vector<bool> is_listed_; /**< of a loop: it is part of a contour */
+  std::vector<bool> is_listed_; /**< of a loop: in a contour or ring */
   HoleList list_;
 };
 
@@ -193,8 +201,8 @@ Listing::outsideOf(DisjointSets& groups) const
 void
 Listing::addContours()
 {
-  is_listed_.assign(survey_.loops.size(), false);
   const SurveyedBridges& joined = survey_.joined;
+  const std::vector<bool> is_in_ring = is_listed_;
   DisjointSets groups = joinedIslands(survey_);
   if (joined.bridges.empty())
     return;
@@ -207,7 +215,7 @@ Listing::addContours()
   for (const HoleContour& contour : joined.holes.contours) {
     const std::size_t loop = joined.loops[contour.steps.front().section.from.curve];
     OpenHole hole;
-    if (contour.steps.front().bridge == NONE)
+    if (contour.steps.front().bridge == NONE || is_in_ring[loop])
       continue;
     for (const ContourStep& step : contour.steps) {
       hole.bridges.push_back(step.bridge);
@@ -222,17 +230,31 @@ Listing::addContours()
   }
 }
 
+void
+Listing::addRings(double longest_join)
+{
+  for (OpenHole& ring : ringsOverSamples(survey_, longest_join)) {
+    is_listed_[ring.loop] = is_listed_[ring.other_loop] = true;
+    add(std::move(ring));
+  }
+}
+
 /** A bridge joins islands where a hole beside it is to be closed. */
 void
 Listing::countIslands()
 {
   const SurveyedBridges& joined = survey_.joined;
   DisjointSets groups(survey_.model.islands.size());
-  for (const OpenHole& hole : list_.holes)
+  for (const OpenHole& hole : list_.holes) {
+    if (hole.open != OpenReason::NONE)
+      continue;
     for (const std::size_t bridge : hole.bridges)
-      if (hole.open == OpenReason::NONE)
-        groups.join(islandAt(survey_, joined.bridges[bridge].begin),
-                    islandAt(survey_, joined.bridges[bridge].end));
+      groups.join(islandAt(survey_, joined.bridges[bridge].begin),
+                  islandAt(survey_, joined.bridges[bridge].end));
+    if (hole.other_loop != NONE)
+      groups.join(survey_.loops[hole.loop].island,
+                  survey_.loops[hole.other_loop].island);
+  }
   for (std::size_t i = 0; i < survey_.model.islands.size(); ++i)
     list_.islands += groups.isRoot(i) ? 1 : 0;
 }
@@ -344,9 +366,11 @@ Listing::joinRegions()
 } // namespace
 
 HoleList
-listHoles(const ModelSurvey& survey, const FillingParameters& parameters)
+listHoles(const ModelSurvey& survey,
+          const FillingParameters& parameters,
+          double longest_join)
 {
-  return Listing(survey, parameters).run();
+  return Listing(survey, parameters).run(longest_join);
 }
 
 } // namespace repair

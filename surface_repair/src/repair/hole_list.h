@@ -22,6 +22,7 @@ struct OpenHole {
   std::vector<std::size_t> bridges;   /**< of the survey, that it passes */
   OpenReason open = OpenReason::NONE; /**< why it is not to be closed; else NONE */
   std::size_t loop = NONE;            /**< of the survey; NONE: a contour */
+  std::size_t other_loop = NONE;      /**< it is the ring between the two */
   Cap cap = Cap::AUTO;                /**< what the user decided */
   bool is_wanted = false;             /**< the user wants it closed */
 };
@@ -41,9 +42,12 @@ struct HoleList {
 /** \brief List loops and contours. A contour over bridges is to be closed unless it
  * bounds the joined surface from outside, which its own D, turning and the area of the
  * islands that it joins tell (4.1); a loop by its class. What the user wants comes
- * first. */
+ * first. Loops that samples link are one hole.
+ * \param[in] longest_join gap over which samples may do that */
 HoleList
-listHoles(const ModelSurvey& survey, const FillingParameters& parameters);
+listHoles(const ModelSurvey& survey,
+          const FillingParameters& parameters,
+          double longest_join = 0.0);
 
 } // namespace repair
 } // namespace pcl

@@ -9,6 +9,7 @@
 #include "survey/survey_stages.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -60,6 +61,7 @@ isOpen(const HoleList& list, const ClosedHoles& closed)
  * verified. */
 Pass
 closePass(int pass,
+          bool over_samples,
           const RepairParameters& parameters,
           const CloudFrame& frame,
           const ccaa::LoopContext& context,
@@ -69,7 +71,7 @@ closePass(int pass,
   const ccaa::StageClock clock;
   Pass now;
   now.parameters = &parameters;
-  now.holes = holesOf(survey, parameters);
+  now.holes = holesOf(survey, parameters, over_samples);
   const std::string stage = closingStage(pass);
   now.closed =
       closeHoles(parameters, frame, context, stage.c_str(), now.holes, survey, log);
@@ -80,7 +82,7 @@ closePass(int pass,
 
 /** Classify, bridge and close, and again as long as that closes anything more. */
 Pass
-closeRound(const RepairParameters& round, const Course& course)
+closeRound(const RepairParameters& round, bool over_samples, const Course& course)
 {
   const ccaa::LoopContext& context = course.context;
   ModelSurvey& survey = course.survey;
@@ -94,7 +96,8 @@ closeRound(const RepairParameters& round, const Course& course)
     course.log.noteLook();
     if (pass == MOST_PASSES)
       break;
-    last = closePass(pass, round, course.frame, context, survey, course.log);
+    last =
+        closePass(pass, over_samples, round, course.frame, context, survey, course.log);
     if (context.cancelled() || last.finished || last.closed.triangles.empty())
       break;
     takeClosed(last, course);
@@ -122,10 +125,22 @@ roundsFor(const RepairParameters& wanted, double diagonal)
   return {first, second};
 }
 
-HoleList
-holesOf(const ModelSurvey& survey, const RepairParameters& parameters)
+double
+longestJoin(const RepairParameters& parameters)
 {
-  HoleList list = listHoles(survey, parameters.filling);
+  if (!parameters.join_islands)
+    return 0.0;
+  const Extent& limit = parameters.survey.greatest_bridge;
+  return limit.limits() ? limit.value : std::numeric_limits<double>::infinity();
+}
+
+HoleList
+holesOf(const ModelSurvey& survey,
+        const RepairParameters& parameters,
+        bool over_samples)
+{
+  HoleList list = listHoles(
+      survey, parameters.filling, over_samples ? longestJoin(parameters) : 0.0);
   if (!parameters.join_islands && survey.model.islands.size() > 1)
     for (OpenHole& hole : list.holes)
       if (couldBeJoined(hole.open))
@@ -144,13 +159,13 @@ takeClosed(Pass& pass, const Course& course)
 }
 
 Pass
-closeRounds(const Course& course)
+closeRounds(const Course& course, bool over_samples)
 {
   Pass last;
   for (const RepairParameters& round : course.rounds) {
     if (last.parameters != nullptr)
       takeClosed(last, course);
-    last = closeRound(round, course);
+    last = closeRound(round, over_samples, course);
     if (course.context.cancelled() || !isOpen(last.holes, last.closed))
       break;
   }

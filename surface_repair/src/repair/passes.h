@@ -37,9 +37,17 @@ struct Course {
 std::vector<RepairParameters>
 roundsFor(const RepairParameters& wanted, double diagonal);
 
-/** \brief All boundaries, and which of them are to be closed. */
+/** \brief Gap over which islands may be joined at all. \param[in] parameters of a
+ * round, with lengths in units of the cloud */
+double
+longestJoin(const RepairParameters& parameters);
+
+/** \brief All boundaries, and which of them are to be closed. \param[in] over_samples
+ * loops that samples link are one hole */
 HoleList
-holesOf(const ModelSurvey& survey, const RepairParameters& parameters);
+holesOf(const ModelSurvey& survey,
+        const RepairParameters& parameters,
+        bool over_samples = false);
 
 /** \brief The model with what a pass closed, in order for the next look. */
 void
@@ -48,7 +56,7 @@ takeClosed(Pass& pass, const Course& course);
 /** \brief The passes of one round, or of two where all is to be closed. \return the
  * last pass */
 Pass
-closeRounds(const Course& course);
+closeRounds(const Course& course, bool over_samples = false);
 
 } // namespace repair
 } // namespace pcl

@@ -54,6 +54,13 @@ public:
   void
   addTriangle(std::size_t hole);
 
+  /** \brief A free point is a vertex of a closed hole. */
+  void
+  addFreePoint(std::size_t hole)
+  {
+    ++report_.holes[hole].free_points;
+  }
+
   /** \brief Time that a step took, added to what it has taken before. */
   void
   countSeconds(const std::string& step, double seconds);

@@ -10,6 +10,7 @@
 #include "repair/loop_reasons.h"
 #include "repair/passes.h"
 #include "repair/ring_joining.h"
+#include "repair/sampled_rings.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
 
@@ -174,6 +175,17 @@ afterRings(Pass last, const Course& course)
   return closeRounds(course);
 }
 
+/** The last pass after stumps that are still open are joined over samples. */
+Pass
+afterSamples(Pass last, const Course& course)
+{
+  const double longest = longestJoin(course.rounds.front());
+  if (course.context.cancelled() || ringsOverSamples(course.survey, longest).empty())
+    return last;
+  takeClosed(last, course);
+  return closeRounds(course, true);
+}
+
 /** The last pass after holes are opened wider. */
 Pass
 afterReopening(Pass last, const Course& course)
@@ -185,6 +197,22 @@ afterReopening(Pass last, const Course& course)
   reopenHoles(last.closed.failed, course);
   course.log.countSeconds("reopening", clock.seconds());
   return closeRounds(course);
+}
+
+/** Passes, and then what these could not close, in other ways. */
+Pass
+closeAll(const Crumbs& crumbs, std::size_t crumb_triangles, const Course& course)
+{
+  Pass last = closeRounds(course);
+  if (hasObstructed(last.closed))
+    last = afterRings(std::move(last), course);
+  if (!crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last)))
+    last = afterCrumbs(crumbs, crumb_triangles, std::move(last), course);
+  if (!last.finished)
+    last = afterSamples(std::move(last), course);
+  if (hasObstructed(last.closed))
+    last = afterReopening(std::move(last), course);
+  return last;
 }
 
 } // namespace
@@ -214,13 +242,7 @@ repairModel(ModelSurvey survey,
   const CloudFrame frame = frameOf(cloud, survey.reading);
   const Course course{
       parameters, rounds, frame, context, survey, log, report, result.input_vertices};
-  Pass last = closeRounds(course);
-  if (hasObstructed(last.closed))
-    last = afterRings(std::move(last), course);
-  if (!crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last)))
-    last = afterCrumbs(crumbs, crumb_triangles, std::move(last), course);
-  if (hasObstructed(last.closed))
-    last = afterReopening(std::move(last), course);
+  Pass last = closeAll(crumbs, crumb_triangles, course);
   if (context.cancelled())
     return {};
   reportEnd(last, survey, log, report);

@@ -55,6 +55,7 @@ cutAt(const LoopPlaces& bridge, const BoundaryLoop& outer, const BoundaryLoop& i
   follow(outer, bridge.first, bridge.first, ring);
   add(outer, bridge.first, ring);
   const std::size_t first_inner = ring.vertices.size();
+  ring.second_loop = first_inner;
   follow(inner, bridge.second, bridge.second, ring);
   add(inner, bridge.second, ring);
   const Direction across =

@@ -20,6 +20,7 @@ namespace repair {
 struct RingPolygon {
   BoundaryCurve curve;
   std::vector<pcl::index_t> vertices; /**< of the whole */
+  std::size_t second_loop = 0;        /**< see stitchRing(); 0: part of the ring */
 };
 
 /** \brief Places of two loops, the outer one's first. */

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -30,6 +32,8 @@ constexpr double FIRST_HOP = 0.75;
 constexpr double CLOSE = 0.5;
 /** Samples that tell a surface. */
 constexpr std::size_t FEWEST = 4;
+/** Hops between the samples of two regions that make these one, both ways counted. */
+constexpr std::size_t FEWEST_MEETINGS = 8;
 
 /** A free point and those around it. */
 struct Sample {
@@ -118,9 +122,25 @@ struct Rims {
   }
 };
 
+/** Where ways have come. */
+struct Ways {
+  std::vector<std::vector<std::size_t>> shares; /**< samples of each region, in order */
+  std::vector<std::size_t> region_of;           /**< of each sample, or NONE */
+};
+
+bool
+isHop(const Positions& points,
+      const std::vector<Sample>& samples,
+      std::size_t from,
+      std::size_t to)
+{
+  return (points[to] - points[from]).norm() <=
+         LONGEST_HOP * std::min(samples[from].spacing, samples[to].spacing);
+}
+
 /** The ways over free points, from all rims at once (Dijkstra's algorithm, the squares
  * of the hops added: many short ones go before a long one). */
-std::vector<std::vector<std::size_t>>
+Ways
 nearestRegions(const Positions& points,
                const std::vector<Sample>& samples,
                const Rims& rims)
@@ -136,24 +156,32 @@ nearestRegions(const Positions& points,
     if (hop <= rims.reach[region])
       open.emplace(hop * hop, i, region);
   }
-  std::vector<std::vector<std::size_t>> shares(rims.reach.size());
-  std::vector<std::size_t> region_of(samples.size(), NONE);
+  Ways ways;
+  ways.shares.resize(rims.reach.size());
+  ways.region_of.assign(samples.size(), NONE);
   while (!open.empty()) {
     const auto [cost, i, region] = open.top();
     open.pop();
-    if (region_of[i] != NONE)
+    if (ways.region_of[i] != NONE)
       continue;
-    region_of[i] = region;
-    shares[region].push_back(i);
+    ways.region_of[i] = region;
+    ways.shares[region].push_back(i);
     for (const pcl::index_t neighbour : samples[i].neighbours) {
       const auto next = static_cast<std::size_t>(neighbour);
-      const double hop = (points[next] - points[i]).norm();
-      if (region_of[next] == NONE && !samples[next].is_given &&
-          hop <= LONGEST_HOP * std::min(samples[i].spacing, samples[next].spacing))
-        open.emplace(cost + hop * hop, next, region);
+      if (ways.region_of[next] == NONE && !samples[next].is_given &&
+          isHop(points, samples, i, next))
+        open.emplace(cost + (points[next] - points[i]).squaredNorm(), next, region);
     }
   }
-  return shares;
+  return ways;
+}
+
+std::vector<Sample>
+missingSamples(const IncompleteModel& model, const FreePointField& free_points)
+{
+  std::vector<Sample> samples = samplesOf(free_points);
+  markGiven(model, free_points.points(), samples);
+  return samples;
 }
 
 } // namespace
@@ -166,13 +194,50 @@ shareSamples(const IncompleteModel& model,
   const Positions& points = free_points.points();
   if (regions.empty() || points.size() < FEWEST)
     return std::vector<std::vector<std::size_t>>(regions.size());
-  std::vector<Sample> samples = samplesOf(free_points);
-  markGiven(model, points, samples);
-  auto shares = nearestRegions(points, samples, Rims(regions));
+  const std::vector<Sample> samples = missingSamples(model, free_points);
+  auto shares = std::move(nearestRegions(points, samples, Rims(regions)).shares);
   for (std::vector<std::size_t>& share : shares)
     if (share.size() < FEWEST)
       share.clear();
   return shares;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>>
+regionsThatSamplesLink(const IncompleteModel& model,
+                       const FreePointField& free_points,
+                       const std::vector<Region>& regions)
+{
+  const Positions& points = free_points.points();
+  if (regions.size() < 2 || points.size() < FEWEST)
+    return {};
+  const std::vector<Sample> samples = missingSamples(model, free_points);
+  const Ways ways = nearestRegions(points, samples, Rims(regions));
+  std::vector<std::map<std::size_t, std::size_t>> meetings(regions.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (const pcl::index_t neighbour : samples[i].neighbours) {
+      const auto next = static_cast<std::size_t>(neighbour);
+      const std::size_t own = ways.region_of[i];
+      const std::size_t other = ways.region_of[next];
+      if (own == NONE || other == NONE || own == other ||
+          !isHop(points, samples, i, next))
+        continue;
+      ++meetings[own][other];
+      ++meetings[other][own];
+    }
+  const auto most = [&](std::size_t region) {
+    std::pair<std::size_t, std::size_t> best(0, NONE); // meetings, with whom
+    for (const auto& [other, count] : meetings[region])
+      if (count > best.first)
+        best = {count, other};
+    return best;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> linked;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const auto [count, other] = most(r);
+    if (count >= FEWEST_MEETINGS && r < other && most(other).second == r)
+      linked.emplace_back(r, other);
+  }
+  return linked;
 }
 
 } // namespace repair

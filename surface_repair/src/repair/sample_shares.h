@@ -7,6 +7,7 @@
 #include "repair/region_closing.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -24,6 +25,14 @@ std::vector<std::vector<std::size_t>>
 shareSamples(const IncompleteModel& model,
              const FreePointField& free_points,
              const std::vector<Region>& regions);
+
+/** \brief Regions between which samples go on: where ways from both meet at several
+ * places, each region and the one that it meets most, if that is mutual.
+ * \return pairs, ascending */
+std::vector<std::pair<std::size_t, std::size_t>>
+regionsThatSamplesLink(const IncompleteModel& model,
+                       const FreePointField& free_points,
+                       const std::vector<Region>& regions);
 
 } // namespace repair
 } // namespace pcl

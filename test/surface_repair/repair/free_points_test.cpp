@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -114,6 +115,44 @@ TEST(FreePoints, BringBackALostLimb)
     expectWholeBody(result);
     EXPECT_LE(distanceOf(samples(every), result), 0.15 * SPACING);
     EXPECT_LE(distanceOf(samples(1), result), 1.5 * SPACING);
+  }
+}
+
+/** A limb of which a part many times longer than it is thick is lost. \param[in] every
+ * so many-th of the lost vertices is a free point; 0: none */
+Repaired
+repairedGap(double gap, std::size_t every)
+{
+  const Shape whole = ellipsoid(4, 12.0);
+  const auto is_lost = [gap](const Position& p) {
+    return std::abs(p.z() - 1.0) < 0.5 * gap;
+  };
+  std::vector<std::size_t> removed;
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t)
+    if (std::any_of(
+            whole.triangles[t].begin(), whole.triangles[t].end(), [&](auto corner) {
+              return is_lost(whole.vertices[static_cast<std::size_t>(corner)]);
+            }))
+      removed.push_back(t);
+  Positions lost, taken;
+  std::copy_if(
+      whole.vertices.begin(), whole.vertices.end(), std::back_inserter(lost), is_lost);
+  for (std::size_t i = 0; every > 0 && i < lost.size(); i += every)
+    taken.push_back(lost[i]);
+  return repaired(toPolygonMesh(withoutFreeVertices(withoutTriangles(whole, removed))),
+                  taken);
+}
+
+TEST(FreePoints, BetweenTwoStumpsMakeThemOneLimb)
+{
+  constexpr double GAP = 7.0;
+  EXPECT_FALSE(repairedGap(GAP, 0).report.complete());
+  for (const std::size_t every : {5U, 15U}) {
+    SCOPED_TRACE(every);
+    const Repaired result = repairedGap(GAP, every);
+    expectWholeBody(result);
+    EXPECT_TRUE(result.report.complete());
+    EXPECT_EQ(2U, result.report.islands.size());
   }
 }
 

@@ -100,11 +100,12 @@ struct RepairedHole {
   std::vector<std::size_t> bridges; /**< that it passes, indices into the report's */
   std::vector<std::size_t> islands; /**< that it touches, ascending */
   OpenReason open = OpenReason::NONE;
-  bool shortfall = false;    /**< it should be closed: see isShortfall(); where a
-                                  watertight surface is wanted, any that is open */
-  std::string filling;       /**< name of the method, empty where it is open */
-  std::size_t triangles = 0; /**< new ones */
-  std::size_t tries = 0;     /**< fillings that were tried before */
+  bool shortfall = false;      /**< it should be closed: see isShortfall(); where a
+                                    watertight surface is wanted, any that is open */
+  std::string filling;         /**< name of the method, empty where it is open */
+  std::size_t triangles = 0;   /**< new ones */
+  std::size_t tries = 0;       /**< fillings that were tried before */
+  std::size_t free_points = 0; /**< that became vertices of it */
 };
 
 /** \brief Where a triangle of the output comes from. */
