@@ -19,6 +19,8 @@ namespace {
 /** \brief Coordinates in the frame are at most 1 in size, and floats: what a search may
  * be wrong by. */
 constexpr double FLOAT_MARGIN = 1e-6;
+/** From further away all positions are equally near, as far as floats tell. */
+constexpr double FARTHEST = 1e6;
 
 pcl::PointXYZ
 toPoint(const Position& position)
@@ -83,8 +85,8 @@ FloatTree::nearest(const Position& center, std::size_t number) const
     return found;
   std::vector<float> squared;
   const auto wanted = std::min(number, static_cast<std::size_t>(size_));
-  tree_->nearestKSearch(
-      toPoint(toFrame(center)), static_cast<int>(wanted), found, squared);
+  const Position place = toFrame(center).cwiseMax(-FARTHEST).cwiseMin(FARTHEST);
+  tree_->nearestKSearch(toPoint(place), static_cast<int>(wanted), found, squared);
   std::vector<std::pair<float, pcl::index_t>> order;
   for (std::size_t i = 0; i < found.size(); ++i)
     order.emplace_back(squared[i], found[i]);
