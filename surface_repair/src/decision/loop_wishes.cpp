@@ -155,15 +155,6 @@ LoopWishes::mustJoin(const IncompleteModel& model,
          joined_.count(ordered(inputLoop(model, first), inputLoop(model, second))) > 0;
 }
 
-std::size_t
-LoopWishes::partnerOf(std::size_t input_loop) const
-{
-  for (const auto& [low, high] : joined_)
-    if (low == input_loop || high == input_loop)
-      return low == input_loop ? high : low;
-  return NONE;
-}
-
 bool
 LoopWishes::mayJoin(const IncompleteModel& model,
                     const BoundaryLoop& first,

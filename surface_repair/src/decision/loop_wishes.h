@@ -64,21 +64,18 @@ public:
     return apart_;
   }
 
+  /** \brief Pairs of loops of the input that are to be joined, ascending. */
+  const std::set<std::pair<std::size_t, std::size_t>>&
+  joined() const
+  {
+    return joined_;
+  }
+
   /** \brief Whether the user wants two loops of the input joined. */
   bool
   mustJoin(const IncompleteModel& model,
            const BoundaryLoop& first,
            const BoundaryLoop& second) const;
-
-  bool
-  anyJoined() const
-  {
-    return !joined_.empty();
-  }
-
-  /** \brief The first loop of the input that the user wants joined to one, or NONE. */
-  std::size_t
-  partnerOf(std::size_t input_loop) const;
 
   /** \brief Whether bridges between two loops, of this pass, may be built. Cost: linear
    * in their edges. */

@@ -92,6 +92,8 @@ public:
   list() const
   {
     const std::size_t count = model_.triangles.size() - first_new_;
+    if (count == 0)
+      return {};
     ccaa::DisjointSets sets(count);
     for (std::size_t i = 0; i < count; ++i)
       for (int corner = 0; corner < 3; ++corner)
@@ -241,7 +243,7 @@ doubtsAbout(const RepairedModel& repaired,
   double unsupported = 0.0;
   for (const NewPart& part : NewParts(repaired, report).list()) {
     unsupported += part.unsupported;
-    if (part.is_disc)
+    if (part.is_disc && part.area > 0.0)
       caps.push_back(part);
   }
   std::vector<RepairDoubt> doubts =
@@ -249,9 +251,10 @@ doubtsAbout(const RepairedModel& repaired,
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =
       parameters.watertight || parameters.filling.close == CloseChoice::ALL;
-  const bool is_body =
-      isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
-  if (is_body && !is_asked_for && share > parameters.greatest_unsupported)
+  const auto is_body = [&] {
+    return isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
+  };
+  if (share > parameters.greatest_unsupported && !is_asked_for && is_body())
     doubts.push_back({DoubtReason::UNSUPPORTED, {-1, -1}, share});
   return doubts;
 }

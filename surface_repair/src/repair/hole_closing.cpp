@@ -141,6 +141,13 @@ append(const std::vector<T>& more, std::vector<T>& list)
 
 } // namespace
 
+bool
+isObstructed(const Failures& failed, pcl::index_t vertex)
+{
+  const auto failure = failed.find(vertex);
+  return failure != failed.end() && failure->second.open == OpenReason::INTERSECTION;
+}
+
 ClosedHoles
 closeHoles(const RepairParameters& parameters,
            const CloudFrame& frame,
@@ -222,7 +229,7 @@ addToModel(const ccaa::LoopContext& context,
   const auto of_input = number.begin() + static_cast<std::ptrdiff_t>(input_vertices);
   input_vertices -=
       static_cast<std::size_t>(std::count(number.begin(), of_input, pcl::UNAVAILABLE));
-  std::unordered_map<pcl::index_t, Failure> failed;
+  Failures failed;
   for (const auto& [vertex, failure] : closed.failed)
     failed.emplace(number[static_cast<std::size_t>(vertex)], failure);
   closed.failed = std::move(failed);

@@ -19,13 +19,20 @@ struct Failure {
   std::size_t tries = 0;
 };
 
+/** \brief Of holes, at their vertices. */
+using Failures = std::unordered_map<pcl::index_t, Failure>;
+
+/** \brief Whether a hole at a vertex was left for INTERSECTION. */
+bool
+isObstructed(const Failures& failed, pcl::index_t vertex);
+
 /** \brief What a pass adds to a model, and what it does not close. */
 struct ClosedHoles {
   Triangles triangles;
   Positions positions;                       /**< of new vertices */
   std::vector<pcl::index_t> point_of_vertex; /**< of these; UNAVAILABLE: none */
   std::vector<bool> used;                    /**< of each free point: it is a vertex */
-  std::unordered_map<pcl::index_t, Failure> failed; /**< of a hole at a vertex */
+  Failures failed;
 };
 
 /** \brief How the cloud holds positions. */

@@ -128,17 +128,14 @@ HoleReopening::close(const Opening& opening, std::size_t of_hole)
 } // namespace
 
 void
-reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
-            const Course& course)
+reopenHoles(const Failures& failed, const Course& course)
 {
   ModelSurvey& survey = course.survey;
   GrowingSurface surface(survey.model, course.report.hole_of);
   for (const BoundaryLoop& loop : survey.loops) {
     const bool has_failed =
         std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t v) {
-          const auto failure = failed.find(v);
-          return failure != failed.end() &&
-                 failure->second.open == OpenReason::INTERSECTION;
+          return isObstructed(failed, v);
         });
     if (!has_failed)
       continue;

@@ -8,9 +8,6 @@
 #include "repair/passes.h"
 #include "survey/model_survey.h"
 
-#include <cstddef>
-#include <unordered_map>
-
 namespace pcl {
 namespace repair {
 
@@ -23,8 +20,7 @@ namespace repair {
  * \param[in] failed holes by a vertex of theirs, as a pass left them
  */
 void
-reopenHoles(const std::unordered_map<pcl::index_t, Failure>& failed,
-            const Course& course);
+reopenHoles(const Failures& failed, const Course& course);
 
 } // namespace repair
 } // namespace pcl

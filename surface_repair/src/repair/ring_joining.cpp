@@ -7,8 +7,6 @@
 #include "repair/ring_filling.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace pcl {
@@ -23,17 +21,11 @@ using Ring = std::pair<std::size_t, std::size_t>;
 std::vector<Ring>
 ringsOf(const SurveyedBridges& joined)
 {
-  std::map<std::size_t, std::set<std::size_t>> partners;
-  for (const Bridge& bridge : joined.bridges) {
-    const std::size_t begin = joined.loops[bridge.begin.curve];
-    const std::size_t end = joined.loops[bridge.end.curve];
-    partners[begin].insert(end);
-    partners[end].insert(begin);
-  }
+  const auto partners = partnersOver(joined, true);
   std::vector<Ring> rings;
   for (const auto& [loop, others] : partners) {
     const std::size_t other = *others.begin();
-    if (loop < other && others.size() == 1 && partners[other].size() == 1)
+    if (loop < other && others.size() == 1 && partners.at(other).size() == 1)
       rings.emplace_back(loop, other);
   }
   return rings;
@@ -41,15 +33,11 @@ ringsOf(const SurveyedBridges& joined)
 
 /** All around: what bounds joined sheets from outside has not been tried. */
 bool
-ranIntoSomething(const BoundaryLoop& loop,
-                 const std::unordered_map<pcl::index_t, Failure>& failed)
+ranIntoSomething(const BoundaryLoop& loop, const Failures& failed)
 {
-  return std::all_of(
-      loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t vertex) {
-        const auto failure = failed.find(vertex);
-        return failure != failed.end() &&
-               failure->second.open == OpenReason::INTERSECTION;
-      });
+  return std::all_of(loop.vertices.begin(),
+                     loop.vertices.end(),
+                     [&](pcl::index_t vertex) { return isObstructed(failed, vertex); });
 }
 
 /** The ring as one hole, for the report. */
@@ -74,7 +62,7 @@ join(const BoundaryLoop& first,
       box.extend(point);
   box = ccaa::widened(box, 0.5 * box.diagonal().norm());
   const ModelPart part = surface.part(surface.near(box));
-  const std::vector<bool> none_open(part.triangles.size(), false);
+  const std::vector<bool> none_open;
   const RingPlace place{part, none_open, part, box};
   for (const std::vector<RingPolygon>& rings : cutsOf(first, second, {})) {
     if (!closeRings(rings, place, course.report.holes.size(), course, surface))
@@ -90,7 +78,7 @@ join(const BoundaryLoop& first,
 } // namespace
 
 bool
-joinRings(const std::unordered_map<pcl::index_t, Failure>& failed, const Course& course)
+joinRings(const Failures& failed, const Course& course)
 {
   ModelSurvey& survey = course.survey;
   GrowingSurface surface(survey.model, course.report.hole_of);

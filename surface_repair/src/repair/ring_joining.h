@@ -14,8 +14,7 @@ namespace repair {
  * \param[in] failed of the last pass, which has closed nothing
  * \return whether any was closed, and is part of the model */
 bool
-joinRings(const std::unordered_map<pcl::index_t, Failure>& failed,
-          const Course& course);
+joinRings(const Failures& failed, const Course& course);
 
 } // namespace repair
 } // namespace pcl

@@ -15,25 +15,6 @@ namespace repair {
 
 namespace {
 
-/** Loops to which bridges lead from each loop. */
-std::vector<std::set<std::size_t>>
-partnersOf(const ModelSurvey& survey)
-{
-  const SurveyedBridges& joined = survey.joined;
-  std::vector<std::set<std::size_t>> partners(survey.loops.size());
-  for (const HoleContour& contour : joined.holes.contours)
-    for (const ContourStep& step : contour.steps) {
-      if (step.bridge == NONE)
-        continue;
-      const Bridge& bridge = joined.bridges[step.bridge];
-      const std::size_t begin = joined.loops[bridge.begin.curve];
-      const std::size_t end = joined.loops[bridge.end.curve];
-      partners[begin].insert(end);
-      partners[end].insert(begin);
-    }
-  return partners;
-}
-
 /** Whether a loop may be one side of a ring. */
 bool
 isCandidate(const ModelSurvey& survey, std::size_t loop)
@@ -87,7 +68,7 @@ ringsOverSamples(const ModelSurvey& survey, double longest)
   if (!survey.guides || !survey.guides->free_points || !(longest > 0.0) ||
       survey.model.islands.size() < 2 || !isSeenFromAllSides(survey.facing))
     return {};
-  const std::vector<std::set<std::size_t>> partners = partnersOf(survey);
+  auto partners = partnersOver(survey.joined, false);
   std::vector<std::size_t> loops;
   std::vector<Region> regions;
   for (std::size_t loop = 0; loop < survey.loops.size(); ++loop)

@@ -5,6 +5,7 @@
 #include "survey/handle_choice.h"
 
 #include "mesh/disjoint_sets.h"
+#include "survey/wanted_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -67,18 +68,12 @@ struct Candidate {
 std::vector<Candidate>
 candidatesOf(const ModelSurvey& survey, const SurveyedBridges& joined)
 {
-  const auto loopOf = [&](const Junction& junction,
-                          std::size_t end) -> const BoundaryLoop& {
-    return survey.loops[joined.loops[junction.curves[end]]];
-  };
   std::map<CurvePair, std::vector<std::size_t>> bridges_of;
   for (std::size_t b = joined.bridges.size(); b-- > 0;) // the best was chosen first
     bridges_of[curvesOf(joined.bridges[b])].push_back(b);
   std::vector<const Junction*> junctions;
   for (const Junction& junction : joined.junctions)
-    if (bridges_of.count(junction.curves) > 0 &&
-        !survey.wishes.mustJoin(
-            survey.model, loopOf(junction, 0), loopOf(junction, 1)) &&
+    if (bridges_of.count(junction.curves) > 0 && !isWanted(junction, survey) &&
         bendOf(junction) > MOST_BENT && junction.evidence.logOdds() < CARRYING_ODDS)
       junctions.push_back(&junction);
   std::stable_sort(

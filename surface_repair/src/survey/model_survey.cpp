@@ -103,6 +103,22 @@ misfit(const Decisions& decisions, ModelSurvey& survey)
 
 } // namespace
 
+std::map<std::size_t, std::set<std::size_t>>
+partnersOver(const SurveyedBridges& joined, bool with_removed)
+{
+  const std::vector<std::size_t>& removed = joined.holes.removed_bridges;
+  std::map<std::size_t, std::set<std::size_t>> partners;
+  for (std::size_t b = 0; b < joined.bridges.size(); ++b) {
+    if (!with_removed && std::binary_search(removed.begin(), removed.end(), b))
+      continue;
+    const std::size_t begin = joined.loops[joined.bridges[b].begin.curve];
+    const std::size_t end = joined.loops[joined.bridges[b].end.curve];
+    partners[begin].insert(end);
+    partners[end].insert(begin);
+  }
+  return partners;
+}
+
 ModelSurvey
 readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
            const pcl::PCLPointCloud2* free_points,

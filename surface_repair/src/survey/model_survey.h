@@ -23,7 +23,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +53,11 @@ struct SurveyedBridges {
   std::vector<std::size_t> refused; /**< ascending: loops with a line that could have
                                        become a bridge, if it were wanted */
 };
+
+/** \brief Of each loop that some bridges lead from the loops that they lead to.
+ * \param[in] with_removed those count, too, that are part of no contour (C4.47-3) */
+std::map<std::size_t, std::set<std::size_t>>
+partnersOver(const SurveyedBridges& joined, bool with_removed);
 
 /** \brief What lines are led by and what they may not run through, built once for all
  * fields; null where it is not needed. */

@@ -7,10 +7,10 @@
 #include "boundary/opposed_loops.h"
 #include "field/reach.h"
 #include "field/source_sampling.h"
+#include "survey/wanted_lines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace pcl {
@@ -21,24 +21,6 @@ namespace {
 /** Share of an island's size that makes a hole a source (C4.46-1 says 1): of a limb
  * that was cut through the stump may be the thinner side. */
 constexpr double LEAST_HOLE = 0.5;
-
-/** Loops of one island that the user wants joined. */
-void
-opposeWanted(const ModelSurvey& survey, std::vector<std::size_t>& opposed)
-{
-  if (!survey.wishes.anyJoined())
-    return;
-  std::map<std::size_t, std::size_t> loop_of;
-  for (std::size_t k = 0; k < opposed.size(); ++k)
-    loop_of[survey.wishes.inputLoop(survey.model, survey.loops[k])] = k;
-  loop_of.erase(NONE);
-  for (const auto& [input_loop, k] : loop_of) {
-    const auto other = loop_of.find(survey.wishes.partnerOf(input_loop));
-    if (other != loop_of.end() &&
-        survey.loops[other->second].island == survey.loops[k].island)
-      opposed[k] = other->second;
-  }
-}
 
 /** Loops that are two ends of one gap. Within one island they make a handle: both have
  * to be mouths of tubes for that, or the user wants it. */
@@ -53,7 +35,11 @@ facingLoops(const ModelSurvey& survey)
           mayBeStump(survey.classes[other].evidence)))
       opposed[k] = NONE;
   }
-  opposeWanted(survey, opposed);
+  for (const auto& [first, second] : wantedPairs(survey))
+    if (survey.loops[first].island == survey.loops[second].island) {
+      opposed[first] = second;
+      opposed[second] = first;
+    }
   return opposed;
 }
 

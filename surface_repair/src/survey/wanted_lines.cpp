@@ -4,6 +4,7 @@
 #include "survey/wanted_lines.h"
 
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -12,27 +13,28 @@ namespace repair {
 
 namespace {
 
+const BoundaryLoop&
+loopOf(const Junction& junction, std::size_t end, const ModelSurvey& survey)
+{
+  return survey.loops[survey.joined.loops[junction.curves[end]]];
+}
+
 /** The lines of a junction that may become bridges, were it not for the user's limits.
  */
 const std::vector<std::size_t>&
 linesOf(const Junction& junction, const ModelSurvey& survey)
 {
-  const auto loop = [&](std::size_t end) -> const BoundaryLoop& {
-    return survey.loops[survey.joined.loops[junction.curves[end]]];
-  };
-  const bool is_forced = junction.verdict != JunctionVerdict::JOINED &&
-                         survey.wishes.mustJoin(survey.model, loop(0), loop(1));
+  const bool is_forced =
+      junction.verdict != JunctionVerdict::JOINED && isWanted(junction, survey);
   return is_forced ? junction.lines : junction.believed;
 }
 
 bool
 mayBeJoined(const Junction& junction, const ModelSurvey& survey)
 {
-  const auto loop = [&](std::size_t end) -> const BoundaryLoop& {
-    return survey.loops[survey.joined.loops[junction.curves[end]]];
-  };
   return !survey.wishes.keepApart() ||
-         survey.wishes.mayJoin(survey.model, loop(0), loop(1));
+         survey.wishes.mayJoin(
+             survey.model, loopOf(junction, 0, survey), loopOf(junction, 1, survey));
 }
 
 /** A straight line from the middle of an edge. At its ends the surface turns about the
@@ -66,30 +68,51 @@ chordFrom(const BoundaryEdges& boundaries,
 
 } // namespace
 
+std::set<std::pair<std::size_t, std::size_t>>
+wantedPairs(const ModelSurvey& survey)
+{
+  std::set<std::pair<std::size_t, std::size_t>> pairs;
+  if (survey.wishes.joined().empty())
+    return pairs;
+  std::map<std::size_t, std::size_t> loop_of; // of the input
+  for (std::size_t k = 0; k < survey.loops.size(); ++k)
+    loop_of[survey.wishes.inputLoop(survey.model, survey.loops[k])] = k;
+  for (const auto& [low, high] : survey.wishes.joined())
+    if (loop_of.count(low) > 0 && loop_of.count(high) > 0)
+      pairs.insert(std::minmax(loop_of[low], loop_of[high]));
+  return pairs;
+}
+
+bool
+isWanted(const Junction& junction, const ModelSurvey& survey)
+{
+  return survey.wishes.mustJoin(
+      survey.model, loopOf(junction, 0, survey), loopOf(junction, 1, survey));
+}
+
 std::vector<ForceLine>
 wantedChords(const ModelSurvey& survey, const BoundaryEdges& boundaries, double spacing)
 {
-  std::vector<ForceLine> chords;
-  if (!survey.wishes.anyJoined())
-    return chords;
-  const std::vector<std::size_t>& loops = survey.joined.loops;
+  std::map<std::size_t, std::size_t> curve_of; // of a loop
+  for (std::size_t curve = 0; curve < survey.joined.loops.size(); ++curve)
+    curve_of[survey.joined.loops[curve]] = curve;
   std::set<std::pair<std::size_t, std::size_t>> connected;
   for (const ForceLine& line : survey.between_islands.lines)
     if (line.end == LineEnd::BRIDGE)
       connected.insert(std::minmax(line.origin.curve, line.target.curve));
-  for (std::size_t a = 0; a < loops.size(); ++a)
-    for (std::size_t b = a + 1; b < loops.size(); ++b) {
-      const BoundaryLoop& first = survey.loops[loops[a]];
-      const BoundaryLoop& second = survey.loops[loops[b]];
-      if (connected.count({a, b}) > 0 ||
-          !survey.wishes.mustJoin(survey.model, first, second))
-        continue;
-      const bool is_shorter = first.curve.size() <= second.curve.size();
-      const std::size_t from = is_shorter ? a : b;
-      for (std::size_t e = 0; e < boundaries.curves()[from].curve.size(); ++e)
-        chords.push_back(
-            resampled(chordFrom(boundaries, from, e, is_shorter ? b : a), spacing));
-    }
+  std::vector<ForceLine> chords;
+  for (const auto& [first, second] : wantedPairs(survey)) {
+    if (curve_of.count(first) == 0 || curve_of.count(second) == 0)
+      continue;
+    std::size_t from = curve_of[first];
+    std::size_t to = curve_of[second];
+    if (connected.count(std::minmax(from, to)) > 0)
+      continue;
+    if (survey.loops[second].curve.size() < survey.loops[first].curve.size())
+      std::swap(from, to);
+    for (std::size_t e = 0; e < boundaries.curves()[from].curve.size(); ++e)
+      chords.push_back(resampled(chordFrom(boundaries, from, e, to), spacing));
+  }
   return chords;
 }
 

@@ -6,6 +6,8 @@
 #include "survey/model_survey.h"
 
 #include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -19,6 +21,14 @@ std::vector<ForceLine>
 wantedLines(const ModelSurvey& survey,
             const SurveyParameters& parameters,
             std::vector<std::size_t>& refused);
+
+/** \brief Pairs of loops that the user wants joined, the lower one first, ascending. */
+std::set<std::pair<std::size_t, std::size_t>>
+wantedPairs(const ModelSurvey& survey);
+
+/** \brief Whether the user wants the loops of a junction joined. */
+bool
+isWanted(const Junction& junction, const ModelSurvey& survey);
 
 /** \brief Straight lines between pairs of boundaries that the user wants joined and
  * that no line connects, such as the mouths of a tunnel: from each edge of the boundary

@@ -34,25 +34,6 @@ threeSlices()
   });
 }
 
-Decisions
-proposed(const Shape& shape, const RepairParameters& parameters = {})
-{
-  return proposeDecisions(
-      surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
-                  nullptr,
-                  parameters.survey,
-                  {}),
-      parameters);
-}
-
-Repaired
-decided(const Shape& shape, const Decisions& decisions)
-{
-  RepairParameters parameters;
-  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
-  return repaired(shape, parameters);
-}
-
 /** The decision about the loop that lies highest. */
 LoopDecision&
 highest(Decisions& decisions)

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what a finished model leaves in doubt.
 
-#include "repair/decision_proposal.h"
 #include "repair_fixture.h"
 
 #include <cmath>
-#include <memory>
 
 namespace pcl {
 namespace repair {
@@ -28,21 +26,6 @@ discWithOppositeHoles(double thickness)
   for (Position& p : shape.vertices)
     p.z() *= thickness;
   return shape;
-}
-
-Repaired
-afterDeciding(const Shape& shape, const std::function<void(Decisions&)>& change)
-{
-  RepairParameters parameters;
-  Decisions decisions = proposeDecisions(
-      surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
-                  nullptr,
-                  parameters.survey,
-                  {}),
-      parameters);
-  change(decisions);
-  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
-  return repaired(shape, parameters);
 }
 
 TEST(Doubts, OppositeHolesOfAPlateMayBeATunnel)
@@ -70,35 +53,31 @@ TEST(Doubts, OppositeHolesOfAThickBodyAreNone)
   EXPECT_TRUE(result.report.doubts.empty());
 }
 
-JunctionDecision
-betweenTheHoles(bool join)
+/** What is proposed, and a junction between the two holes. */
+Decisions
+withJunction(bool join)
 {
+  Decisions decisions = proposed(discWithOppositeHoles(0.15));
   JunctionDecision junction;
   junction.first_loop = 0;
   junction.second_loop = 1;
   junction.join = join;
-  return junction;
+  decisions.junctions.push_back(junction);
+  return decisions;
 }
 
 TEST(Doubts, TheUserMayWantTheCaps)
 {
-  const Repaired proposed =
-      afterDeciding(discWithOppositeHoles(0.15), [](Decisions&) {});
-  EXPECT_FALSE(proposed.report.complete());
-  const Repaired result =
-      afterDeciding(discWithOppositeHoles(0.15), [](Decisions& decisions) {
-        decisions.junctions.push_back(betweenTheHoles(false));
-      });
+  const Shape disc = discWithOppositeHoles(0.15);
+  EXPECT_FALSE(decided(disc, proposed(disc)).report.complete());
+  const Repaired result = decided(disc, withJunction(false));
   EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
   EXPECT_TRUE(result.report.complete());
 }
 
 TEST(Doubts, TheUserMayWantTheTunnel)
 {
-  const Repaired result =
-      afterDeciding(discWithOppositeHoles(0.15), [](Decisions& decisions) {
-        decisions.junctions.push_back(betweenTheHoles(true));
-      });
+  const Repaired result = decided(discWithOppositeHoles(0.15), withJunction(true));
   EXPECT_EQ(0, topologyOf(result.triangles()).characteristic);
   EXPECT_EQ(0U, topologyOf(result.triangles()).borders);
   EXPECT_TRUE(addsNoIntersection(result));

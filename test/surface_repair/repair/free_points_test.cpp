@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <vector>
@@ -33,36 +34,44 @@ isLost(const Position& p)
   return p.z() > 1.0;
 }
 
+using IsLost = std::function<bool(const Position&)>;
+
+/** A shape without all triangles at lost vertices. */
 Shape
-remainder()
+remainder(const Shape& whole, const IsLost& is_lost)
 {
-  const Shape whole = body();
   std::vector<std::size_t> removed;
   for (std::size_t t = 0; t < whole.triangles.size(); ++t)
-    for (const pcl::index_t corner : whole.triangles[t])
-      if (isLost(whole.vertices[static_cast<std::size_t>(corner)]) &&
-          (removed.empty() || removed.back() != t))
-        removed.push_back(t);
+    if (std::any_of(
+            whole.triangles[t].begin(), whole.triangles[t].end(), [&](auto corner) {
+              return is_lost(whole.vertices[static_cast<std::size_t>(corner)]);
+            }))
+      removed.push_back(t);
   return withoutFreeVertices(withoutTriangles(whole, removed));
 }
 
-/** Every so many-th of the lost vertices. */
+/** Every so many-th of the lost vertices; 0: none. */
+Positions
+samples(const Shape& whole, const IsLost& is_lost, std::size_t every)
+{
+  Positions lost, taken;
+  std::copy_if(
+      whole.vertices.begin(), whole.vertices.end(), std::back_inserter(lost), is_lost);
+  for (std::size_t i = 0; every > 0 && i < lost.size(); i += every)
+    taken.push_back(lost[i]);
+  return taken;
+}
+
 Positions
 samples(std::size_t every)
 {
-  Positions lost, taken;
-  for (const Position& vertex : body().vertices)
-    if (isLost(vertex))
-      lost.push_back(vertex);
-  for (std::size_t i = 0; i < lost.size(); i += every)
-    taken.push_back(lost[i]);
-  return taken;
+  return samples(body(), isLost, every);
 }
 
 Repaired
 repairedWith(const Positions& free_points)
 {
-  return repaired(toPolygonMesh(remainder()), free_points);
+  return repaired(toPolygonMesh(remainder(body(), isLost)), free_points);
 }
 
 /** The distance from the surface that a share of points stays within. */
@@ -119,28 +128,16 @@ TEST(FreePoints, BringBackALostLimb)
 }
 
 /** A limb of which a part many times longer than it is thick is lost. \param[in] every
- * so many-th of the lost vertices is a free point; 0: none */
+ * see samples() */
 Repaired
 repairedGap(double gap, std::size_t every)
 {
   const Shape whole = ellipsoid(4, 12.0);
-  const auto is_lost = [gap](const Position& p) {
+  const IsLost is_lost = [gap](const Position& p) {
     return std::abs(p.z() - 1.0) < 0.5 * gap;
   };
-  std::vector<std::size_t> removed;
-  for (std::size_t t = 0; t < whole.triangles.size(); ++t)
-    if (std::any_of(
-            whole.triangles[t].begin(), whole.triangles[t].end(), [&](auto corner) {
-              return is_lost(whole.vertices[static_cast<std::size_t>(corner)]);
-            }))
-      removed.push_back(t);
-  Positions lost, taken;
-  std::copy_if(
-      whole.vertices.begin(), whole.vertices.end(), std::back_inserter(lost), is_lost);
-  for (std::size_t i = 0; every > 0 && i < lost.size(); i += every)
-    taken.push_back(lost[i]);
-  return repaired(toPolygonMesh(withoutFreeVertices(withoutTriangles(whole, removed))),
-                  taken);
+  return repaired(toPolygonMesh(remainder(whole, is_lost)),
+                  samples(whole, is_lost, every));
 }
 
 TEST(FreePoints, BetweenTwoStumpsMakeThemOneLimb)

@@ -9,6 +9,7 @@
 #include "icadm/incomplete_model.h"
 #include "mesh/cloud_access.h"
 #include "mesh/intersection.h"
+#include "repair/decision_proposal.h"
 #include "support/mesh_asserts.h"
 #include "support/repair_shapes.h"
 
@@ -16,6 +17,7 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace pcl {
@@ -61,6 +63,27 @@ inline Repaired
 repaired(const Shape& shape, const RepairParameters& parameters = {})
 {
   return repaired(toPolygonMesh(shape), {}, parameters);
+}
+
+/** \brief What is decided about a shape when nobody says anything. */
+inline Decisions
+proposed(const Shape& shape, const RepairParameters& parameters = {})
+{
+  return proposeDecisions(
+      surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
+                  nullptr,
+                  parameters.survey,
+                  {}),
+      parameters);
+}
+
+/** \brief The repair that follows decisions. */
+inline Repaired
+decided(const Shape& shape, const Decisions& decisions)
+{
+  RepairParameters parameters;
+  parameters.survey.decisions = std::make_shared<const Decisions>(decisions);
+  return repaired(shape, parameters);
 }
 
 inline std::size_t
