@@ -322,6 +322,13 @@ Listing::addTouching()
   }
 }
 
+/** Welding closes what has fewer edges than a triangle. */
+bool
+isToBeFilled(const OpenHole& hole)
+{
+  return hole.open == OpenReason::NONE && hole.polygon.size() >= 3;
+}
+
 /** Two fillings could have the edge between two points that both holes have. */
 void
 joinHolesThatMeetTwice(const std::map<pcl::index_t, std::vector<std::size_t>>& holes_at,
@@ -344,7 +351,7 @@ Listing::joinRegions()
   for (const auto& [vertex, kept] : list_.replaced)
     holes_at[kept];
   for (std::size_t h = 0; h < list_.holes.size(); ++h) {
-    if (list_.holes[h].open != OpenReason::NONE)
+    if (!isToBeFilled(list_.holes[h]))
       continue;
     for (const std::size_t bridge : list_.holes[h].bridges)
       groups.join(h, hole_at.emplace(bridge, h).first->second);
@@ -357,7 +364,7 @@ Listing::joinRegions()
   joinHolesThatMeetTwice(holes_at, groups);
   std::map<std::size_t, std::vector<std::size_t>> members;
   for (std::size_t h = 0; h < list_.holes.size(); ++h)
-    if (list_.holes[h].open == OpenReason::NONE)
+    if (isToBeFilled(list_.holes[h]))
       members[groups.find(h)].push_back(h);
   for (auto& [first, holes] : members)
     list_.regions.push_back(std::move(holes));
