@@ -28,8 +28,12 @@ class HoleReopening {
 public:
   HoleReopening(const BoundaryLoop& loop, const Course& course, GrowingSurface& surface)
   : loop_(loop)
-  , parameters_(course.parameters)
-  , frame_(course.frame)
+  , place_{course.survey.model,
+           none_,
+           course.parameters,
+           course.frame.float_positions,
+           course.frame.origin,
+           false}
   , context_(course.context)
   , surface_(surface)
   {}
@@ -40,12 +44,9 @@ public:
   run(std::size_t of_hole);
 
 private:
-  HoleOutcome
-  close(const Opening& opening, std::size_t of_hole);
-
   const BoundaryLoop& loop_;
-  const RepairParameters& parameters_;
-  const CloudFrame& frame_;
+  const SurveyGuides none_;
+  const ClosingPlace place_;
   const ccaa::LoopContext& context_;
   GrowingSurface& surface_;
   ccaa::Box around_;
@@ -87,45 +88,51 @@ HoleReopening::run(std::size_t of_hole)
     if (now == opened || context_.cancelled())
       break; // nothing more can be opened
     opened = now;
-    outcome = close(opening, of_hole);
+    outcome =
+        closeOpening(opening, part_, around_, place_, context_, of_hole, surface_);
     if (outcome.open == OpenReason::NONE)
       break;
   }
   return outcome;
 }
 
+} // namespace
+
 HoleOutcome
-HoleReopening::close(const Opening& opening, std::size_t of_hole)
+closeOpening(const Opening& opening,
+             const ModelPart& part,
+             const ccaa::Box& around,
+             const ClosingPlace& place,
+             const ccaa::LoopContext& context,
+             std::size_t of_hole,
+             GrowingSurface& surface)
 {
   HoleOutcome outcome;
   outcome.open = OpenReason::INTERSECTION;
-  if (opening.border.empty() || !isWithin(around_, part_, opening))
+  if (opening.border.empty() || !isWithin(around, part, opening))
     return outcome;
-  const ccaa::Box around_opening =
-      placeOf(part_, opening).intersection(around_); // beyond it nothing is known
-  const ModelPart left = surface_.part(trianglesLeft(part_, opening, around_opening));
+  const ccaa::Box box = placeOf(part, opening).intersection(around);
+  const ModelPart left = surface.part(trianglesLeft(part, opening, box));
   const BoundaryLoops loops = extractBoundaries(left.model);
-  const BoundaryLoop* loop = loopOf(opening, part_, left, loops);
+  const BoundaryLoop* loop = loopOf(opening, part, left, loops);
   if (loop == nullptr)
     return outcome;
   Region region;
   region.holes.push_back(polygonOf(*loop));
   region.is_certain.push_back(true);
   const SurveyGuides guides;
-  const ClosingPlace place{
-      left.model, guides, parameters_, frame_.float_positions, frame_.origin};
-  const SurfaceObstacle obstacle(left.model, {around_opening});
-  const ClosedRegion closed = closeRegion(place, region, obstacle, context_);
+  const ClosingPlace here{
+      left.model, guides, place.parameters, place.float_positions, place.origin, false};
+  const SurfaceObstacle obstacle(left.model, {box});
+  const ClosedRegion closed = closeRegion(here, region, obstacle, context);
   if (closed.holes.front().open == OpenReason::NONE &&
-      !isFree(closed.patch, around_opening, obstacle))
+      !isFree(closed.patch, box, obstacle))
     return outcome;
   outcome = closed.holes.front();
   if (outcome.open == OpenReason::NONE)
-    surface_.replace(part_, opening.is_open, left, closed.patch, of_hole);
+    surface.replace(part, opening.is_open, left, closed.patch, of_hole);
   return outcome;
 }
-
-} // namespace
 
 void
 reopenHoles(const Failures& failed, const Course& course)

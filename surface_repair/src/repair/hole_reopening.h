@@ -5,11 +5,32 @@
 
 #include <pcl/surface_repair/repair_report.h>
 
+#include "repair/growing_surface.h"
+#include "repair/opening.h"
 #include "repair/passes.h"
+#include "repair/region_closing.h"
 #include "survey/model_survey.h"
+
+#include <cstddef>
 
 namespace pcl {
 namespace repair {
+
+/** \brief Take an opening out of a surface and close it as a hole of its own, together
+ * with the hole that it was grown from.
+ * \param[in] part of the surface that has the opening
+ * \param[in] around beyond which nothing is known
+ * \param[in] place parameters and frame; its model is not used
+ * \param[in] of_hole that new triangles close
+ * \return how; still open where there is no way, and then the surface is as it was */
+HoleOutcome
+closeOpening(const Opening& opening,
+             const ModelPart& part,
+             const ccaa::Box& around,
+             const ClosingPlace& place,
+             const ccaa::LoopContext& context,
+             std::size_t of_hole,
+             GrowingSurface& surface);
 
 /** \brief Close holes that could not be closed because a patch would run through
  * something, together with new triangles around them: what is in the way is mostly

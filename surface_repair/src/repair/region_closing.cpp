@@ -12,6 +12,7 @@
 #include "repair/fill_strategy.h"
 #include "repair/filling_choice.h"
 #include "repair/patch_assembly.h"
+#include "repair/patch_mending.h"
 #include "repair/relaxation_rollback.h"
 #include "repair/taken_edges.h"
 
@@ -72,6 +73,8 @@ private:
   bool
   verify();
   bool
+  mend();
+  bool
   any(bool FillStrategy::*wanted) const;
   void
   tryNext(std::size_t hole, OpenReason reason);
@@ -89,7 +92,8 @@ private:
   std::array<std::vector<ChosenFilling>, 3>
       fillings_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
-  std::vector<std::size_t> obstructed_; /**< triangles of the patch as it is */
+  std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
+  std::vector<std::size_t> obstructed_;   /**< triangles of the patch as it is */
 };
 
 /** What the user wants, or else what the rim is and whether free points speak against
@@ -348,6 +352,8 @@ RegionClosing::verify()
   std::set<std::size_t> obstructed;
   for (const std::size_t triangle : obstructed_)
     obstructed.insert(patch.hole[triangle]);
+  if (!obstructed.empty() && region_.holes.size() == 1 && !completed_.front())
+    obstructed_patches_.push_back(patch);
   for (const std::size_t hole : obstructed)
     tryNext(hole, OpenReason::INTERSECTION);
   if (std::any_of(obstructed.begin(), obstructed.end(), [&](std::size_t hole) {
@@ -366,6 +372,20 @@ RegionClosing::verify()
   return false;
 }
 
+/** What was tried for a hole, filled anew where it runs into something. */
+bool
+RegionClosing::mend()
+{
+  for (Patch& patch : obstructed_patches_)
+    if (mendPatch(place_, obstacle_, context_, patch) &&
+        fitsModel(place_.model, patch)) {
+      result_.patch = std::move(patch);
+      result_.holes.front().open = OpenReason::NONE;
+      return true;
+    }
+  return false;
+}
+
 ClosedRegion
 RegionClosing::run()
 {
@@ -376,6 +396,8 @@ RegionClosing::run()
     fair();
   }
   while (!context_.cancelled() && !verify());
+  if (place_.mends && result_.holes.front().open == OpenReason::INTERSECTION)
+    mend();
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)
       hole.filling.clear();

@@ -23,6 +23,7 @@ struct ClosingPlace {
   const RepairParameters& parameters; /**< those of the survey tell what is simple */
   bool float_positions = true; /**< new vertices get places that a float can hold */
   Position origin = Position::Zero(); /**< of the model, in the frame of these floats */
+  bool mends = true; /**< patches that run into something are filled anew there */
 };
 
 /** \brief Holes to be closed together: bridges run between them. */

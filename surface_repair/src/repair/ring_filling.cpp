@@ -11,6 +11,7 @@
 #include "mesh/sort_unique.h"
 #include "repair/opening.h"
 #include "repair/patch_assembly.h"
+#include "repair/patch_mending.h"
 #include "repair/relaxation_rollback.h"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ namespace {
 
 /** Bridges over which a ring is cut open, one try after the other. */
 constexpr std::size_t CUTS = 3;
+/** Triangles that run into something of a ring that is worth mending. */
+constexpr std::size_t MOST_MENDED = 8;
 /** Rings around what runs into something that are not relaxed. */
 constexpr std::array<std::size_t, 3> UNRELAXED_RINGS = {0, 2, 8};
 
@@ -236,6 +239,20 @@ closeRings(const std::vector<RingPolygon>& rings,
 {
   const IncompleteModel& model = place.left.model;
   const SurfaceObstacle obstacle(model, {place.box});
+  const SurveyGuides guides;
+  const ClosingPlace here{model,
+                          guides,
+                          course.parameters,
+                          course.frame.float_positions,
+                          course.frame.origin,
+                          false};
+  const auto take = [&](const Patch& patch) {
+    if (!isFree(patch, place.box, obstacle) || !fitsModel(model, patch))
+      return false;
+    surface.replace(place.part, place.is_open, place.left, patch, of_hole);
+    return true;
+  };
+  std::vector<Patch> refined;
   for (const bool avoids : {false, true}) {
     const Patch bare = fillRings(rings, place.left, avoids ? &obstacle : nullptr);
     if (bare.triangles.empty() || !fitsModel(model, bare))
@@ -246,12 +263,16 @@ closeRings(const std::vector<RingPolygon>& rings,
         fair(model, obstacle, course.parameters, patch);
       if (course.frame.float_positions)
         roundToFloats(course.frame.origin, patch);
-      if (!isFree(patch, place.box, obstacle) || !fitsModel(model, patch))
-        continue;
-      surface.replace(place.part, place.is_open, place.left, patch, of_hole);
-      return true;
+      if (is_refined)
+        refined.push_back(patch);
+      if (take(patch))
+        return true;
     }
   }
+  for (Patch& patch : refined)
+    if (obstructedTriangles(patch, obstacle).size() <= MOST_MENDED &&
+        mendPatch(here, obstacle, course.context, patch) && take(patch))
+      return true;
   return false;
 }
 
