@@ -25,6 +25,15 @@ constexpr std::array<int, 4> OPENED_RINGS = {1, 2, 4, 0};
 /** A patch covers a crumb that is nearer than so many of its extents, one try after the
  * other. */
 constexpr std::array<double, 2> REACHES = {1.0, 6.0};
+/** The same of crumbs that are no fins: single triangles lie far above wide patches.
+ * Then so many more rings are opened as it is edges away, at most. */
+constexpr double FARTHEST = 24.0;
+constexpr double MOST_SLOPES = 16.0;
+/** Depth of the surface that is missing in a hole, at most, in lengths of its boundary.
+ */
+constexpr double DEEPEST = 0.3;
+/** Edges of an opening that is closed around a crumb. */
+constexpr std::size_t LONGEST_BORDER = 128;
 /** What is looked at around a crumb, in the reach. */
 constexpr double ROOM = 4.0;
 
@@ -43,6 +52,12 @@ public:
 
 private:
   bool
+  tryWithin(double reach);
+  bool
+  isBesideHole() const;
+  bool
+  touchesInput() const;
+  bool
   findShadow(bool turned);
   bool
   layInto(int rings);
@@ -60,35 +75,75 @@ private:
   GrowingSurface& surface_;
   double reach_ = 0.0;
   ccaa::Box around_;
-  ccaa::Box place_;          /**< of what is opened and the crumb */
-  ModelPart part_;           /**< all around the crumb */
-  std::vector<bool> shadow_; /**< of the part's triangles */
-  std::size_t nearest_ = 0;  /**< of the shadow */
+  ccaa::Box place_;                           /**< of what is opened and the crumb */
+  ModelPart part_;                            /**< all around the crumb */
+  std::vector<bool> shadow_;                  /**< of the part's triangles */
+  std::size_t nearest_ = 0;                   /**< of the shadow */
+  double least_ = 0.0;                        /**< its distance */
+  std::set<std::vector<pcl::index_t>> tried_; /**< borders of openings */
+  int slopes_ = 1; /**< edges of the nearest between it and the crumb */
 };
 
 bool
 CrumbLaying::run()
 {
+  for (const double reach : REACHES)
+    if (tryWithin(reach))
+      return true;
+  return crumb_.size() < course_.parameters.crumb_triangles && !touchesInput() &&
+         tryWithin(FARTHEST);
+}
+
+/** Whether it is further away from the patch than a hole of that length is deep. */
+bool
+CrumbLaying::isBesideHole() const
+{
+  const std::size_t hole = surface_.hole[part_.triangles[nearest_]];
+  return least_ > DEEPEST * course_.report.holes[hole].length;
+}
+
+/** Whether a point of it is one of other triangles of the input: it is a fin. */
+bool
+CrumbLaying::touchesInput() const
+{
+  std::set<pcl::index_t> points;
+  for (const std::size_t t : crumb_)
+    for (const pcl::index_t corner : surface_.triangles[t])
+      points.insert(surface_.pointOf(corner));
+  return std::any_of(
+      part_.triangles.begin(), part_.triangles.end(), [&](std::size_t t) {
+        const Triangle& triangle = surface_.triangles[t];
+        return surface_.hole[t] == NONE &&
+               !std::binary_search(crumb_.begin(), crumb_.end(), t) &&
+               std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+                 return points.count(surface_.pointOf(corner)) > 0;
+               });
+      });
+}
+
+/** \param[in] reach in extents of the crumb */
+bool
+CrumbLaying::tryWithin(double reach)
+{
   ccaa::Box box;
   for (const std::size_t t : crumb_)
     box.extend(ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
-  for (const double reach : REACHES) {
-    reach_ = reach * box.diagonal().norm();
-    if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
+  reach_ = reach * box.diagonal().norm();
+  if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
+    return false;
+  around_ = ccaa::widened(box, ROOM * reach_);
+  part_ = surface_.part(surface_.near(around_));
+  for (const bool turned : {false, true}) {
+    if (!findShadow(turned) || (reach >= FARTHEST && isBesideHole()))
       continue;
-    around_ = ccaa::widened(box, ROOM * reach_);
-    part_ = surface_.part(surface_.near(around_));
-    for (const bool turned : {false, true}) {
-      if (!findShadow(turned))
-        continue;
-      if (turned)
-        turnCrumb();
-      for (const int rings : OPENED_RINGS)
-        if (layInto(rings))
-          return true;
-      if (turned)
-        turnCrumb();
-    }
+    if (turned)
+      turnCrumb();
+    tried_.clear();
+    for (const int rings : OPENED_RINGS)
+      if (layInto(reach < FARTHEST ? rings : rings * slopes_))
+        return true;
+    if (turned)
+      turnCrumb();
   }
   return false;
 }
@@ -102,7 +157,7 @@ CrumbLaying::findShadow(bool turned)
   for (const Triangle& triangle : part_.model.triangles)
     corners.push_back(ccaa::cornersOf(triangle, part_.model.positions));
   shadow_.assign(corners.size(), false);
-  double least_of_all = std::numeric_limits<double>::infinity();
+  least_ = std::numeric_limits<double>::infinity();
   for (const std::size_t t : crumb_) {
     const ccaa::Corners own =
         ccaa::cornersOf(surface_.triangles[t], surface_.positions);
@@ -124,12 +179,15 @@ CrumbLaying::findShadow(bool turned)
       if (nearest == NONE)
         return false;
       shadow_[nearest] = true;
-      if (!(least < least_of_all))
+      if (!(least < least_))
         continue;
-      least_of_all = least;
+      least_ = least;
       nearest_ = nearest;
     }
   }
+  const ccaa::Corners& corner = corners[nearest_];
+  const double edge = std::max((corner[1] - corner[0]).norm(), 1e-9 * reach_);
+  slopes_ = static_cast<int>(std::clamp(least_ / edge, 1.0, MOST_SLOPES));
   return true;
 }
 
@@ -161,7 +219,8 @@ bool
 CrumbLaying::layInto(int rings)
 {
   const Opening opening = openFrom(part_, nearest_, ringsAround(part_, shadow_, rings));
-  if (opening.border.empty() || !isWithin(around_, part_, opening))
+  if (opening.border.empty() || !isWithin(around_, part_, opening) ||
+      opening.border.size() > LONGEST_BORDER || !tried_.insert(opening.border).second)
     return false;
   place_ = placeOf(part_, opening);
   for (const std::size_t t : crumb_)
