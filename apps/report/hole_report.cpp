@@ -253,7 +253,7 @@ tellShortfalls(const RepairReport& report, const pcl::PolygonMesh& mesh)
   }
   for (const pcl::RepairDoubt& doubt : report.doubts) {
     text += (text.empty() ? "" : ". ") + std::string(describe(doubt.reason));
-    if (doubt.reason == pcl::DoubtReason::TUNNEL)
+    if (doubt.reason != pcl::DoubtReason::UNSUPPORTED)
       text += " (" + placeOf(doubt.points[0], mesh) + " and " +
               placeOf(doubt.points[1], mesh) + ")";
     else

@@ -25,6 +25,8 @@ constexpr double TWIN_SHARE = 0.5;
 /** D by length, and turns, of what may be a stump. */
 constexpr double STUMP_INTEGRAL = 0.6;
 constexpr double STUMP_TURNING = 0.7;
+/** Both, of the mouth of a tube. */
+constexpr double MOUTH = 0.35;
 /** The course of a mouth says less than this for a hole or a rim. */
 constexpr double MOUTH_COURSE = 0.75;
 
@@ -226,6 +228,13 @@ mayBeStump(const LoopEvidence& evidence)
 {
   return evidence.integral.relative() < STUMP_INTEGRAL &&
          evidence.turning < STUMP_TURNING;
+}
+
+bool
+isMouth(const LoopEvidence& evidence)
+{
+  return std::abs(evidence.integral.relative()) < MOUTH &&
+         std::abs(evidence.turning) < MOUTH;
 }
 
 AreaBounds

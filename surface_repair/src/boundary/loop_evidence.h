@@ -37,6 +37,11 @@ evidenceOf(const BoundaryCurve& curve, double area);
 bool
 mayBeStump(const LoopEvidence& evidence);
 
+/** \brief Whether a loop is the mouth of a tube for sure: D, in its length, and turning
+ * are nearly none. */
+bool
+isMouth(const LoopEvidence& evidence);
+
 /** \brief Between which the least surface that closes a curve has its area. */
 struct AreaBounds {
   double lower = 0.0; /**< length of the vector area */

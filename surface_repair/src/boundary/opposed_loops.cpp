@@ -24,6 +24,10 @@ constexpr double LEAST_SHARE = 0.5;
 /** Widest gap in lengths of the loop: a little more than the diameter of a round one.
  */
 constexpr double WIDEST = 0.4;
+/** How far ahead of a mouth the loop may be that it looks at, in its lengths, and
+ * cosine of half the opening of that view. */
+constexpr double AHEAD = 1.2;
+constexpr double AHEAD_VIEW = 0.8;
 
 /** Some points of a loop and where they look. */
 struct LookingLoop {
@@ -118,6 +122,39 @@ private:
 };
 
 } // namespace
+
+std::size_t
+loopAhead(const BoundaryLoops& loops, std::size_t mouth)
+{
+  const LookingLoop own = lookAlong(loops[mouth]);
+  Direction axis = Direction::Zero();
+  for (const Direction& conormal : own.conormals)
+    axis += conormal;
+  axis.normalize();
+  std::map<std::size_t, std::size_t> seeing; // points, by the loop ahead
+  for (const Position& point : own.points) {
+    double nearest = AHEAD * own.length;
+    std::size_t seen = NONE;
+    for (std::size_t other = 0; other < loops.size(); ++other) {
+      if (other == mouth)
+        continue;
+      for (const Position& there : loops[other].curve.points) {
+        const Eigen::Vector3d view = there - point;
+        const double distance = view.norm();
+        if (distance < nearest && axis.dot(view) > AHEAD_VIEW * distance) {
+          nearest = distance;
+          seen = other;
+        }
+      }
+    }
+    ++seeing[seen];
+  }
+  for (const auto& [other, points] : seeing)
+    if (other != NONE && static_cast<double>(points) >
+                             LEAST_SHARE * static_cast<double>(own.points.size()))
+      return other;
+  return NONE;
+}
 
 std::vector<std::size_t>
 opposedLoops(const BoundaryLoops& loops)

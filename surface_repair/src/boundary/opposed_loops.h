@@ -23,5 +23,10 @@ namespace repair {
 std::vector<std::size_t>
 opposedLoops(const BoundaryLoops& loops);
 
+/** \brief The loop that a mouth of a tube looks at, whether that looks back or not, no
+ * further away than a few diameters; NONE where there is none. */
+std::size_t
+loopAhead(const BoundaryLoops& loops, std::size_t mouth);
+
 } // namespace repair
 } // namespace pcl

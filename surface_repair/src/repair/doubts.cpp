@@ -50,21 +50,21 @@ struct NewPart {
 /** Lowest points of two loops, ascending. */
 using PointPair = std::array<pcl::index_t, 2>;
 
-/** The loops of which the user says that they are not to be joined. */
+/** The loops of which the user says that they are to be joined, or are not. */
 std::set<PointPair>
-loopsApart(const Decisions* decisions)
+decidedLoops(const Decisions* decisions, bool join)
 {
-  std::set<PointPair> apart;
+  std::set<PointPair> pairs;
   if (decisions == nullptr)
-    return apart;
+    return pairs;
   for (const JunctionDecision& junction : decisions->junctions)
-    if (!junction.join) {
+    if (junction.join == join) {
       const auto [low, high] =
           std::minmax(decisions->loops[junction.first_loop].key.point,
                       decisions->loops[junction.second_loop].key.point);
-      apart.insert({low, high});
+      pairs.insert({low, high});
     }
-  return apart;
+  return pairs;
 }
 
 /** How little the junctions tell of what lies between islands, 0 to 1. */
@@ -232,6 +232,27 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
   return tunnels;
 }
 
+/** Junctions that are joined only because there is no better one: by their points,
+ * ascending. */
+std::vector<RepairDoubt>
+loneJunctions(const RepairReport& report, const SurveyParameters& parameters)
+{
+  const std::set<PointPair> wanted = decidedLoops(parameters.decisions.get(), true);
+  std::map<PointPair, double> gaps;
+  for (const RepairJunction& junction : report.junctions) {
+    const PointPair points = {std::min(junction.points[0], junction.points[1]),
+                              std::max(junction.points[0], junction.points[1])};
+    if (parameters.junction.judge && junction.verdict == JunctionVerdict::JOINED &&
+        junction.evidence.logOdds() < parameters.junction.joined_from &&
+        wanted.count(points) == 0)
+      gaps[points] = junction.evidence.gap_share;
+  }
+  std::vector<RepairDoubt> lone;
+  for (const auto& [points, gap] : gaps)
+    lone.push_back({DoubtReason::LONG_GAP, points, gap});
+  return lone;
+}
+
 } // namespace
 
 std::vector<RepairDoubt>
@@ -247,7 +268,9 @@ doubtsAbout(const RepairedModel& repaired,
       caps.push_back(part);
   }
   std::vector<RepairDoubt> doubts =
-      tunnelsOf(caps, loopsApart(parameters.survey.decisions.get()));
+      tunnelsOf(caps, decidedLoops(parameters.survey.decisions.get(), false));
+  const std::vector<RepairDoubt> lone = loneJunctions(report, parameters.survey);
+  doubts.insert(doubts.end(), lone.begin(), lone.end());
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =
       parameters.watertight || parameters.filling.close == CloseChoice::ALL;

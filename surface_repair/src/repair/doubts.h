@@ -20,6 +20,9 @@ namespace repair {
  * is at most 1.25 (A + B). None where the user does not want
  * the two joined.
  *
+ * LONG_GAP: a junction is joined although its odds are low, since the mouth of a tube
+ * has no other partner (joinLoneStumps()). None where the user wants the two joined.
+ *
  * UNSUPPORTED, of a body (isSeenFromAllSides()): those of COMPLETION have measured
  * corners, samples support what joins stumps over them, and a flat patch is where
  * something stood. Nothing supports
@@ -32,7 +35,7 @@ namespace repair {
  * Cost: n log n in the new triangles and linear in all.
  * \param[in] repaired with its adjacency
  * \param[in] report of its holes and junctions
- * \return tunnels by their points, ascending, then UNSUPPORTED */
+ * \return tunnels by their points, ascending, long gaps by theirs, UNSUPPORTED */
 std::vector<RepairDoubt>
 doubtsAbout(const RepairedModel& repaired,
             const RepairReport& report,

@@ -47,6 +47,9 @@ describe(DoubtReason reason)
   switch (reason) {
   case DoubtReason::TUNNEL:
     return "two holes that were closed may be the mouths of a tunnel";
+  case DoubtReason::LONG_GAP:
+    return "two boundaries were joined over a long gap since there is no better "
+           "partner";
   case DoubtReason::UNSUPPORTED:
     return "so much of the surface is new that more may be lost than can be told";
   }
@@ -56,7 +59,15 @@ describe(DoubtReason reason)
 const char*
 nameOf(DoubtReason reason)
 {
-  return reason == DoubtReason::TUNNEL ? "TUNNEL" : "UNSUPPORTED";
+  switch (reason) {
+  case DoubtReason::TUNNEL:
+    return "TUNNEL";
+  case DoubtReason::LONG_GAP:
+    return "LONG_GAP";
+  case DoubtReason::UNSUPPORTED:
+    return "UNSUPPORTED";
+  }
+  return "";
 }
 
 const char*

@@ -74,6 +74,8 @@ candidatesOf(const ModelSurvey& survey, const SurveyedBridges& joined)
   std::vector<const Junction*> junctions;
   for (const Junction& junction : joined.junctions)
     if (bridges_of.count(junction.curves) > 0 && !isWanted(junction, survey) &&
+        joined.ahead[joined.loops[junction.curves[0]]] !=
+            joined.loops[junction.curves[1]] &&
         bendOf(junction) > MOST_BENT && junction.evidence.logOdds() < CARRYING_ODDS)
       junctions.push_back(&junction);
   std::stable_sort(

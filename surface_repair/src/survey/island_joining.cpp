@@ -3,6 +3,7 @@
 // reached is reached (4.47).
 
 #include "survey/handle_choice.h"
+#include "survey/lone_stumps.h"
 #include "survey/survey_fields.h"
 #include "survey/touching_points.h"
 #include "survey/wanted_lines.h"
@@ -37,6 +38,7 @@ public:
   , targets_(targetsOf(islands.sources, survey.loops))
   , field_(makeField(islands.sources, parameters.field, *survey.guides))
   {
+    survey_.joined.ahead = islands.ahead;
     for (const SourceCurve& curve : islands.sources.curves)
       survey_.joined.loops.push_back(curve.loop);
   }
@@ -94,6 +96,7 @@ Joining::choose()
                                    survey_.sight.get(),
                                    survey_.facing,
                                    parameters_.junction);
+  joinLoneStumps(parameters_.junction, survey_);
   joined.bridges = touchingBridges(survey_, targets_);
   const std::vector<Bridge> along_lines =
       selectBridges(wantedLines(survey_, parameters_, joined.refused),

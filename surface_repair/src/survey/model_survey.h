@@ -50,6 +50,9 @@ struct SurveyedBridges {
   std::vector<Junction> junctions; /**< what lines connect, of the same curves */
   std::vector<Bridge> bridges;     /**< only of junctions that are joined */
   ContourExtraction holes;
+  std::vector<std::size_t> ahead;   /**< of each loop of the model that is the mouth of
+                                       a tube: one of its own island that it looks at, or
+                                       the mouth that looks at it; NONE */
   std::vector<std::size_t> refused; /**< ascending: loops with a line that could have
                                        become a bridge, if it were wanted */
 };

@@ -43,6 +43,27 @@ facingLoops(const ModelSurvey& survey)
   return opposed;
 }
 
+/** A limb may have been cut off beside a hole that took the place where it began: then
+ * its mouth looks into that hole, which looks elsewhere. See SurveyedBridges::ahead. */
+std::vector<std::size_t>
+loopsAhead(const ModelSurvey& survey, const std::vector<std::size_t>& opposed)
+{
+  std::vector<std::size_t> ahead(opposed.size(), NONE);
+  if (!isSeenFromAllSides(survey.facing))
+    return ahead;
+  for (std::size_t k = 0; k < ahead.size(); ++k) {
+    if (opposed[k] != NONE || ahead[k] != NONE || !isMouth(survey.classes[k].evidence))
+      continue;
+    const std::size_t other = loopAhead(survey.loops, k);
+    if (other == NONE || opposed[other] != NONE || ahead[other] != NONE ||
+        survey.loops[other].island != survey.loops[k].island)
+      continue;
+    ahead[k] = other;
+    ahead[other] = k;
+  }
+  return ahead;
+}
+
 /** Median of the gaps of all sources; 0 when there is one island only. */
 double
 medianGap(const SourceSet& sources)
@@ -121,7 +142,11 @@ traceLines(const LineField& place,
 IslandSources
 islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
 {
-  const std::vector<std::size_t> opposed = facingLoops(survey);
+  std::vector<std::size_t> opposed = facingLoops(survey);
+  IslandSources islands;
+  islands.ahead = loopsAhead(survey, opposed);
+  for (std::size_t k = 0; k < opposed.size(); ++k)
+    opposed[k] = islands.ahead[k] == NONE ? opposed[k] : islands.ahead[k];
   std::vector<bool> is_hole;
   std::vector<SourceCurve> all;
   for (std::size_t k = 0; k < survey.loops.size(); ++k) {
@@ -130,7 +155,6 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
     all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
     all.back().island = sideOf(k, survey, opposed);
   }
-  IslandSources islands;
   islands.median_gap = medianGap(gatherSources(std::move(all)));
   const double reach =
       parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;

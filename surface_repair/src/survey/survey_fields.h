@@ -15,6 +15,7 @@ namespace repair {
 struct IslandSources {
   SourceSet sources;
   double median_gap = 0.0; /**< median distance to another island; 0: there is none */
+  std::vector<std::size_t> ahead; /**< see SurveyedBridges */
 };
 
 IslandSources

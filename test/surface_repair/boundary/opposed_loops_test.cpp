@@ -138,6 +138,58 @@ TEST(OpposedLoops, ScaleAndPlaceDoNotMatter)
               opposedIn(translated(scaled(shape, factor), {factor, 0.0, 0.0})));
 }
 
+/** The upper half of a sphere of radius 4 with a hole around its top, and a tube of
+ * radius 1 above it, the lower end `height` above the top. */
+BoundaryLoops
+tubeOverHole(double height)
+{
+  const Shape half = without(scaled(icosphere(4), 4.0), [](const Position& p) {
+    return p.z() < 0.0 || p.z() > 3.6;
+  });
+  return extractBoundaries(
+      modelOf(joined(cylinder(32, 16), translated(half, {0.0, 0.0, -4.0 - height}))));
+}
+
+/** The lowest loop of the tube. */
+std::size_t
+lowerMouth(const BoundaryLoops& loops)
+{
+  std::size_t mouth = 0;
+  while (std::abs(loops[mouth].length - 2.0 * M_PI) > 0.1 ||
+         loops[mouth].curve.points.front().z() > 0.1)
+    ++mouth;
+  return mouth;
+}
+
+TEST(LoopAhead, IsTheHoleThatAMouthLooksInto)
+{
+  const BoundaryLoops loops = tubeOverHole(2.0);
+  const std::size_t ahead = loopAhead(loops, lowerMouth(loops));
+  ASSERT_NE(NONE, ahead);
+  EXPECT_NEAR(3.6 - 6.0, loops[ahead].curve.points.front().z(), 0.3);
+}
+
+TEST(LoopAhead, NeedNotLookBack)
+{
+  EXPECT_EQ(NONE, opposedLoops(tubeOverHole(2.0))[lowerMouth(tubeOverHole(2.0))]);
+}
+
+TEST(LoopAhead, IsNoneFurtherAwayThanAFewDiameters)
+{
+  const BoundaryLoops loops = tubeOverHole(9.0);
+  EXPECT_EQ(NONE, loopAhead(loops, lowerMouth(loops)));
+}
+
+TEST(LoopAhead, IsNoneBehindTheMouth)
+{
+  const BoundaryLoops loops = tubeOverHole(2.0);
+  std::size_t upper = lowerMouth(loops);
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (loops[k].curve.points.front().z() > loops[upper].curve.points.front().z())
+      upper = k;
+  EXPECT_EQ(NONE, loopAhead(loops, upper));
+}
+
 TEST(OpposedLoops, NoLoopsAreNoPairs) { EXPECT_TRUE(opposedLoops({}).empty()); }
 
 } // namespace

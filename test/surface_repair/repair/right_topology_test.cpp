@@ -145,6 +145,39 @@ TEST(RightTopology, LimbsAreJoinedAllAroundWherePartsOfTheGapCannotBeFilled)
   }
 }
 
+/** A limb of which the middle is lost, over so much of its axis. */
+Shape
+gappedLimb(double gap)
+{
+  return withoutFreeVertices(without(ellipsoid(4, 4.0), [gap](const Position& p) {
+    return std::abs(p.z() - 1.0) < 0.5 * gap;
+  }));
+}
+
+/** Too long to be sure, and there is nothing else. */
+TEST(RightTopology, LoneStumpsAreJoinedOverALongGapAndThatIsTold)
+{
+  for (const double gap : {5.0, 5.5}) {
+    SCOPED_TRACE(gap);
+    const Repaired result = repaired(gappedLimb(gap));
+    expectNothingLost(result);
+    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+    ASSERT_FALSE(result.report.complete());
+    EXPECT_EQ(DoubtReason::LONG_GAP, result.report.doubts.front().reason);
+  }
+}
+
+TEST(RightTopology, ADecisionToJoinLoneStumpsSettlesTheDoubt)
+{
+  const Shape limb = gappedLimb(5.0);
+  Decisions decisions = proposed(limb);
+  ASSERT_EQ(1U, decisions.junctions.size());
+  decisions.junctions.front().join = true;
+  for (const RepairDoubt& doubt : decided(limb, decisions).report.doubts)
+    EXPECT_NE(DoubtReason::LONG_GAP, doubt.reason);
+}
+
 /** Two bodies side by side, each without one end. */
 TEST(RightTopology, StumpsThatDoNotFaceEachOtherStayOpenAndAreTold)
 {

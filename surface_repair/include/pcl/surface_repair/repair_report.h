@@ -50,9 +50,10 @@ struct RepairBridge {
 /** \brief Two boundary loops that force lines connect, and what was decided. */
 struct RepairJunction {
   std::size_t pass = 0; /**< of the repair that judged it, from 1 */
-  std::array<pcl::index_t, 2> points{-1, -1}; /**< of the cloud, one on each loop */
-  std::array<std::size_t, 2> islands{};       /**< of that pass */
-  std::size_t lines = 0;                      /**< that lead from one to the other */
+  std::array<pcl::index_t, 2> points{-1,
+                                     -1}; /**< of the cloud, the lowest on each loop */
+  std::array<std::size_t, 2> islands{};   /**< of that pass */
+  std::size_t lines = 0;                  /**< that lead from one to the other */
   repair::JunctionEvidence evidence;
   repair::JunctionVerdict verdict = repair::JunctionVerdict::JOINED;
   double confidence = 0.0; /**< 0 to 1 */
@@ -123,6 +124,8 @@ describe(TriangleOrigin origin);
 enum class DoubtReason : std::uint8_t {
   TUNNEL,     /**< two holes on opposite sides of a body were capped, and a tube between
                   them would take about as little area */
+  LONG_GAP,   /**< a limb was joined to another one over a gap that would be left open
+                  if there were a better partner for either */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
 };
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: stumps of limbs that have one partner only.
+
+#pragma once
+
+#include "survey/model_survey.h"
+
+namespace pcl {
+namespace repair {
+
+/** \brief In a body every mouth of a tube goes on somewhere. Where no junction of one
+ * is sure, the one that is not far from it and much better than all others is JOINED,
+ * too. \param[in,out] survey whose junctions were judged one by one */
+void
+joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey);
+
+} // namespace repair
+} // namespace pcl
