@@ -152,6 +152,11 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   for (const auto& [island, crumb] : crumbs) {
     if (course.context.cancelled())
       return;
+    if (surface.hole[crumb.front()] != NONE) { // a patch that hangs on bridges alone
+      for (const std::size_t triangle : crumb)
+        surface.is_there[triangle] = false;
+      continue;
+    }
     if (!layCrumb(crumb, course, surface))
       for (const std::size_t triangle : surface.meeting(crumb))
         surface.is_there[triangle] = false;

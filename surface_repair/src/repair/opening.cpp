@@ -111,12 +111,13 @@ private:
     std::vector<pcl::index_t> loop;
     if (next.empty())
       return loop;
-    pcl::index_t vertex = next.begin()->first;
+    auto edge = next.begin();
     do {
-      loop.push_back(vertex);
-      vertex = next.at(vertex);
+      loop.push_back(edge->first);
+      edge = next.find(edge->second);
     }
-    while (vertex != loop.front() && loop.size() <= next.size());
+    while (edge != next.end() && edge->first != loop.front() &&
+           loop.size() <= next.size());
     return loop.size() == next.size() ? loop : std::vector<pcl::index_t>();
   }
 
@@ -203,7 +204,10 @@ loopOf(const Opening& opening,
        const BoundaryLoops& loops)
 {
   const auto first = static_cast<std::size_t>(opening.border.front());
-  const BoundaryLoop* loop = loopAt(loops, left.number_of.at(part.vertices[first]));
+  const auto vertex = left.number_of.find(part.vertices[first]);
+  if (vertex == left.number_of.end()) // all around it is open
+    return nullptr;
+  const BoundaryLoop* loop = loopAt(loops, vertex->second);
   return loop != nullptr && loop->vertices.size() == opening.border.size() ? loop
                                                                            : nullptr;
 }

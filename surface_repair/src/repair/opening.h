@@ -48,7 +48,7 @@ const BoundaryLoop*
 loopAt(const BoundaryLoops& loops, pcl::index_t vertex);
 
 /** \brief The loop that the border of an opening is in what is left of a part.
- * \return null where it touches something else in a point */
+ * \return null where it touches something else in a point, or an open boundary */
 const BoundaryLoop*
 loopOf(const Opening& opening,
        const ModelPart& part,

@@ -89,7 +89,7 @@ private:
   const ccaa::LoopContext& context_;
   const std::vector<pcl::index_t>& rim_;
   ccaa::Box box_;
-  std::vector<std::size_t> of_hole_; /**< of each triangle: 0 for the patch's */
+  std::vector<std::size_t> of_hole_; /**< of each triangle; NONE: it is no new one */
   double most_;                      /**< triangles that may run into something */
   const SurfaceObstacle& obstacle_;
   GrowingSurface surface_;
@@ -120,7 +120,7 @@ PatchMending::modelWith(const Patch& patch)
   }
   all.point_of_vertex.assign(all.positions.size(), pcl::UNAVAILABLE);
   of_hole_.assign(all.triangles.size(), NONE);
-  std::fill_n(of_hole_.begin(), patch.triangles.size(), 0U);
+  std::copy(patch.hole.begin(), patch.hole.end(), of_hole_.begin());
   return all;
 }
 
@@ -148,11 +148,11 @@ PatchMending::patch(std::vector<std::size_t>* triangles) const
       corner = entry->second;
     }
     now.triangles.push_back(triangle);
+    now.hole.push_back(surface_.hole[t]);
     if (triangles != nullptr)
       triangles->push_back(t);
   }
   now.free_point.assign(now.positions.size(), NONE);
-  now.hole.assign(now.triangles.size(), 0);
   return now;
 }
 
@@ -179,6 +179,7 @@ PatchMending::mend(const std::vector<std::size_t>& obstructed)
         std::binary_search(obstructed.begin(), obstructed.end(), whole.triangles[i]);
   const auto first = static_cast<std::size_t>(
       std::find(some.begin(), some.end(), true) - some.begin());
+  const std::size_t of_hole = surface_.hole[whole.triangles[first]];
   std::size_t opened = 0;
   for (const int rings : MENDED_RINGS) {
     const Opening opening = openFrom(whole, first, ringsAround(whole, some, rings));
@@ -188,7 +189,7 @@ PatchMending::mend(const std::vector<std::size_t>& obstructed)
       break;
     opened = now;
     const HoleOutcome outcome =
-        closeOpening(opening, whole, box_, place_, context_, 0, surface_);
+        closeOpening(opening, whole, box_, place_, context_, of_hole, surface_);
     if (outcome.open == OpenReason::NONE)
       return true;
   }

@@ -13,7 +13,8 @@ namespace repair {
  * itself, and close what is left open between the rest of the patch and the surface, in
  * wider and wider surroundings: inner vertices of the patch take part, where the rim's
  * alone leave no way around. \param[in] place of the patch; it is not mended within it
- * \param[in,out] patch of a single hole, without free points as vertices
+ * \param[in,out] patch without free points as vertices; what is filled anew is of the
+ * hole in which it runs into something
  * \return whether it is free now; else it stays as it is */
 bool
 mendPatch(const ClosingPlace& place,

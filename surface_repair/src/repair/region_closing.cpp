@@ -72,7 +72,9 @@ private:
   findCollisions();
   bool
   verify();
-  bool
+  void
+  keepForMending();
+  void
   mend();
   bool
   any(bool FillStrategy::*wanted) const;
@@ -92,7 +94,7 @@ private:
   std::array<std::vector<ChosenFilling>, 3>
       fillings_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
-  std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
+  std::vector<Patch> obstructed_patches_; /**< of all holes, as far as tried */
   std::vector<std::size_t> obstructed_;   /**< triangles of the patch as it is */
 };
 
@@ -352,8 +354,8 @@ RegionClosing::verify()
   std::set<std::size_t> obstructed;
   for (const std::size_t triangle : obstructed_)
     obstructed.insert(patch.hole[triangle]);
-  if (!obstructed.empty() && region_.holes.size() == 1 && !completed_.front())
-    obstructed_patches_.push_back(patch);
+  if (!obstructed.empty())
+    keepForMending();
   for (const std::size_t hole : obstructed)
     tryNext(hole, OpenReason::INTERSECTION);
   if (std::any_of(obstructed.begin(), obstructed.end(), [&](std::size_t hole) {
@@ -372,18 +374,35 @@ RegionClosing::verify()
   return false;
 }
 
-/** What was tried for a hole, filled anew where it runs into something. */
-bool
+/** A patch of all holes that has no free points as vertices. */
+void
+RegionClosing::keepForMending()
+{
+  const std::vector<std::size_t>& held = result_.patch.free_point;
+  if (std::find(strategy_.begin(), strategy_.end(), GIVEN_UP) == strategy_.end() &&
+      std::all_of(held.begin(), held.end(), [](std::size_t p) { return p == NONE; }))
+    obstructed_patches_.push_back(result_.patch);
+}
+
+/** Where nothing could be closed: what was tried, filled anew where it runs into
+ * something. */
+void
 RegionClosing::mend()
 {
+  const bool all_failed = std::all_of(
+      result_.holes.begin(), result_.holes.end(), [](const HoleOutcome& hole) {
+        return hole.open == OpenReason::INTERSECTION;
+      });
+  if (!all_failed)
+    return;
   for (Patch& patch : obstructed_patches_)
     if (mendPatch(place_, obstacle_, context_, patch) &&
         fitsModel(place_.model, patch)) {
       result_.patch = std::move(patch);
-      result_.holes.front().open = OpenReason::NONE;
-      return true;
+      for (HoleOutcome& hole : result_.holes)
+        hole.open = OpenReason::NONE;
+      return;
     }
-  return false;
 }
 
 ClosedRegion
@@ -396,7 +415,7 @@ RegionClosing::run()
     fair();
   }
   while (!context_.cancelled() && !verify());
-  if (place_.mends && result_.holes.front().open == OpenReason::INTERSECTION)
+  if (place_.mends)
     mend();
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)

@@ -159,6 +159,10 @@ fillRings(const std::vector<RingPolygon>& rings,
   Patch patch;
   Triangles triangles; // of vertices of the part
   for (const RingPolygon& ring : rings) {
+    if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [&](pcl::index_t v) {
+          return part.number_of.count(v) == 0;
+        }))
+      return {}; // nothing is left around it
     const auto in_part = [&](std::size_t k) {
       return part.number_of.at(ring.vertices[k]);
     };
