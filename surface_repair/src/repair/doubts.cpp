@@ -35,7 +35,7 @@ constexpr std::size_t FEWEST_SAMPLES = 4;
 constexpr double UNSURE = 0.5;
 constexpr double SURE = 0.75;
 
-/** New triangles that hang together. */
+/** New triangles that hang together, with crumbs among them. */
 struct NewPart {
   std::size_t piece = 0;
   double area = 0.0;
@@ -80,52 +80,81 @@ doubtOfJunctions(const std::vector<RepairJunction>& junctions)
 
 class NewParts {
 public:
-  NewParts(const RepairedModel& repaired, const RepairReport& report)
+  NewParts(const RepairedModel& repaired,
+           const RepairReport& report,
+           std::size_t crumb_triangles)
   : model_(repaired.model)
-  , first_new_(repaired.input_triangles)
   , report_(report)
   , doubt_of_junctions_(doubtOfJunctions(report.junctions))
-  {}
+  , is_new_(model_.triangles.size(), true)
+  {
+    std::fill_n(is_new_.begin(), repaired.input_triangles, false);
+    addCrumbs(repaired.input_triangles, crumb_triangles);
+  }
 
   /** By lowest triangle. */
   std::vector<NewPart>
   list() const
   {
-    const std::size_t count = model_.triangles.size() - first_new_;
-    if (count == 0)
+    if (std::find(is_new_.begin(), is_new_.end(), true) == is_new_.end())
       return {};
-    ccaa::DisjointSets sets(count);
-    for (std::size_t i = 0; i < count; ++i)
-      for (int corner = 0; corner < 3; ++corner)
-        if (const std::size_t other = newAcross(i, corner); other != NONE)
-          sets.join(i, other);
+    ccaa::DisjointSets sets = connected(true);
     std::map<std::size_t, std::vector<std::size_t>> parts;
-    for (std::size_t i = 0; i < count; ++i)
-      parts[sets.find(i)].push_back(i);
+    for (std::size_t t = 0; t < is_new_.size(); ++t)
+      if (is_new_[t])
+        parts[sets.find(t)].push_back(t);
     const ccaa::Islands pieces = ccaa::labelIslands(model_.adjacency);
     std::vector<NewPart> list;
     for (const auto& [lowest, triangles] : parts) {
       list.push_back(partOf(triangles));
-      list.back().piece = pieces[first_new_ + lowest];
+      list.back().piece = pieces[lowest];
     }
     return list;
   }
 
 private:
-  /** The new triangle, numbered from 0, beyond an edge of one, or NONE. */
+  /** Crumbs within a patch are part of it: they do not make it an annulus. */
+  void
+  addCrumbs(std::size_t input_triangles, std::size_t crumb_triangles)
+  {
+    ccaa::DisjointSets islands = connected(false);
+    std::vector<std::size_t> triangles(input_triangles, 0);
+    for (std::size_t t = 0; t < input_triangles; ++t)
+      ++triangles[islands.find(t)];
+    for (std::size_t t = 0; t < input_triangles; ++t)
+      is_new_[t] = triangles[islands.find(t)] < crumb_triangles;
+  }
+
+  /** New triangles, or all others, that have edges in common. */
+  ccaa::DisjointSets
+  connected(bool are_new) const
+  {
+    ccaa::DisjointSets sets(is_new_.size());
+    for (std::size_t t = 0; t < is_new_.size(); ++t)
+      for (int corner = 0; is_new_[t] == are_new && corner < 3; ++corner)
+        if (const std::size_t other = likeAcross(t, corner); other != NONE)
+          sets.join(t, other);
+    return sets;
+  }
+
+  /** The triangle beyond an edge of one, if it is new like that one, or is not; or
+   * NONE. */
   std::size_t
-  newAcross(std::size_t number, int corner) const
+  likeAcross(std::size_t triangle, int corner) const
   {
     const pcl::index_t other =
-        model_.adjacency.across(static_cast<pcl::index_t>(first_new_ + number), corner);
-    const auto first_new = static_cast<pcl::index_t>(first_new_);
-    return other < first_new ? NONE : static_cast<std::size_t>(other - first_new);
+        model_.adjacency.across(static_cast<pcl::index_t>(triangle), corner);
+    return other >= 0 && is_new_[static_cast<std::size_t>(other)] == is_new_[triangle]
+               ? static_cast<std::size_t>(other)
+               : NONE;
   }
 
   /** Of a triangle, 0 to 1: how little tells of what it stands for. */
   double
   doubtOf(std::size_t triangle) const
   {
+    if (report_.hole_of[triangle] == NONE)
+      return 0.0;
     const RepairedHole& hole = report_.holes[report_.hole_of[triangle]];
     const bool joins = hole.islands.size() > 1;
     if (report_.origins[triangle] == TriangleOrigin::COMPLETION ||
@@ -141,17 +170,17 @@ private:
     std::set<pcl::index_t> vertices;
     std::set<pcl::index_t> rim;
     for (const std::size_t number : triangles) {
-      const Triangle& triangle = model_.triangles[first_new_ + number];
+      const Triangle& triangle = model_.triangles[number];
       const ccaa::Corners corners = ccaa::cornersOf(triangle, model_.positions);
       const Eigen::Vector3d normal = 0.5 * ccaa::areaNormal(corners);
       const double area = normal.norm();
       part.area += area;
-      part.unsupported += doubtOf(first_new_ + number) * area;
+      part.unsupported += doubtOf(number) * area;
       part.out += normal;
       part.center += area / 3.0 * (corners[0] + corners[1] + corners[2]);
       vertices.insert(triangle.begin(), triangle.end());
       for (int i = 0; i < 3; ++i) {
-        if (newAcross(number, i) != NONE)
+        if (likeAcross(number, i) != NONE)
           continue;
         const auto from = static_cast<std::size_t>(i);
         const std::size_t to = (from + 1) % 3;
@@ -175,9 +204,9 @@ private:
   }
 
   const IncompleteModel& model_;
-  std::size_t first_new_;
   const RepairReport& report_;
   double doubt_of_junctions_;
+  std::vector<bool> is_new_; /**< of each triangle: it is, or a crumb */
 };
 
 double
@@ -262,7 +291,8 @@ doubtsAbout(const RepairedModel& repaired,
 {
   std::vector<NewPart> caps;
   double unsupported = 0.0;
-  for (const NewPart& part : NewParts(repaired, report).list()) {
+  for (const NewPart& part :
+       NewParts(repaired, report, parameters.crumb_triangles).list()) {
     unsupported += part.unsupported;
     if (part.is_disc && part.area > 0.0)
       caps.push_back(part);

@@ -17,7 +17,8 @@ namespace repair {
  *
  * TUNNEL: two caps of areas A, B on opposite sides of a piece, with rims of lengths L,
  * M and a distance h between them: (L + M) / 2 h, the area of a tube between the rims,
- * is at most 1.25 (A + B). None where the user does not want
+ * is at most 1.25 (A + B). Crumbs within a cap
+ * are part of it. None where the user does not want
  * the two joined.
  *
  * LONG_GAP: a junction is joined although its odds are low, since the mouth of a tube

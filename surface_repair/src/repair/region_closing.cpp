@@ -94,7 +94,7 @@ private:
   std::array<std::vector<ChosenFilling>, 3>
       fillings_; /**< of the parts: plain, avoiding, and basic ones avoiding */
   ClosedRegion result_;
-  std::vector<Patch> obstructed_patches_; /**< of all holes, as far as tried */
+  std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
   std::vector<std::size_t> obstructed_;   /**< triangles of the patch as it is */
 };
 
@@ -374,33 +374,26 @@ RegionClosing::verify()
   return false;
 }
 
-/** A patch of all holes that has no free points as vertices. */
+/** A patch of a single hole that has no free points as vertices. Of holes that bridges
+ * connect one is wrong, rather than all: they are tried one by one. */
 void
 RegionClosing::keepForMending()
 {
   const std::vector<std::size_t>& held = result_.patch.free_point;
-  if (std::find(strategy_.begin(), strategy_.end(), GIVEN_UP) == strategy_.end() &&
+  if (region_.holes.size() == 1 &&
       std::all_of(held.begin(), held.end(), [](std::size_t p) { return p == NONE; }))
     obstructed_patches_.push_back(result_.patch);
 }
 
-/** Where nothing could be closed: what was tried, filled anew where it runs into
- * something. */
+/** What was tried, filled anew where it runs into something. */
 void
 RegionClosing::mend()
 {
-  const bool all_failed = std::all_of(
-      result_.holes.begin(), result_.holes.end(), [](const HoleOutcome& hole) {
-        return hole.open == OpenReason::INTERSECTION;
-      });
-  if (!all_failed)
-    return;
   for (Patch& patch : obstructed_patches_)
     if (mendPatch(place_, obstacle_, context_, patch) &&
         fitsModel(place_.model, patch)) {
       result_.patch = std::move(patch);
-      for (HoleOutcome& hole : result_.holes)
-        hole.open = OpenReason::NONE;
+      result_.holes.front().open = OpenReason::NONE;
       return;
     }
 }
@@ -415,7 +408,7 @@ RegionClosing::run()
     fair();
   }
   while (!context_.cancelled() && !verify());
-  if (place_.mends)
+  if (place_.mends && result_.holes.front().open == OpenReason::INTERSECTION)
     mend();
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)

@@ -46,6 +46,19 @@ TEST(Doubts, OppositeHolesOfAPlateMayBeATunnel)
   }
 }
 
+TEST(Doubts, ACrumbWithinACapDoesNotHideATunnel)
+{
+  Shape crumb;
+  for (const double angle : {0.0, 2.0, 4.0})
+    crumb.vertices.emplace_back(0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.145);
+  crumb.triangles.push_back({0, 1, 2});
+  const Repaired result = repaired(joined(discWithOppositeHoles(0.15), crumb));
+  EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  ASSERT_FALSE(result.report.doubts.empty());
+  EXPECT_EQ(DoubtReason::TUNNEL, result.report.doubts.front().reason);
+}
+
 TEST(Doubts, OppositeHolesOfAThickBodyAreNone)
 {
   const Repaired result = repaired(discWithOppositeHoles(1.0));
