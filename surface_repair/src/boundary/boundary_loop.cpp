@@ -14,5 +14,17 @@ lengthOf(const BoundaryCurve& curve)
   return length;
 }
 
+pcl::index_t
+lowestPoint(const IncompleteModel& model, const std::vector<pcl::index_t>& vertices)
+{
+  pcl::index_t lowest = pcl::UNAVAILABLE;
+  for (const pcl::index_t vertex : vertices) {
+    const pcl::index_t point = model.point_of_vertex[static_cast<std::size_t>(vertex)];
+    if (point != pcl::UNAVAILABLE && (lowest == pcl::UNAVAILABLE || point < lowest))
+      lowest = point;
+  }
+  return lowest;
+}
+
 } // namespace repair
 } // namespace pcl

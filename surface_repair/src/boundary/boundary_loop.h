@@ -55,6 +55,11 @@ struct BoundaryLoop {
   double length = 0.0;                 /**< units of the cloud */
 };
 
+/** \brief The lowest point of the cloud that some vertices have; UNAVAILABLE where
+ * none has one. */
+pcl::index_t
+lowestPoint(const IncompleteModel& model, const std::vector<pcl::index_t>& vertices);
+
 using BoundaryLoops = std::vector<BoundaryLoop>;
 
 } // namespace repair

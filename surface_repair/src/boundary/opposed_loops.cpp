@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -52,6 +53,17 @@ lookAlong(const BoundaryLoop& loop)
     looking.box.extend(curve.points[k]);
   }
   return looking;
+}
+
+/** The loop that most points see. \param[in] seeing points, by the loop they see */
+std::size_t
+seenByMost(const std::map<std::size_t, std::size_t>& seeing, std::size_t points)
+{
+  for (const auto& [loop, count] : seeing)
+    if (loop != NONE &&
+        static_cast<double>(count) > LEAST_SHARE * static_cast<double>(points))
+      return loop;
+  return NONE;
 }
 
 /** Distance to the nearest point of a loop that is seen from a place and looks back;
@@ -108,12 +120,8 @@ public:
       }
       ++seeing[seen];
     }
-    for (const auto& [other, points] : seeing)
-      if (other != NONE && other != loop &&
-          static_cast<double>(points) >
-              LEAST_SHARE * static_cast<double>(own.points.size()))
-        return other;
-    return NONE;
+    const std::size_t most = seenByMost(seeing, own.points.size());
+    return most == loop ? NONE : most;
   }
 
 private:
@@ -131,29 +139,28 @@ loopAhead(const BoundaryLoops& loops, std::size_t mouth)
   for (const Direction& conormal : own.conormals)
     axis += conormal;
   axis.normalize();
+  const double farthest = AHEAD * own.length;
+  const ccaa::Box within = ccaa::widened(own.box, farthest);
+  std::vector<std::pair<Position, std::size_t>> others; // points, and their loops
+  for (std::size_t other = 0; other < loops.size(); ++other)
+    for (const Position& point : loops[other].curve.points)
+      if (other != mouth && within.contains(point))
+        others.emplace_back(point, other);
   std::map<std::size_t, std::size_t> seeing; // points, by the loop ahead
   for (const Position& point : own.points) {
-    double nearest = AHEAD * own.length;
+    double nearest = farthest;
     std::size_t seen = NONE;
-    for (std::size_t other = 0; other < loops.size(); ++other) {
-      if (other == mouth)
-        continue;
-      for (const Position& there : loops[other].curve.points) {
-        const Eigen::Vector3d view = there - point;
-        const double distance = view.norm();
-        if (distance < nearest && axis.dot(view) > AHEAD_VIEW * distance) {
-          nearest = distance;
-          seen = other;
-        }
+    for (const auto& [there, loop] : others) {
+      const Eigen::Vector3d view = there - point;
+      const double distance = view.norm();
+      if (distance < nearest && axis.dot(view) > AHEAD_VIEW * distance) {
+        nearest = distance;
+        seen = loop;
       }
     }
     ++seeing[seen];
   }
-  for (const auto& [other, points] : seeing)
-    if (other != NONE && static_cast<double>(points) >
-                             LEAST_SHARE * static_cast<double>(own.points.size()))
-      return other;
-  return NONE;
+  return seenByMost(seeing, own.points.size());
 }
 
 std::vector<std::size_t>

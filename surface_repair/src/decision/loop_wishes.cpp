@@ -23,12 +23,9 @@ keyOf(const IncompleteModel& model, const BoundaryLoop& loop)
 {
   LoopKey key;
   key.edges = loop.vertices.size();
-  for (const pcl::index_t vertex : loop.vertices) {
-    const pcl::index_t point = model.point_of_vertex[static_cast<std::size_t>(vertex)];
-    if (point != pcl::UNAVAILABLE && (key.point < 0 || point < key.point))
-      key.point = point;
+  key.point = lowestPoint(model, loop.vertices);
+  for (const pcl::index_t vertex : loop.vertices)
     key.center += model.positions[static_cast<std::size_t>(vertex)];
-  }
   key.center /= static_cast<double>(std::max<std::size_t>(key.edges, 1));
   return key;
 }

@@ -8,7 +8,6 @@
 #include "boundary/classification.h"
 #include "field/float_tree.h"
 #include "mesh/corners.h"
-#include "mesh/disjoint_sets.h"
 
 #include <algorithm>
 #include <array>
@@ -96,18 +95,20 @@ public:
   std::vector<NewPart>
   list() const
   {
-    if (std::find(is_new_.begin(), is_new_.end(), true) == is_new_.end())
-      return {};
-    ccaa::DisjointSets sets = connected(true);
-    std::map<std::size_t, std::vector<std::size_t>> parts;
+    std::vector<std::vector<std::size_t>> parts;
+    std::vector<bool> is_seen(is_new_.size(), false);
     for (std::size_t t = 0; t < is_new_.size(); ++t)
-      if (is_new_[t])
-        parts[sets.find(t)].push_back(t);
+      if (is_new_[t] && !is_seen[t]) {
+        parts.push_back(connectedWith(t, is_new_.size(), is_seen));
+        std::sort(parts.back().begin(), parts.back().end());
+      }
+    if (parts.empty())
+      return {};
     const ccaa::Islands pieces = ccaa::labelIslands(model_.adjacency);
     std::vector<NewPart> list;
-    for (const auto& [lowest, triangles] : parts) {
+    for (const std::vector<std::size_t>& triangles : parts) {
       list.push_back(partOf(triangles));
-      list.back().piece = pieces[lowest];
+      list.back().piece = pieces[triangles.front()];
     }
     return list;
   }
@@ -117,24 +118,38 @@ private:
   void
   addCrumbs(std::size_t input_triangles, std::size_t crumb_triangles)
   {
-    ccaa::DisjointSets islands = connected(false);
-    std::vector<std::size_t> triangles(input_triangles, 0);
-    for (std::size_t t = 0; t < input_triangles; ++t)
-      ++triangles[islands.find(t)];
-    for (std::size_t t = 0; t < input_triangles; ++t)
-      is_new_[t] = triangles[islands.find(t)] < crumb_triangles;
+    std::vector<bool> is_seen(is_new_.size(), false);
+    for (std::size_t t = input_triangles; t < is_new_.size(); ++t)
+      for (int corner = 0; corner < 3; ++corner) {
+        const pcl::index_t across =
+            model_.adjacency.across(static_cast<pcl::index_t>(t), corner);
+        if (across < 0 || is_new_[static_cast<std::size_t>(across)])
+          continue;
+        const std::vector<std::size_t> island =
+            connectedWith(static_cast<std::size_t>(across), crumb_triangles, is_seen);
+        for (const std::size_t triangle : island) {
+          is_seen[triangle] = false;
+          is_new_[triangle] = island.size() < crumb_triangles;
+        }
+      }
   }
 
-  /** New triangles, or all others, that have edges in common. */
-  ccaa::DisjointSets
-  connected(bool are_new) const
+  /** Triangles that edges connect with one and that are new like it, or are not: all
+   * that there are, or as many as are enough. */
+  std::vector<std::size_t>
+  connectedWith(std::size_t first, std::size_t enough, std::vector<bool>& is_seen) const
   {
-    ccaa::DisjointSets sets(is_new_.size());
-    for (std::size_t t = 0; t < is_new_.size(); ++t)
-      for (int corner = 0; is_new_[t] == are_new && corner < 3; ++corner)
-        if (const std::size_t other = likeAcross(t, corner); other != NONE)
-          sets.join(t, other);
-    return sets;
+    std::vector<std::size_t> found{first};
+    is_seen[first] = true;
+    for (std::size_t i = 0; i < found.size() && found.size() < enough; ++i)
+      for (int corner = 0; corner < 3; ++corner) {
+        const std::size_t other = likeAcross(found[i], corner);
+        if (other == NONE || is_seen[other])
+          continue;
+        is_seen[other] = true;
+        found.push_back(other);
+      }
+    return found;
   }
 
   /** The triangle beyond an edge of one, if it is new like that one, or is not; or
@@ -194,12 +209,7 @@ private:
     // Each triangle has three edges, and all but those of the rim have two triangles:
     // with as many edges as vertices on it, V - E + F is V - R / 2 - F / 2.
     part.is_disc = 2 * vertices.size() == triangles.size() + rim.size() + 2;
-    for (const pcl::index_t vertex : rim) {
-      const pcl::index_t point =
-          model_.point_of_vertex[static_cast<std::size_t>(vertex)];
-      if (point >= 0 && (part.point < 0 || point < part.point))
-        part.point = point;
-    }
+    part.point = lowestPoint(model_, {rim.begin(), rim.end()});
     return part;
   }
 

@@ -17,21 +17,20 @@ namespace repair {
  *
  * TUNNEL: two caps of areas A, B on opposite sides of a piece, with rims of lengths L,
  * M and a distance h between them: (L + M) / 2 h, the area of a tube between the rims,
- * is at most 1.25 (A + B). Crumbs within a cap
- * are part of it. None where the user does not want
- * the two joined.
+ * is at most 1.25 (A + B). Crumbs within a cap are part of it. None where the user does
+ * not want the two joined.
  *
  * LONG_GAP: a junction is joined although its odds are low, since the mouth of a tube
  * has no other partner (joinLoneStumps()). None where the user wants the two joined.
  *
  * UNSUPPORTED, of a body (isSeenFromAllSides()): those of COMPLETION have measured
  * corners, samples support what joins stumps over them, and a flat patch is where
- * something stood. Nothing supports
- * the others within one island, and those between islands are supported by the
- * junctions: w = (0.75 - c) / 0.25, at least 0 and at most 1, of their area counts as
- * unsupported, where c is the confidence of the weakest junction that is joined. The
- * doubt: it is more than RepairParameters::greatest_unsupported of the whole area.
- * CloseChoice::ALL asks for it, and gives none.
+ * something stood. Nothing supports the others within one island, and those between
+ * islands are supported by the junctions: w = (0.75 - c) / 0.25, at least 0 and at most
+ * 1, of their area counts as unsupported, where c is the confidence of the weakest
+ * junction that is joined. The doubt: it is more than
+ * RepairParameters::greatest_unsupported of the whole area. CloseChoice::ALL asks for
+ * it, and gives none.
  *
  * Cost: n log n in the new triangles and linear in all.
  * \param[in] repaired with its adjacency

@@ -179,11 +179,8 @@ closeHoles(const RepairParameters& parameters,
   closed.used.assign(survey.model.free_points.size(), false);
   log.beginPass();
   const SurveyGuides none;
-  const ClosingPlace place{survey.model,
-                           survey.guides ? *survey.guides : none,
-                           parameters,
-                           frame.float_positions,
-                           frame.origin};
+  const ClosingPlace place{
+      survey.model, survey.guides ? *survey.guides : none, parameters, frame};
   for (std::size_t r = 0; r < regions.size() && !context.cancelled(); ++r) {
     const ClosedRegion region = closeRegion(place, regions[r], obstacle, context);
     accept(region, list.regions[r], list, survey.model, closed, log);

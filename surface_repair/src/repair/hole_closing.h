@@ -35,12 +35,6 @@ struct ClosedHoles {
   Failures failed;
 };
 
-/** \brief How the cloud holds positions. */
-struct CloudFrame {
-  bool float_positions = true;
-  Position origin = Position::Zero(); /**< of the model, in the frame of these floats */
-};
-
 /** \brief Close the regions of a list one after the other (see closeRegion()).
  * \param[in,out] list its welded vertices are forgotten when nothing could be closed
  * \param[in,out] survey points in which holes meet are one vertex afterwards, see

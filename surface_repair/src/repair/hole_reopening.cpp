@@ -28,12 +28,8 @@ class HoleReopening {
 public:
   HoleReopening(const BoundaryLoop& loop, const Course& course, GrowingSurface& surface)
   : loop_(loop)
-  , place_{course.survey.model,
-           none_,
-           course.parameters,
-           course.frame.float_positions,
-           course.frame.origin,
-           false}
+  , parameters_(course.parameters)
+  , frame_(course.frame)
   , context_(course.context)
   , surface_(surface)
   {}
@@ -45,8 +41,8 @@ public:
 
 private:
   const BoundaryLoop& loop_;
-  const SurveyGuides none_;
-  const ClosingPlace place_;
+  const RepairParameters& parameters_;
+  const CloudFrame& frame_;
   const ccaa::LoopContext& context_;
   GrowingSurface& surface_;
   ccaa::Box around_;
@@ -88,8 +84,8 @@ HoleReopening::run(std::size_t of_hole)
     if (now == opened || context_.cancelled())
       break; // nothing more can be opened
     opened = now;
-    outcome =
-        closeOpening(opening, part_, around_, place_, context_, of_hole, surface_);
+    outcome = closeOpening(
+        opening, part_, around_, parameters_, frame_, context_, of_hole, surface_);
     if (outcome.open == OpenReason::NONE)
       break;
   }
@@ -102,7 +98,8 @@ HoleOutcome
 closeOpening(const Opening& opening,
              const ModelPart& part,
              const ccaa::Box& around,
-             const ClosingPlace& place,
+             const RepairParameters& parameters,
+             const CloudFrame& frame,
              const ccaa::LoopContext& context,
              std::size_t of_hole,
              GrowingSurface& surface)
@@ -120,11 +117,9 @@ closeOpening(const Opening& opening,
   Region region;
   region.holes.push_back(polygonOf(*loop));
   region.is_certain.push_back(true);
-  const SurveyGuides guides;
-  const ClosingPlace here{
-      left.model, guides, place.parameters, place.float_positions, place.origin, false};
   const SurfaceObstacle obstacle(left.model, {box});
-  const ClosedRegion closed = closeRegion(here, region, obstacle, context);
+  const ClosedRegion closed =
+      closeRegion(withinPart(left.model, parameters, frame), region, obstacle, context);
   if (closed.holes.front().open == OpenReason::NONE &&
       !isFree(closed.patch, box, obstacle))
     return outcome;

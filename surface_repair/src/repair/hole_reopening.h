@@ -20,14 +20,14 @@ namespace repair {
  * with the hole that it was grown from.
  * \param[in] part of the surface that has the opening
  * \param[in] around beyond which nothing is known
- * \param[in] place parameters and frame; its model is not used
  * \param[in] of_hole that new triangles close
  * \return how; still open where there is no way, and then the surface is as it was */
 HoleOutcome
 closeOpening(const Opening& opening,
              const ModelPart& part,
              const ccaa::Box& around,
-             const ClosingPlace& place,
+             const RepairParameters& parameters,
+             const CloudFrame& frame,
              const ccaa::LoopContext& context,
              std::size_t of_hole,
              GrowingSurface& surface);

@@ -31,6 +31,13 @@ constexpr int MOST_PARTS = 32;
 constexpr double MOST_OBSTRUCTED = 0.05;
 constexpr double FEW_OBSTRUCTED = 8.0;
 
+std::size_t
+mostObstructed(const Patch& patch)
+{
+  return static_cast<std::size_t>(std::max(
+      FEW_OBSTRUCTED, MOST_OBSTRUCTED * static_cast<double>(patch.triangles.size())));
+}
+
 /** A patch and the surface around it. Vertices are numbered as in the patch, then those
  * of the surface, then new ones. */
 class PatchMending {
@@ -43,8 +50,7 @@ public:
   , context_(context)
   , rim_(patch.rim)
   , box_(boxAround(patch))
-  , most_(std::max(FEW_OBSTRUCTED,
-                   MOST_OBSTRUCTED * static_cast<double>(patch.triangles.size())))
+  , most_(mostObstructed(patch))
   , obstacle_(obstacle)
   , surface_(modelWith(patch), of_hole_)
   {}
@@ -57,8 +63,7 @@ public:
       const std::vector<std::size_t> obstructed = obstructedNow();
       if (obstructed.empty())
         return true;
-      if (static_cast<double>(obstructed.size()) > most_ || parts == MOST_PARTS ||
-          !mend(obstructed))
+      if (obstructed.size() > most_ || parts == MOST_PARTS || !mend(obstructed))
         break;
     }
     return false;
@@ -90,7 +95,7 @@ private:
   const std::vector<pcl::index_t>& rim_;
   ccaa::Box box_;
   std::vector<std::size_t> of_hole_; /**< of each triangle; NONE: it is no new one */
-  double most_;                      /**< triangles that may run into something */
+  std::size_t most_;                 /**< triangles that may run into something */
   const SurfaceObstacle& obstacle_;
   GrowingSurface surface_;
 };
@@ -188,8 +193,14 @@ PatchMending::mend(const std::vector<std::size_t>& obstructed)
     if (now == opened || opening.border.size() > LONGEST_MENDED || context_.cancelled())
       break;
     opened = now;
-    const HoleOutcome outcome =
-        closeOpening(opening, whole, box_, place_, context_, of_hole, surface_);
+    const HoleOutcome outcome = closeOpening(opening,
+                                             whole,
+                                             box_,
+                                             place_.parameters,
+                                             place_.frame,
+                                             context_,
+                                             of_hole,
+                                             surface_);
     if (outcome.open == OpenReason::NONE)
       return true;
   }
@@ -204,6 +215,9 @@ mendPatch(const ClosingPlace& place,
           const ccaa::LoopContext& context,
           Patch& patch)
 {
+  // The surroundings are looked for in the whole model: not for nothing.
+  if (obstructedTriangles(patch, obstacle).size() > mostObstructed(patch))
+    return false;
   PatchMending mending(place, obstacle, context, patch);
   if (!mending.run())
     return false;

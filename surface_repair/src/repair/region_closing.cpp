@@ -323,8 +323,8 @@ RegionClosing::relax()
 void
 RegionClosing::findCollisions()
 {
-  if (place_.float_positions)
-    roundToFloats(place_.origin, result_.patch);
+  if (place_.frame.float_positions)
+    roundToFloats(place_.frame.origin, result_.patch);
   obstructed_ = obstructedTriangles(result_.patch, obstacle_);
 }
 
@@ -354,7 +354,7 @@ RegionClosing::verify()
   std::set<std::size_t> obstructed;
   for (const std::size_t triangle : obstructed_)
     obstructed.insert(patch.hole[triangle]);
-  if (!obstructed.empty())
+  if (!obstructed.empty() && place_.mends)
     keepForMending();
   for (const std::size_t hole : obstructed)
     tryNext(hole, OpenReason::INTERSECTION);
@@ -408,7 +408,7 @@ RegionClosing::run()
     fair();
   }
   while (!context_.cancelled() && !verify());
-  if (place_.mends && result_.holes.front().open == OpenReason::INTERSECTION)
+  if (result_.holes.front().open == OpenReason::INTERSECTION)
     mend();
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)
@@ -417,6 +417,15 @@ RegionClosing::run()
 }
 
 } // namespace
+
+ClosingPlace
+withinPart(const IncompleteModel& model,
+           const RepairParameters& parameters,
+           const CloudFrame& frame)
+{
+  static const SurveyGuides none{};
+  return {model, none, parameters, frame, false};
+}
 
 ClosedRegion
 closeRegion(const ClosingPlace& place,

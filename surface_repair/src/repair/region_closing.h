@@ -16,15 +16,26 @@
 namespace pcl {
 namespace repair {
 
+/** \brief How the cloud holds positions: new vertices get places that it can hold. */
+struct CloudFrame {
+  bool float_positions = true;
+  Position origin = Position::Zero(); /**< of the model, in the frame of these floats */
+};
+
 /** \brief What regions are closed in. All of it must outlive the closing. */
 struct ClosingPlace {
   const IncompleteModel& model;
   const SurveyGuides& guides;
   const RepairParameters& parameters; /**< those of the survey tell what is simple */
-  bool float_positions = true; /**< new vertices get places that a float can hold */
-  Position origin = Position::Zero(); /**< of the model, in the frame of these floats */
+  CloudFrame frame;
   bool mends = true; /**< patches that run into something are filled anew there */
 };
+
+/** \brief A part of a model, where nothing guides and nothing is mended in turn. */
+ClosingPlace
+withinPart(const IncompleteModel& model,
+           const RepairParameters& parameters,
+           const CloudFrame& frame);
 
 /** \brief Holes to be closed together: bridges run between them. */
 struct Region {

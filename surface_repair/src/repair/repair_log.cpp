@@ -85,12 +85,7 @@ RepairLog::noteJunctions()
     entry.pass = pass_;
     for (std::size_t side = 0; side < 2; ++side) {
       const BoundaryLoop& loop = survey_.loops[joined.loops[junction.curves[side]]];
-      for (const pcl::index_t vertex : loop.vertices) {
-        const pcl::index_t point = pointOf(vertex);
-        pcl::index_t& lowest = entry.points[side];
-        if (point != pcl::UNAVAILABLE && (lowest < 0 || point < lowest))
-          lowest = point;
-      }
+      entry.points[side] = lowestPoint(survey_.model, loop.vertices);
       entry.islands[side] = loop.island;
     }
     entry.lines = junction.lines.size();

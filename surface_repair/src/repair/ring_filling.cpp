@@ -243,13 +243,7 @@ closeRings(const std::vector<RingPolygon>& rings,
 {
   const IncompleteModel& model = place.left.model;
   const SurfaceObstacle obstacle(model, {place.box});
-  const SurveyGuides guides;
-  const ClosingPlace here{model,
-                          guides,
-                          course.parameters,
-                          course.frame.float_positions,
-                          course.frame.origin,
-                          false};
+  const ClosingPlace here = withinPart(model, course.parameters, course.frame);
   const auto take = [&](const Patch& patch) {
     if (!isFree(patch, place.box, obstacle) || !fitsModel(model, patch))
       return false;

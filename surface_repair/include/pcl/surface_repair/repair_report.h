@@ -50,10 +50,10 @@ struct RepairBridge {
 /** \brief Two boundary loops that force lines connect, and what was decided. */
 struct RepairJunction {
   std::size_t pass = 0; /**< of the repair that judged it, from 1 */
-  std::array<pcl::index_t, 2> points{-1,
-                                     -1}; /**< of the cloud, the lowest on each loop */
-  std::array<std::size_t, 2> islands{};   /**< of that pass */
-  std::size_t lines = 0;                  /**< that lead from one to the other */
+  /** Of the cloud, the lowest on each loop. */
+  std::array<pcl::index_t, 2> points{-1, -1};
+  std::array<std::size_t, 2> islands{}; /**< of that pass */
+  std::size_t lines = 0;                /**< that lead from one to the other */
   repair::JunctionEvidence evidence;
   repair::JunctionVerdict verdict = repair::JunctionVerdict::JOINED;
   double confidence = 0.0; /**< 0 to 1 */
@@ -143,8 +143,9 @@ struct RepairDoubt {
   DoubtReason reason = DoubtReason::TUNNEL;
   std::array<pcl::index_t, 2> points{-1, -1}; /**< of the cloud, the lowest on the rim
                                                  of each cap; of a TUNNEL, ascending */
-  double ratio = 0.0; /**< area of the tube in that of the two caps, or of what nothing
-                           supports in that of all */
+  double ratio = 0.0; /**< area of the tube in that of the two caps, of what nothing
+                           supports in that of all, or a gap in the extent of the
+                           smaller boundary */
 };
 
 /** \brief What one run of ForceLineHoleRepair found and did. */
