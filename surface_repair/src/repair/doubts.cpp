@@ -30,6 +30,10 @@ constexpr double OPPOSITE = 0.8;
 constexpr double FLAT = 0.999;
 /** Measured vertices that support what is new. */
 constexpr std::size_t FEWEST_SAMPLES = 4;
+/** Log odds above those from which junctions are joined that leave no doubt. */
+constexpr double MARGIN = 0.2;
+/** Part of the limit that holds for a surface with handles: it may have lost more. */
+constexpr double LIMIT_WITH_HANDLES = 0.25;
 /** Confidence of a junction up to which it supports nothing, and from which all. */
 constexpr double UNSURE = 0.5;
 constexpr double SURE = 0.75;
@@ -66,7 +70,7 @@ decidedLoops(const Decisions* decisions, bool join)
   return pairs;
 }
 
-/** How little the junctions tell of what lies between islands, 0 to 1. */
+/** How little the junctions tell of what lies between loops, 0 to 1. */
 double
 doubtOfJunctions(const std::vector<RepairJunction>& junctions)
 {
@@ -171,7 +175,11 @@ private:
     if (report_.hole_of[triangle] == NONE)
       return 0.0;
     const RepairedHole& hole = report_.holes[report_.hole_of[triangle]];
-    const bool joins = hole.islands.size() > 1;
+    const bool joins =
+        hole.islands.size() > 1 ||
+        std::any_of(hole.bridges.begin(), hole.bridges.end(), [&](std::size_t bridge) {
+          return !report_.bridges[bridge].within_hole;
+        });
     if (report_.origins[triangle] == TriangleOrigin::COMPLETION ||
         (joins && hole.bridges.empty() && hole.free_points >= FEWEST_SAMPLES))
       return 0.0;
@@ -271,10 +279,10 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
   return tunnels;
 }
 
-/** Junctions that are joined only because there is no better one: by their points,
- * ascending. */
+/** Junctions that are joined on evidence that hardly decides, or only because there is
+ * no better one: by their points, ascending. */
 std::vector<RepairDoubt>
-loneJunctions(const RepairReport& report, const SurveyParameters& parameters)
+weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
 {
   const std::set<PointPair> wanted = decidedLoops(parameters.decisions.get(), true);
   std::map<PointPair, double> gaps;
@@ -282,14 +290,14 @@ loneJunctions(const RepairReport& report, const SurveyParameters& parameters)
     const PointPair points = {std::min(junction.points[0], junction.points[1]),
                               std::max(junction.points[0], junction.points[1])};
     if (parameters.junction.judge && junction.verdict == JunctionVerdict::JOINED &&
-        junction.evidence.logOdds() < parameters.junction.joined_from &&
+        junction.evidence.logOdds() < parameters.junction.joined_from + MARGIN &&
         wanted.count(points) == 0)
       gaps[points] = junction.evidence.gap_share;
   }
-  std::vector<RepairDoubt> lone;
+  std::vector<RepairDoubt> weak;
   for (const auto& [points, gap] : gaps)
-    lone.push_back({DoubtReason::LONG_GAP, points, gap});
-  return lone;
+    weak.push_back({DoubtReason::LONG_GAP, points, gap});
+  return weak;
 }
 
 } // namespace
@@ -309,15 +317,19 @@ doubtsAbout(const RepairedModel& repaired,
   }
   std::vector<RepairDoubt> doubts =
       tunnelsOf(caps, decidedLoops(parameters.survey.decisions.get(), false));
-  const std::vector<RepairDoubt> lone = loneJunctions(report, parameters.survey);
-  doubts.insert(doubts.end(), lone.begin(), lone.end());
+  const std::vector<RepairDoubt> weak = weakJunctions(report, parameters.survey);
+  doubts.insert(doubts.end(), weak.begin(), weak.end());
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =
       parameters.watertight || parameters.filling.close == CloseChoice::ALL;
   const auto is_body = [&] {
     return isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
   };
-  if (share > parameters.greatest_unsupported && !is_asked_for && is_body())
+  const double limit =
+      parameters.greatest_unsupported >= 1.0 || report.after.genus.value_or(0) <= 0
+          ? parameters.greatest_unsupported
+          : LIMIT_WITH_HANDLES * parameters.greatest_unsupported;
+  if (share > limit && !is_asked_for && is_body())
     doubts.push_back({DoubtReason::UNSUPPORTED, {-1, -1}, share});
   return doubts;
 }

@@ -20,16 +20,18 @@ namespace repair {
  * is at most 1.25 (A + B). Crumbs within a cap are part of it. None where the user does
  * not want the two joined.
  *
- * LONG_GAP: a junction is joined although its odds are low, since the mouth of a tube
- * has no other partner (joinLoneStumps()). None where the user wants the two joined.
+ * LONG_GAP: a junction is joined although its log odds are low, since the mouth of a
+ * tube has no other partner (joinLoneStumps()), or are at most 0.2 above what joins.
+ * None where the user wants the two joined.
  *
  * UNSUPPORTED, of a body (isSeenFromAllSides()): those of COMPLETION have measured
  * corners, samples support what joins stumps over them, and a flat patch is where
- * something stood. Nothing supports the others within one island, and those between
- * islands are supported by the junctions: w = (0.75 - c) / 0.25, at least 0 and at most
- * 1, of their area counts as unsupported, where c is the confidence of the weakest
+ * something stood. Nothing supports the others within one loop, and those between loops
+ * are supported by the junctions: w = (0.75 - c) / 0.25, at least 0 and at most 1, of
+ * their area counts as unsupported, where c is the confidence of the weakest
  * junction that is joined. The doubt: it is more than
- * RepairParameters::greatest_unsupported of the whole area. CloseChoice::ALL asks for
+ * RepairParameters::greatest_unsupported of the whole area, or than a quarter of that
+ * where the surface has handles: it may have lost another. CloseChoice::ALL asks for
  * it, and gives none.
  *
  * Cost: n log n in the new triangles and linear in all.

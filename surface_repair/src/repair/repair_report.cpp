@@ -48,8 +48,9 @@ describe(DoubtReason reason)
   case DoubtReason::TUNNEL:
     return "two holes that were closed may be the mouths of a tunnel";
   case DoubtReason::LONG_GAP:
-    return "two boundaries were joined over a long gap since there is no better "
-           "partner";
+    return "two boundaries were joined over a long gap on evidence that hardly "
+           "decides, "
+           "or since there is no better partner";
   case DoubtReason::UNSUPPORTED:
     return "so much of the surface is new that more may be lost than can be told";
   }

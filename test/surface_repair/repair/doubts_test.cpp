@@ -143,11 +143,55 @@ TEST(Doubts, AFlatCapIsWhereSomethingStood)
   EXPECT_TRUE(result.report.complete());
 }
 
+/** A twelfth of the area is lost on one side. */
+TEST(Doubts, ASurfaceWithHandlesMayHaveLostAnother)
+{
+  const auto is_lost = [](const Position& p) { return p.x() > 1.1; };
+  const Repaired ring = repaired(lacking(torus(96, 48), is_lost));
+  EXPECT_EQ(0, topologyOf(ring.triangles()).characteristic);
+  ASSERT_EQ(1U, ring.report.doubts.size());
+  EXPECT_EQ(DoubtReason::UNSUPPORTED, ring.report.doubts.front().reason);
+  EXPECT_GT(ring.report.doubts.front().ratio, 0.05);
+  EXPECT_LT(ring.report.doubts.front().ratio, 0.2);
+  RepairParameters parameters;
+  parameters.greatest_unsupported = 1.0;
+  EXPECT_TRUE(repaired(lacking(torus(96, 48), is_lost), parameters).report.complete());
+}
+
+/** A sphere without a belt. */
+Shape
+twoBowls()
+{
+  return lacking(icosphere(4),
+                 [](const Position& p) { return std::abs(p.z()) < 0.25; });
+}
+
+/** A junction is joined with so little to spare. */
+Repaired
+joinedBy(double margin)
+{
+  RepairParameters parameters;
+  parameters.survey.junction.joined_from =
+      repaired(twoBowls()).report.junctions.front().evidence.logOdds() - margin;
+  return repaired(twoBowls(), parameters);
+}
+
+TEST(Doubts, AJunctionThatIsJustJoinedIsOne)
+{
+  const Repaired result = joinedBy(0.1);
+  ASSERT_FALSE(result.report.doubts.empty());
+  EXPECT_EQ(DoubtReason::LONG_GAP, result.report.doubts.front().reason);
+}
+
+TEST(Doubts, AJunctionWithOddsToSpareIsNone)
+{
+  EXPECT_TRUE(joinedBy(2.0).report.complete());
+}
+
 /** Between pieces the junctions support what is new. */
 TEST(Doubts, SureJunctionsSupportWhatIsNewBetweenIslands)
 {
-  const Repaired result = repaired(
-      lacking(icosphere(4), [](const Position& p) { return std::abs(p.z()) < 0.25; }));
+  const Repaired result = repaired(twoBowls());
   EXPECT_EQ(2U, result.report.islands.size());
   EXPECT_TRUE(result.report.complete());
 }

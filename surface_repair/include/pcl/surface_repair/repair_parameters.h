@@ -269,7 +269,8 @@ struct RepairParameters {
    * stays open is a shortfall. */
   bool watertight = false;
   /** \brief Share of the area, 0 to 1, above which new triangles that little supports
-   * leave the topology in doubt (DoubtReason::UNSUPPORTED). 1: never. Default 0.2. */
+   * leave the topology in doubt (DoubtReason::UNSUPPORTED); of a surface with handles
+   * a quarter of it does. 1: never. Default 0.2. */
   double greatest_unsupported = 0.2;
   bool refine = true;
   bool relax = true; /**< only when refined */

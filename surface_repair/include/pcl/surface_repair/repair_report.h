@@ -124,8 +124,8 @@ describe(TriangleOrigin origin);
 enum class DoubtReason : std::uint8_t {
   TUNNEL,     /**< two holes on opposite sides of a body were capped, and a tube between
                   them would take about as little area */
-  LONG_GAP,   /**< a limb was joined to another one over a gap that would be left open
-                  if there were a better partner for either */
+  LONG_GAP,   /**< a limb was joined to another one over a gap on evidence that hardly
+                  decides, or since there is no better partner for either */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
 };
 
