@@ -107,6 +107,10 @@ triangulateCoarseToFine(const BoundaryCurve& polygon,
     coarse.obstructed = [&](std::size_t i, std::size_t m, std::size_t j) {
       return limits.obstructed(2 * i, 2 * m, 2 * j);
     };
+  if (limits.crossed)
+    coarse.crossed = [&](std::size_t i, std::size_t j) {
+      return limits.crossed(2 * i, 2 * j);
+    };
   const BoundaryCurve every_second = everySecond(polygon);
   Triangles start = triangulateCoarseToFine(every_second, weights, coarse);
   if (start.empty()) // what is in the way of the coarse one need not be in ours

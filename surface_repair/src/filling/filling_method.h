@@ -25,6 +25,9 @@ struct FillingTask {
   /** \brief Whether a triangle would run through what is there already. Null: nothing
    * is in the way, or it is not to be looked at. Expensive: some microseconds. */
   std::function<bool(const ccaa::Corners&)> obstructed;
+  /** \brief Whether the way between two points runs through what is there, so that all
+   * triangles with that edge are obstructed. Null: triangles are asked for alone. */
+  std::function<bool(const Position&, const Position&)> crossed;
   /** \brief Of a ring that was cut open the place at which its second loop begins, and
    * then two points may be at one place; else 0. See stitchRing(). */
   std::size_t second_loop = 0;

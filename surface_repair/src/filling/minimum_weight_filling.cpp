@@ -47,7 +47,9 @@ public:
   FillingLimits
   limits(bool all)
   {
-    FillingLimits limits{task_.joined, {}};
+    FillingLimits limits{task_.joined, {}, {}};
+    if (all && task_.crossed)
+      limits.crossed = [this](std::size_t i, std::size_t j) { return isCrossed(i, j); };
     if (all)
       limits.obstructed = [this](std::size_t i, std::size_t m, std::size_t j) {
         return isObstructed({static_cast<pcl::index_t>(i),
@@ -72,8 +74,18 @@ private:
     return answer;
   }
 
+  bool
+  isCrossed(std::size_t i, std::size_t j)
+  {
+    const auto [known, is_new] = crossed_.try_emplace({i, j}, false);
+    if (is_new)
+      known->second = task_.crossed(task_.polygon.points[i], task_.polygon.points[j]);
+    return known->second;
+  }
+
   const FillingTask& task_;
   std::map<Triangle, bool> obstructed_;
+  std::map<Diagonal, bool> crossed_;
 };
 
 /** Of triangles that meet each other, some without which no two do: always the one that

@@ -154,7 +154,8 @@ TriangulationTable::accept(const Candidate& candidate, Cell& cell)
   cell.apex = candidate.apex;
 }
 
-/** The lightest candidate with nothing in its way: few are asked, as asking is dear. */
+/** The lightest candidate with nothing in its way: few are asked, as asking is dear,
+ * and none where something is in the way of the diagonal that all of them have. */
 void
 TriangulationTable::acceptClear(std::size_t i, std::size_t j, Cell& cell)
 {
@@ -163,11 +164,15 @@ TriangulationTable::acceptClear(std::size_t i, std::size_t j, Cell& cell)
                    [](const Candidate& a, const Candidate& b) {
                      return a.weighed.weight < b.weighed.weight;
                    });
-  for (const Candidate& candidate : candidates_)
+  for (const Candidate& candidate : candidates_) {
     if (!limits_.obstructed(i, candidate.apex, j)) {
       accept(candidate, cell);
       return;
     }
+    if (&candidate == &candidates_.front() && !isClosing(i, j) && limits_.crossed &&
+        limits_.crossed(i, j))
+      return;
+  }
 }
 
 void

@@ -25,10 +25,11 @@ struct FillingWeights {
 };
 
 /** \brief What a triangulation must avoid, by points of the polygon, ascending; empty:
- * nothing. */
+ * nothing. All triangles at a diagonal that is crossed are obstructed. */
 struct FillingLimits {
   std::function<bool(std::size_t, std::size_t)> joined;
   std::function<bool(std::size_t, std::size_t, std::size_t)> obstructed;
+  std::function<bool(std::size_t, std::size_t)> crossed;
 };
 
 /** \brief The triangulation of least weight of a polygon among those whose diagonals

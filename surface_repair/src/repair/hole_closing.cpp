@@ -155,6 +155,7 @@ closeHoles(const RepairParameters& parameters,
            const char* stage,
            HoleList& list,
            ModelSurvey& survey,
+           RegionMemory& memory,
            RepairLog& log)
 {
   const auto tell = [&](double share) {
@@ -182,7 +183,14 @@ closeHoles(const RepairParameters& parameters,
   const ClosingPlace place{
       survey.model, survey.guides ? *survey.guides : none, parameters, frame};
   for (std::size_t r = 0; r < regions.size() && !context.cancelled(); ++r) {
-    const ClosedRegion region = closeRegion(place, regions[r], obstacle, context);
+    RegionMemory::Key key =
+        RegionMemory::keyOf(regions[r], survey.model, obstacle, places[r]);
+    const std::vector<HoleOutcome>* failed = memory.find(key);
+    const ClosedRegion region = failed != nullptr
+                                    ? ClosedRegion{{}, *failed}
+                                    : closeRegion(place, regions[r], obstacle, context);
+    if (!context.cancelled())
+      memory.remember(std::move(key), region.holes);
     accept(region, list.regions[r], list, survey.model, closed, log);
     obstacle.add(region.patch.positions, region.patch.triangles);
     tell(static_cast<double>(r + 1) / static_cast<double>(regions.size()));

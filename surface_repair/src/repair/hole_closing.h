@@ -4,6 +4,7 @@
 #pragma once
 
 #include "repair/hole_list.h"
+#include "repair/region_memory.h"
 #include "repair/repair_log.h"
 
 #include <cstddef>
@@ -38,7 +39,8 @@ struct ClosedHoles {
 /** \brief Close the regions of a list one after the other (see closeRegion()).
  * \param[in,out] list its welded vertices are forgotten when nothing could be closed
  * \param[in,out] survey points in which holes meet are one vertex afterwards, see
- * weldPinches(), unless nothing could be closed \param[in] stage for progress */
+ * weldPinches(), unless nothing could be closed \param[in] stage for progress
+ * \param[in,out] memory of what could not be closed before */
 ClosedHoles
 closeHoles(const RepairParameters& parameters,
            const CloudFrame& frame,
@@ -46,6 +48,7 @@ closeHoles(const RepairParameters& parameters,
            const char* stage,
            HoleList& list,
            ModelSurvey& survey,
+           RegionMemory& memory,
            RepairLog& log);
 
 /** \brief Make what was closed part of the model, once. Holes that meet in a point and

@@ -63,20 +63,23 @@ Pass
 closePass(int pass,
           bool over_samples,
           const RepairParameters& parameters,
-          const CloudFrame& frame,
-          const ccaa::LoopContext& context,
-          ModelSurvey& survey,
-          RepairLog& log)
+          const Course& course)
 {
   const ccaa::StageClock clock;
   Pass now;
   now.parameters = &parameters;
-  now.holes = holesOf(survey, parameters, over_samples);
+  now.holes = holesOf(course.survey, parameters, over_samples);
   const std::string stage = closingStage(pass);
-  now.closed =
-      closeHoles(parameters, frame, context, stage.c_str(), now.holes, survey, log);
+  now.closed = closeHoles(parameters,
+                          course.frame,
+                          course.context,
+                          stage.c_str(),
+                          now.holes,
+                          course.survey,
+                          course.memory,
+                          course.log);
   now.finished = allIsClosed(now.holes, now.closed);
-  log.countSeconds("closing", clock.seconds());
+  course.log.countSeconds("closing", clock.seconds());
   return now;
 }
 
@@ -96,8 +99,7 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
     course.log.noteLook();
     if (pass == MOST_PASSES)
       break;
-    last =
-        closePass(pass, over_samples, round, course.frame, context, survey, course.log);
+    last = closePass(pass, over_samples, round, course);
     if (context.cancelled() || last.finished || last.closed.triangles.empty())
       break;
     takeClosed(last, course);

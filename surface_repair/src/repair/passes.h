@@ -26,6 +26,7 @@ struct Course {
   const CloudFrame& frame;
   const ccaa::LoopContext& context;
   ModelSurvey& survey;
+  RegionMemory& memory;
   RepairLog& log;
   RepairReport& report;
   std::size_t& input_vertices;

@@ -240,8 +240,16 @@ repairModel(ModelSurvey survey,
   log.leaveOut(crumbs.triangles.size());
   RepairedModel result{{}, survey.model.positions.size(), report.input_triangles};
   const CloudFrame frame = frameOf(cloud, survey.reading);
-  const Course course{
-      parameters, rounds, frame, context, survey, log, report, result.input_vertices};
+  RegionMemory memory;
+  const Course course{parameters,
+                      rounds,
+                      frame,
+                      context,
+                      survey,
+                      memory,
+                      log,
+                      report,
+                      result.input_vertices};
   Pass last = closeAll(crumbs, crumb_triangles, course);
   if (context.cancelled())
     return {};

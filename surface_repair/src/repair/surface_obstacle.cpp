@@ -3,9 +3,11 @@
 
 #include "repair/surface_obstacle.h"
 
+#include "mesh/exact_sign.h"
 #include "mesh/intersection.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace pcl {
@@ -21,6 +23,36 @@ treeOver(const std::vector<ccaa::Corners>& triangles)
   for (const ccaa::Corners& corners : triangles)
     boxes.push_back(ccaa::boxOf(corners));
   return ccaa::BoxTree(boxes);
+}
+
+/** Within all edges of a triangle, and from one side of it to the other. */
+bool
+crosses(const Position& p, const Position& q, const ccaa::Corners& triangle)
+{
+  const auto& [a, b, c] = triangle;
+  if (ccaa::sideOfPlane(a, b, c, p) * ccaa::sideOfPlane(a, b, c, q) >= 0)
+    return false;
+  const int side = ccaa::sideOfPlane(p, q, a, b);
+  return side != 0 && side == ccaa::sideOfPlane(p, q, b, c) &&
+         side == ccaa::sideOfPlane(p, q, c, a);
+}
+
+std::uint64_t
+bitsOf(double value)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+/** A bijection under which close numbers come far apart (the finalizer of MurmurHash3).
+ */
+std::uint64_t
+mixed(std::uint64_t bits)
+{
+  bits = (bits ^ (bits >> 33U)) * 0xff51afd7ed558ccdULL;
+  bits = (bits ^ (bits >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
+  return bits ^ (bits >> 33U);
 }
 
 /** Which boxes meet any of the places. */
@@ -99,6 +131,34 @@ SurfaceObstacle::meets(const ccaa::Corners& corners) const
                              corners, layer.triangles[static_cast<std::size_t>(i)]);
       });
   return found;
+}
+
+bool
+SurfaceObstacle::isCrossedBy(const Position& p, const Position& q) const
+{
+  const ccaa::Box box(p.cwiseMin(q), p.cwiseMax(q));
+  bool found = false;
+  for (const Layer& layer : layers_)
+    if (!found && layer.box.intersects(box))
+      layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
+        found = found || crosses(p, q, layer.triangles[static_cast<std::size_t>(i)]);
+      });
+  return found;
+}
+
+std::uint64_t
+SurfaceObstacle::fingerprint(const ccaa::Box& box) const
+{
+  std::uint64_t sum = 0;
+  for (const Layer& layer : layers_)
+    layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
+      std::uint64_t hash = 0;
+      for (const Position& corner : layer.triangles[static_cast<std::size_t>(i)])
+        for (const double coordinate : corner)
+          hash = mixed(hash ^ bitsOf(coordinate));
+      sum += hash;
+    });
+  return sum;
 }
 
 std::vector<std::size_t>

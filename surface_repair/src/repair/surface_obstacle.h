@@ -7,6 +7,7 @@
 #include "mesh/box_tree.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -28,6 +29,17 @@ public:
    * ccaa::trianglesMeet()). Exact. One without an area meets nothing. */
   bool
   meets(const ccaa::Corners& corners) const;
+
+  /** \brief Whether the way between two points runs through one that is there, from one
+   * side of it to the other within its edges: then any triangle with an area that has
+   * this way as an edge meets it. Exact. */
+  bool
+  isCrossedBy(const Position& p, const Position& q) const;
+
+  /** \brief A number that changes with the triangles whose boxes meet a box, whatever
+   * order they came in. */
+  std::uint64_t
+  fingerprint(const ccaa::Box& box) const;
 
 private:
   /** Triangles that came together. */

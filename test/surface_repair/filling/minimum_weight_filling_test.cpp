@@ -169,6 +169,26 @@ TEST(MinimumWeightFilling, ObstructionsAreAskedOnceForEachTriangleWhenNoneIsInTh
   EXPECT_EQ(98U, asked);
 }
 
+TEST(MinimumWeightFilling, CrossedDiagonalsChangeNothingAndSpareQuestions)
+{
+  for (const std::size_t edges : {40, 200}) {
+    FillingTask task = holeIn({edges});
+    const auto is_long = [](const Position& p, const Position& q) {
+      return (p - q).norm() > 1.7;
+    };
+    std::size_t asked = 0;
+    task.obstructed = [&](const ccaa::Corners& c) {
+      ++asked;
+      return is_long(c[0], c[1]) || is_long(c[1], c[2]) || is_long(c[2], c[0]);
+    };
+    const Triangles expected = fillingOf(task).triangles;
+    const std::size_t asked_before = std::exchange(asked, 0U);
+    task.crossed = is_long;
+    EXPECT_EQ(expected, fillingOf(task).triangles);
+    EXPECT_LT(2 * asked, asked_before);
+  }
+}
+
 TEST(MinimumWeightFilling, ObstructionsSeeTheTriangleWoundLikeTheSurface)
 {
   FillingTask task = holeIn({9});

@@ -9,6 +9,7 @@
 #include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
 
+#include <algorithm>
 #include <set>
 
 namespace pcl {
@@ -117,6 +118,31 @@ TEST_P(RandomObstacles, AreTheSameNearThePlacesOnly)
   }
 }
 
+TEST_P(RandomObstacles, ThatAWayCrossesAreMetByAllTrianglesWithIt)
+{
+  const SurfaceObstacle obstacle(modelOf(randomTriangles(60, 0.2, GetParam())),
+                                 {everywhere()});
+  std::size_t crossed = 0;
+  const Shape asked = randomTriangles(400, 0.5, GetParam() + 4000);
+  for (const Triangle& triangle : asked.triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, asked.vertices);
+    if (obstacle.isCrossedBy(corners[0], corners[1])) {
+      ++crossed;
+      EXPECT_TRUE(obstacle.meets(corners));
+    }
+  }
+  EXPECT_GT(crossed, 10U);
+}
+
+TEST_P(RandomObstacles, HaveOneFingerprintWhateverTheirOrder)
+{
+  const Shape surface = randomTriangles(60, 0.2, GetParam());
+  Shape turned = surface;
+  std::reverse(turned.triangles.begin(), turned.triangles.end());
+  EXPECT_EQ(SurfaceObstacle(modelOf(surface), {everywhere()}).fingerprint(everywhere()),
+            SurfaceObstacle(modelOf(turned), {everywhere()}).fingerprint(everywhere()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomObstacles, ::testing::Range(0U, 10U));
 
 /** Three corners at equal heights around the z axis. */
@@ -126,6 +152,28 @@ levelTriangle(double z, double radius = 0.3)
   return {Position(radius, 0.0, z),
           Position(-0.5 * radius, 0.8 * radius, z),
           Position(-0.5 * radius, -0.8 * radius, z)};
+}
+
+TEST(SurfaceObstacle, HasAnotherFingerprintWithAnotherTriangleNearby)
+{
+  SurfaceObstacle sphere(modelOf(icosphere(3)), {everywhere()});
+  const ccaa::Box near(Position::Constant(-2.0), Position::Constant(2.0));
+  const std::uint64_t before = sphere.fingerprint(near);
+  sphere.add({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}});
+  EXPECT_EQ(before, sphere.fingerprint(near));
+  sphere.add({{1, 0, 0}, {3, 0, 0}, {1, 1, 0}}, {{0, 1, 2}});
+  EXPECT_NE(before, sphere.fingerprint(near));
+}
+
+TEST(SurfaceObstacle, IsNotCrossedByWaysToItsCornersOrOverItsEdges)
+{
+  const Shape triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const SurfaceObstacle obstacle(modelOf(triangle), {everywhere()});
+  EXPECT_TRUE(obstacle.isCrossedBy({0.2, 0.2, 1.0}, {0.2, 0.2, -1.0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0.2, 0.2, 1.0}, {0.2, 0.2, 0.0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0.5, 0.0, 1.0}, {0.5, 0.0, -1.0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({-1.0, 0.2, 0.0}, {2.0, 0.2, 0.0}));
 }
 
 TEST(SurfaceObstacle, IsMetByATriangleThroughIt)

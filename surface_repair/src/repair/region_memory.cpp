@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: which regions could not be closed where nothing has changed
+// since.
+
+#include "repair/region_memory.h"
+
+#include "repair/surface_obstacle.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace pcl {
+namespace repair {
+
+bool
+RegionMemory::Key::operator<(const Key& other) const
+{
+  return std::tie(surroundings, numbers, points) <
+         std::tie(other.surroundings, other.numbers, other.points);
+}
+
+RegionMemory::Key
+RegionMemory::keyOf(const Region& region,
+                    const IncompleteModel& model,
+                    const SurfaceObstacle& obstacle,
+                    const ccaa::Box& box)
+{
+  Key key;
+  const auto add = [&](const Position& point) {
+    key.points.push_back({point.x(), point.y(), point.z()});
+  };
+  key.numbers = {static_cast<std::size_t>(region.cap)};
+  for (std::size_t h = 0; h < region.holes.size(); ++h) {
+    const HolePolygon& hole = region.holes[h];
+    key.numbers.push_back(hole.size());
+    key.numbers.push_back(hole.second_loop);
+    key.numbers.push_back(!region.is_certain.empty() && region.is_certain[h] ? 1 : 0);
+    for (const Position& point : hole.curve.points)
+      add(point);
+  }
+  for (const std::size_t sample : region.samples)
+    add(model.free_points[sample]);
+  key.surroundings = obstacle.fingerprint(box);
+  return key;
+}
+
+const std::vector<HoleOutcome>*
+RegionMemory::find(const Key& key) const
+{
+  const auto found = failed_.find(key);
+  return found == failed_.end() ? nullptr : &found->second;
+}
+
+void
+RegionMemory::remember(Key key, const std::vector<HoleOutcome>& holes)
+{
+  if (std::all_of(holes.begin(), holes.end(), [](const HoleOutcome& hole) {
+        return hole.open != OpenReason::NONE;
+      }))
+    failed_.emplace(std::move(key), holes);
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of what is not tried again.
+
+#include <gtest/gtest.h>
+
+#include "repair/region_memory.h"
+#include "repair/surface_obstacle.h"
+#include "support/shapes.h"
+#include "surface_repair/boundary/boundary_models.h"
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using namespace ccaa::test;
+using test::modelOf;
+
+const ccaa::Box NEARBY(Position::Constant(-2.0), Position::Constant(2.0));
+
+Region
+squareRegion()
+{
+  Region region;
+  region.holes.emplace_back();
+  region.holes.front().curve.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  region.holes.front().vertices = {0, 1, 2, 3};
+  region.is_certain = {false};
+  return region;
+}
+
+/** A sphere that holds a free point, and what is around it. */
+struct Surroundings {
+  IncompleteModel model = modelOf(icosphere(2));
+  SurfaceObstacle obstacle{model, {NEARBY}};
+
+  Surroundings() { model.free_points = {{0.5, 0.5, 0.1}}; }
+
+  RegionMemory::Key
+  keyOf(const Region& region) const
+  {
+    return RegionMemory::keyOf(region, model, obstacle, NEARBY);
+  }
+};
+
+std::vector<HoleOutcome>
+outcomes(OpenReason reason)
+{
+  std::vector<HoleOutcome> holes(1);
+  holes.front().open = reason;
+  holes.front().tries = 3;
+  return holes;
+}
+
+TEST(RegionMemory, KnowsHowARegionFailed)
+{
+  const Surroundings around;
+  RegionMemory memory;
+  EXPECT_EQ(nullptr, memory.find(around.keyOf(squareRegion())));
+  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  const std::vector<HoleOutcome>* found = memory.find(around.keyOf(squareRegion()));
+  ASSERT_NE(nullptr, found);
+  EXPECT_EQ(OpenReason::INTERSECTION, found->front().open);
+  EXPECT_EQ(3U, found->front().tries);
+}
+
+TEST(RegionMemory, ForgetsWhatWasClosed)
+{
+  const Surroundings around;
+  RegionMemory memory;
+  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::NONE));
+  EXPECT_EQ(nullptr, memory.find(around.keyOf(squareRegion())));
+}
+
+TEST(RegionMemory, TriesAgainWhereSomethingNearHasChanged)
+{
+  Surroundings around;
+  RegionMemory memory;
+  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  around.obstacle.add({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 1, 2}});
+  EXPECT_EQ(nullptr, memory.find(around.keyOf(squareRegion())));
+}
+
+TEST(RegionMemory, TriesAgainARegionThatHasChanged)
+{
+  const Surroundings around;
+  RegionMemory memory;
+  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  Region moved = squareRegion();
+  moved.holes.front().curve.points[2].z() = 1e-9;
+  Region certain = squareRegion();
+  certain.is_certain = {true};
+  Region flat = squareRegion();
+  flat.cap = Cap::FLAT;
+  Region sampled = squareRegion();
+  sampled.samples = {0};
+  for (const Region& other : {moved, certain, flat, sampled})
+    EXPECT_EQ(nullptr, memory.find(around.keyOf(other)));
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
