@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/run_settings.h>
 
 #include <atomic>
+#include <thread>
 #include <utility>
 
 namespace pcl {
@@ -12,9 +13,9 @@ namespace ccaa {
 
 /** \brief One run's view of its progress callback.
  *
- * Only the thread that owns the run calls report(); parallel workers poll cancelled(),
- * which is safe from any thread. Once the callback has said false it is not asked
- * again.
+ * Only the thread that made it tells the callback: report() from another one, as
+ * cancelled(), only says whether the run goes on. Both are safe from any thread. Once
+ * the callback has said false it is not asked again.
  */
 class RunControl {
 public:
@@ -28,6 +29,8 @@ public:
   {
     if (cancelled())
       return false;
+    if (std::this_thread::get_id() != owner_)
+      return true;
     if (callback_ && !wantsMore(stage, fraction))
       cancelled_.store(true, std::memory_order_relaxed);
     return !cancelled();
@@ -52,6 +55,7 @@ private:
   }
 
   ProgressCallback callback_;
+  std::thread::id owner_ = std::this_thread::get_id();
   std::atomic<bool> cancelled_{false};
 };
 

@@ -3,6 +3,7 @@
 
 #include "repair/hole_closing.h"
 
+#include "repair/regions_closing.h"
 #include "repair/sample_shares.h"
 
 #include <algorithm>
@@ -13,19 +14,6 @@ namespace pcl {
 namespace repair {
 
 namespace {
-
-/** Where a region is built: its boundary and samples with room around them. */
-ccaa::Box
-placeOf(const Region& region, const IncompleteModel& model)
-{
-  ccaa::Box box;
-  for (const HolePolygon& hole : region.holes)
-    for (const Position& point : hole.curve.points)
-      box.extend(point);
-  for (const std::size_t sample : region.samples)
-    box.extend(model.free_points[sample]);
-  return ccaa::widened(box, box.diagonal().norm());
-}
 
 /** The cap of holes that are closed together. */
 Cap
@@ -172,29 +160,16 @@ closeHoles(const RepairParameters& parameters,
     for (std::size_t r = 0; r < regions.size(); ++r)
       regions[r].samples = std::move(shares[r]);
   }
-  std::vector<ccaa::Box> places;
-  for (const Region& region : regions)
-    places.push_back(placeOf(region, survey.model));
-  SurfaceObstacle obstacle(survey.model, places);
   ClosedHoles closed;
   closed.used.assign(survey.model.free_points.size(), false);
   log.beginPass();
   const SurveyGuides none;
   const ClosingPlace place{
       survey.model, survey.guides ? *survey.guides : none, parameters, frame};
-  for (std::size_t r = 0; r < regions.size() && !context.cancelled(); ++r) {
-    RegionMemory::Key key =
-        RegionMemory::keyOf(regions[r], survey.model, obstacle, places[r]);
-    const std::vector<HoleOutcome>* failed = memory.find(key);
-    const ClosedRegion region = failed != nullptr
-                                    ? ClosedRegion{{}, *failed}
-                                    : closeRegion(place, regions[r], obstacle, context);
-    if (!context.cancelled())
-      memory.remember(std::move(key), region.holes);
-    accept(region, list.regions[r], list, survey.model, closed, log);
-    obstacle.add(region.patch.positions, region.patch.triangles);
-    tell(static_cast<double>(r + 1) / static_cast<double>(regions.size()));
-  }
+  const std::vector<ClosedRegion> regions_closed =
+      closeRegions(place, regions, context, memory, tell);
+  for (std::size_t r = 0; r < regions.size() && !context.cancelled(); ++r)
+    accept(regions_closed[r], list.regions[r], list, survey.model, closed, log);
   if (closed.triangles.empty() && !list.replaced.empty()) {
     takeBack(std::move(given), context, survey.model);
     list.replaced.clear();

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -52,13 +51,12 @@ RegionMemory::find(const Key& key) const
   return found == failed_.end() ? nullptr : &found->second;
 }
 
-void
-RegionMemory::remember(Key key, const std::vector<HoleOutcome>& holes)
+bool
+allFailed(const std::vector<HoleOutcome>& holes)
 {
-  if (std::all_of(holes.begin(), holes.end(), [](const HoleOutcome& hole) {
-        return hole.open != OpenReason::NONE;
-      }))
-    failed_.emplace(std::move(key), holes);
+  return std::all_of(holes.begin(), holes.end(), [](const HoleOutcome& hole) {
+    return hole.open != OpenReason::NONE;
+  });
 }
 
 } // namespace repair

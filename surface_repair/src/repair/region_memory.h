@@ -10,10 +10,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace pcl {
 namespace repair {
+
+/** \brief Whether all holes of a region stayed open. */
+bool
+allFailed(const std::vector<HoleOutcome>& holes);
 
 /** \brief Regions of which no hole could be closed. Closing is determined by a region
  * and by what is around it: where both are as they were, it fails again. */
@@ -40,9 +45,17 @@ public:
   const std::vector<HoleOutcome>*
   find(const Key& key) const;
 
-  /** \brief Remember a region, if all its holes stayed open. */
   void
-  remember(Key key, const std::vector<HoleOutcome>& holes);
+  remember(Key key, const std::vector<HoleOutcome>& holes)
+  {
+    failed_.emplace(std::move(key), holes);
+  }
+
+  bool
+  empty() const
+  {
+    return failed_.empty();
+  }
 
 private:
   std::map<Key, std::vector<HoleOutcome>> failed_;

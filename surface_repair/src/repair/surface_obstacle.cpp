@@ -109,6 +109,12 @@ SurfaceObstacle::add(const Positions& positions, const Triangles& triangles)
 void
 SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles)
 {
+  // Layers that are no larger become part of it, so that there are few: log n of them.
+  while (!layers_.empty() && layers_.back().triangles.size() <= triangles.size()) {
+    const std::vector<ccaa::Corners>& last = layers_.back().triangles;
+    triangles.insert(triangles.end(), last.begin(), last.end());
+    layers_.pop_back();
+  }
   Layer layer;
   for (const ccaa::Corners& corners : triangles)
     layer.box.extend(ccaa::boxOf(corners));

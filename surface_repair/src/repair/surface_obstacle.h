@@ -21,7 +21,8 @@ public:
    * triangle of the model, and a tree over those that are taken. */
   SurfaceObstacle(const IncompleteModel& model, const std::vector<ccaa::Box>& places);
 
-  /** \brief Triangles that are there from now on, too. */
+  /** \brief Triangles that are there from now on, too. Cost: log n trees over each of
+   * the n that are added in all. */
   void
   add(const Positions& positions, const Triangles& triangles);
 

@@ -63,12 +63,12 @@ TEST(RegionMemory, KnowsHowARegionFailed)
   EXPECT_EQ(3U, found->front().tries);
 }
 
-TEST(RegionMemory, ForgetsWhatWasClosed)
+TEST(RegionMemory, HolesOfWhichOneWasClosedHaveNotFailed)
 {
-  const Surroundings around;
-  RegionMemory memory;
-  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::NONE));
-  EXPECT_EQ(nullptr, memory.find(around.keyOf(squareRegion())));
+  std::vector<HoleOutcome> holes = outcomes(OpenReason::INTERSECTION);
+  EXPECT_TRUE(allFailed(holes));
+  holes.push_back(outcomes(OpenReason::NONE).front());
+  EXPECT_FALSE(allFailed(holes));
 }
 
 TEST(RegionMemory, TriesAgainWhereSomethingNearHasChanged)
