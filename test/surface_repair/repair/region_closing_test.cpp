@@ -59,7 +59,7 @@ struct Site {
   close(const Region& region) const
   {
     const SurveyGuides none;
-    return closeRegion({survey.model, none, parameters, true}, region, obstacle, {});
+    return closeRegion({survey.model, none, parameters, {}}, region, obstacle, {});
   }
 
   ClosedRegion
