@@ -19,7 +19,14 @@ namespace {
 
 /** Halves nearer to the sizing field than the whole was: sqrt(2). */
 constexpr double LONGEST = 1.4142135623730951;
-constexpr std::size_t MOST_PASSES = 64;
+constexpr std::size_t MOST_PASSES = 32;
+/** Part of the vertices by which the last pass adds fewer. The edges that are left are
+ * hardly too long, and where borders are narrow there are always some. */
+constexpr double LAST_SHARE = 0.01;
+/** Edges are not halved where a corner of their triangles is as near to the middle, in
+ * wanted lengths, unless they are this much too long: what crowds has room nowhere. */
+constexpr double CROWDED = 0.35;
+constexpr double FAR_TOO_LONG = 2.0;
 constexpr std::size_t FIRST_SWEEPS = 200;
 constexpr std::size_t SWEEPS_A_PASS = 4;
 constexpr std::size_t SPACING_PASSES = 5;
@@ -44,11 +51,16 @@ public:
     splitChords();
     for (std::size_t pass = 0; pass < MOST_PASSES; ++pass) {
       flipToDelaunay(patch_, edges_, keeps_shape_);
-      if (!splitLongEdges())
+      const std::size_t before = patch_.positions.size();
+      splitLongEdges();
+      if (patch_.positions.size() == before)
         break;
       interpolateLengths(patch_, SWEEPS_A_PASS, lengths_);
       flipToDelaunay(patch_, edges_, keeps_shape_);
       spaceVertices(given_, lengths_, patch_, keeps_shape_);
+      if (static_cast<double>(patch_.positions.size() - before) <
+          LAST_SHARE * static_cast<double>(before))
+        break;
     }
     for (std::size_t pass = 0; pass < SPACING_PASSES && hasNewVertices(); ++pass) {
       spaceVertices(given_, lengths_, patch_, keeps_shape_);
@@ -79,26 +91,54 @@ private:
         split(side);
   }
 
-  /** The length of an edge over the sizing field. */
   double
-  relativeLength(std::size_t side) const
+  lengthOf(std::size_t side) const
   {
-    const std::size_t a = edges_.from(side), b = edges_.to(side);
-    const double wanted = 0.5 * (lengths_[a] + lengths_[b]) * parameters_.edge_length;
-    return (patch_.positions[a] - patch_.positions[b]).norm() / wanted;
+    return (patch_.positions[edges_.from(side)] - patch_.positions[edges_.to(side)])
+        .norm();
   }
 
-  /** The longest first; each triangle once. \return whether there was one */
+  /** By the sizing field, or else by the border of the triangles at the edge: that
+   * stays, and no vertex beside it would make the edge shorter. */
+  double
+  wantedLength(std::size_t side) const
+  {
+    double wanted = 0.5 * (lengths_[edges_.from(side)] + lengths_[edges_.to(side)]) *
+                    parameters_.edge_length;
+    for (const std::size_t triangle : {side / 3, edges_.across(side) / 3})
+      for (std::size_t other = 3 * triangle; other < 3 * triangle + 3; ++other)
+        if (!edges_.isInner(other))
+          wanted = std::max(wanted, lengthOf(other));
+    return wanted;
+  }
+
   bool
+  isTooLong(double length, double wanted, std::size_t side) const
+  {
+    if (!(length > LONGEST * wanted))
+      return false;
+    const PatchEdges::Pair pair = edges_.pairAt(side);
+    const Position middle = 0.5 * (patch_.positions[pair.a] + patch_.positions[pair.b]);
+    const auto is_near = [&](std::size_t apex) {
+      return (patch_.positions[apex] - middle).norm() < CROWDED * wanted;
+    };
+    return length > FAR_TOO_LONG * wanted || (!is_near(pair.c) && !is_near(pair.d));
+  }
+
+  /** The longest for what is wanted first; each triangle once. */
+  void
   splitLongEdges()
   {
     std::vector<std::pair<double, std::size_t>> found;
-    for (std::size_t side = 0; side < edges_.count(); ++side)
-      if (edges_.speaks(side) && relativeLength(side) > LONGEST)
-        found.emplace_back(-relativeLength(side), side);
+    for (std::size_t side = 0; side < edges_.count(); ++side) {
+      if (!edges_.speaks(side))
+        continue;
+      const double length = lengthOf(side), wanted = wantedLength(side);
+      if (isTooLong(length, wanted, side))
+        found.emplace_back(-length / wanted, side);
+    }
     std::sort(found.begin(), found.end());
     std::vector<char> touched(edges_.count() / 3 + 2 * found.size(), 0);
-    bool any = false;
     for (const auto& [length, side] : found) {
       const std::size_t one = side / 3, other = edges_.across(side) / 3;
       if (isFull() || touched[one] != 0 || touched[other] != 0)
@@ -107,9 +147,7 @@ private:
       for (const std::size_t born : {edges_.count() / 3, edges_.count() / 3 + 1})
         touched[born] = 1;
       split(side);
-      any = true;
     }
-    return any;
   }
 
   void

@@ -113,6 +113,34 @@ TEST(RefinePatch, FollowsADensityThatVariesTwentyFold)
   EXPECT_GT(2 * hole.patch.positions.size(), hole.lost.size());
 }
 
+/** A strip whose long sides are single edges: vertices within it shorten no edge. */
+TEST(RefinePatch, AddsFewVerticesBetweenLongBorders)
+{
+  PatchedHole hole;
+  Positions points = {{0, 0, 0}, {40, 0, 0}, {40, 1, 0}, {0, 1, 0}};
+  Triangles triangles;
+  for (const auto& [a, b] :
+       {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3), std::pair(3, 0)}) {
+    const Position middle = 0.5 * (points[static_cast<std::size_t>(a)] +
+                                   points[static_cast<std::size_t>(b)]);
+    const Position out = (middle - Position(20, 0.5, 0)).normalized();
+    triangles.push_back({a, b, static_cast<pcl::index_t>(points.size())});
+    std::swap(triangles.back()[0], triangles.back()[1]);
+    points.push_back(middle + out);
+  }
+  hole.model = assembleModel(triangles, points, {});
+  hole.patch.rim = {0, 1, 2, 3};
+  hole.patch.positions = {points[0], points[1], points[2], points[3]};
+  hole.patch.triangles = {{0, 1, 2}, {0, 2, 3}};
+  hole.patch.free_point.assign(4, NONE);
+  hole.patch.hole.assign(2, 0);
+  RefinementParameters parameters;
+  parameters.edge_length = 0.05;
+  refinePatch(hole.model, parameters, hole.patch);
+  EXPECT_TRUE(isSound(hole));
+  EXPECT_LT(hole.patch.positions.size(), 10U);
+}
+
 TEST(RefinePatch, GivesTheSameOnceMore)
 {
   PatchedHole one = cappedSphere(4, 0.9), other = one;
