@@ -7,7 +7,9 @@
 #include "mesh/corners.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -68,8 +70,49 @@ public:
       descend(levels_.size() - 1, 0, query, visit);
   }
 
+  /** \brief Call visit(index) for boxes that are no further from the query than a
+   * squared distance, the near ones first; what visit returns holds from then on. Some
+   * that are further by rounding are visited, too. */
+  template <typename Visit>
+  void
+  forEachNear(const Box& query, double squared, const Visit& visit) const
+  {
+    squared *= ROUNDING;
+    if (!levels_.empty())
+      approach(levels_.size() - 1, 0, query, squared, visit);
+  }
+
 private:
   static constexpr std::size_t FAN_OUT = 8;
+  static constexpr double ROUNDING = 1.0 + 1e-9;
+
+  template <typename Visit>
+  void
+  approach(std::size_t level,
+           std::size_t node,
+           const Box& query,
+           double& squared,
+           const Visit& visit) const
+  {
+    const std::size_t begin = node * FAN_OUT;
+    const std::size_t end = std::min(begin + FAN_OUT, levels_[level].size());
+    std::array<std::pair<double, std::size_t>, FAN_OUT> children;
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double distance = levels_[level][i].squaredExteriorDistance(query);
+      if (!(distance <= squared))
+        continue;
+      std::size_t place = count++;
+      for (; place > 0 && children[place - 1].first > distance; --place)
+        children[place] = children[place - 1];
+      children[place] = {distance, i};
+    }
+    for (std::size_t k = 0; k < count && children[k].first <= squared; ++k)
+      if (level == 0)
+        squared = ROUNDING * visit(items_[children[k].second]);
+      else
+        approach(level - 1, children[k].second, query, squared, visit);
+  }
 
   template <typename Visit>
   void

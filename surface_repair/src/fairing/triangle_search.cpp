@@ -86,19 +86,23 @@ TriangleSearch::TriangleSearch(std::vector<ccaa::Corners> triangles)
 }
 
 TrianglePlace
-TriangleSearch::nearest(const Position& point, double reach) const
+TriangleSearch::nearest(const Position& point, double reach, const Filter& counts) const
 {
   TrianglePlace best;
   best.distance = reach;
-  const Position radius = Position::Constant(reach);
-  tree_.forEachMeeting({point - radius, point + radius}, [&](pcl::index_t index) {
-    const auto triangle = static_cast<std::size_t>(index);
+  const auto take = [&](std::size_t triangle) {
+    if (counts && !counts(triangles_[triangle]))
+      return;
     TrianglePlace place = nearestPlace(point, triangles_[triangle]);
     if (place.distance > best.distance ||
         (place.distance == best.distance && triangle > best.triangle))
       return;
     place.triangle = triangle;
     best = place;
+  };
+  tree_.forEachNear(ccaa::Box(point), reach * reach, [&](pcl::index_t triangle) {
+    take(static_cast<std::size_t>(triangle));
+    return best.distance * best.distance;
   });
   return best;
 }

@@ -7,6 +7,7 @@
 #include "mesh/box_tree.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -33,11 +34,21 @@ nearestPlace(const Position& point, const ccaa::Corners& triangle);
 /** \brief Finds the nearest of some triangles. Cost of a point close by: some us. */
 class TriangleSearch {
 public:
+  /** \brief Whether a triangle counts; empty: each does. */
+  using Filter = std::function<bool(const ccaa::Corners&)>;
+
   explicit TriangleSearch(std::vector<ccaa::Corners> triangles);
 
   /** \brief The nearest place within a reach, of the lowest triangle among equals. */
   TrianglePlace
-  nearest(const Position& point, double reach) const;
+  nearest(const Position& point, double reach, const Filter& counts = {}) const;
+
+  /** \brief A triangle by its index. */
+  const ccaa::Corners&
+  operator[](std::size_t triangle) const
+  {
+    return triangles_[triangle];
+  }
 
 private:
   std::vector<ccaa::Corners> triangles_;

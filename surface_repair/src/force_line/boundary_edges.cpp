@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace pcl {
@@ -53,18 +54,21 @@ closestPair(const Position& a,
 BoundaryEdges::BoundaryEdges(std::vector<TargetCurve> curves)
 : curves_(std::move(curves))
 {
-  std::vector<ccaa::Box> boxes;
-  for (std::size_t c = 0; c < curves_.size(); ++c) {
-    const BoundaryCurve& curve = curves_[c].curve;
+  std::vector<ccaa::Box> around;
+  for (const TargetCurve& target : curves_) {
+    const BoundaryCurve& curve = target.curve;
+    std::vector<ccaa::Box> boxes;
+    around.emplace_back();
     arcs_.emplace_back(1, 0.0);
     for (std::size_t k = 0; k < curve.size(); ++k) {
       arcs_.back().push_back(arcs_.back().back() + curve.edge(k).norm());
-      edges_.push_back({c, k});
       ccaa::Box box(curve.points[k]);
       boxes.push_back(box.extend(curve.points[curve.next(k)]));
+      around.back().extend(boxes.back());
     }
+    trees_.emplace_back(boxes);
   }
-  tree_ = ccaa::BoxTree(boxes);
+  tree_ = ccaa::BoxTree(around);
 }
 
 double
@@ -96,41 +100,45 @@ std::optional<BoundaryEncounter>
 BoundaryEdges::closest(const Position& a,
                        const Position& b,
                        double within,
-                       const Filter& counts) const
+                       const CurveFilter& curve_counts,
+                       const EdgeFilter& edge_counts) const
 {
   ccaa::Box query(a);
   query.extend(b);
-  query.min().array() -= within;
-  query.max().array() += within;
-  std::optional<std::pair<double, std::size_t>> best;
-  ClosestPair best_pair;
-  tree_.forEachMeeting(query, [&](pcl::index_t index) {
-    const auto id = static_cast<std::size_t>(index);
-    const EdgeId& edge = edges_[id];
-    if (!counts(edge.curve, edge.edge))
+  ClosestPair best;
+  BoundaryPoint place;
+  double reach = within * within;
+  const auto take = [&](std::size_t curve, std::size_t edge) {
+    if (edge_counts && !edge_counts(curve, edge))
       return;
-    const BoundaryCurve& curve = curves_[edge.curve].curve;
+    const BoundaryCurve& shape = curves_[curve].curve;
     const ClosestPair pair =
-        closestPair(a, b - a, curve.points[edge.edge], curve.edge(edge.edge));
-    const auto rank = std::make_pair(pair.squared_distance, id);
-    if (pair.squared_distance > within * within || (best && *best < rank))
+        closestPair(a, b - a, shape.points[edge], shape.edge(edge));
+    if (pair.squared_distance > within * within ||
+        (place.curve != NONE &&
+         std::tie(best.squared_distance, place.curve, place.edge) <
+             std::tie(pair.squared_distance, curve, edge)))
       return;
-    best = rank;
-    best_pair = pair;
+    best = pair;
+    place.curve = curve;
+    place.edge = edge;
+    reach = pair.squared_distance;
+  };
+  tree_.forEachNear(query, reach, [&](pcl::index_t c) {
+    const auto curve = static_cast<std::size_t>(c);
+    if (!curve_counts || curve_counts(curve))
+      trees_[curve].forEachNear(query, reach, [&](pcl::index_t edge) {
+        take(curve, static_cast<std::size_t>(edge));
+        return reach;
+      });
+    return reach;
   });
-  if (!best)
+  if (place.curve == NONE)
     return std::nullopt;
-  const EdgeId& edge = edges_[best->second];
-  const BoundaryCurve& curve = curves_[edge.curve].curve;
-  BoundaryEncounter encounter;
-  encounter.point = {edge.curve,
-                     edge.edge,
-                     best_pair.along_second,
-                     curve.points[edge.edge] +
-                         best_pair.along_second * curve.edge(edge.edge)};
-  encounter.distance = std::sqrt(best_pair.squared_distance);
-  encounter.along = best_pair.along_first;
-  return encounter;
+  const BoundaryCurve& shape = curves_[place.curve].curve;
+  place.share = best.along_second;
+  place.position = shape.points[place.edge] + place.share * shape.edge(place.edge);
+  return BoundaryEncounter{place, std::sqrt(best.squared_distance), best.along_first};
 }
 
 } // namespace repair

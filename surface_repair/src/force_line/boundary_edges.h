@@ -34,8 +34,10 @@ struct BoundaryEncounter {
  * may be called from several threads. */
 class BoundaryEdges {
 public:
-  /** \brief Whether an edge (curve, edge) is one that counts. */
-  using Filter = std::function<bool(std::size_t curve, std::size_t edge)>;
+  /** \brief Whether any edge of a curve counts; empty: of each. */
+  using CurveFilter = std::function<bool(std::size_t curve)>;
+  /** \brief Whether an edge of such a curve counts; empty: each does. */
+  using EdgeFilter = std::function<bool(std::size_t curve, std::size_t edge)>;
 
   explicit BoundaryEdges(std::vector<TargetCurve> curves);
 
@@ -82,18 +84,14 @@ public:
   closest(const Position& a,
           const Position& b,
           double within,
-          const Filter& counts) const;
+          const CurveFilter& curve_counts = {},
+          const EdgeFilter& edge_counts = {}) const;
 
 private:
-  struct EdgeId {
-    std::size_t curve = 0;
-    std::size_t edge = 0;
-  };
-
   std::vector<TargetCurve> curves_;
   std::vector<std::vector<double>> arcs_; /**< of each curve, at its points and end */
-  std::vector<EdgeId> edges_;
-  ccaa::BoxTree tree_;
+  std::vector<ccaa::BoxTree> trees_;      /**< over the edges of each curve */
+  ccaa::BoxTree tree_;                    /**< over the curves */
 };
 
 } // namespace repair

@@ -58,7 +58,7 @@ private:
   bool
   touchesInput() const;
   bool
-  findShadow(bool turned);
+  findShadow(const TriangleSearch& patches, bool turned);
   bool
   layInto(int rings);
   bool
@@ -77,6 +77,7 @@ private:
   ccaa::Box around_;
   ccaa::Box place_;                           /**< of what is opened and the crumb */
   ModelPart part_;                            /**< all around the crumb */
+  std::vector<std::size_t> new_triangles_;    /**< of the part */
   std::vector<bool> shadow_;                  /**< of the part's triangles */
   std::size_t nearest_ = 0;                   /**< of the shadow */
   double least_ = 0.0;                        /**< its distance */
@@ -133,8 +134,17 @@ CrumbLaying::tryWithin(double reach)
     return false;
   around_ = ccaa::widened(box, ROOM * reach_);
   part_ = surface_.part(surface_.near(around_));
+  new_triangles_.clear();
+  std::vector<ccaa::Corners> corners;
+  for (std::size_t i = 0; i < part_.triangles.size(); ++i)
+    if (part_.is_new[i]) {
+      new_triangles_.push_back(i);
+      corners.push_back(
+          ccaa::cornersOf(part_.model.triangles[i], part_.model.positions));
+    }
+  const TriangleSearch patches(std::move(corners));
   for (const bool turned : {false, true}) {
-    if (!findShadow(turned) || (reach >= FARTHEST && isBesideHole()))
+    if (!findShadow(patches, turned) || (reach >= FARTHEST && isBesideHole()))
       continue;
     if (turned)
       turnCrumb();
@@ -151,12 +161,10 @@ CrumbLaying::tryWithin(double reach)
 /** The triangles of a patch that are nearest to the crumb's corners and centres, on the
  * side that it shows. */
 bool
-CrumbLaying::findShadow(bool turned)
+CrumbLaying::findShadow(const TriangleSearch& patches, bool turned)
 {
-  std::vector<ccaa::Corners> corners;
-  for (const Triangle& triangle : part_.model.triangles)
-    corners.push_back(ccaa::cornersOf(triangle, part_.model.positions));
-  shadow_.assign(corners.size(), false);
+  shadow_.assign(part_.triangles.size(), false);
+  TrianglePlace closest;
   least_ = std::numeric_limits<double>::infinity();
   for (const std::size_t t : crumb_) {
     const ccaa::Corners own =
@@ -164,28 +172,22 @@ CrumbLaying::findShadow(bool turned)
     const Eigen::Vector3d normal = (turned ? -1.0 : 1.0) * ccaa::areaNormal(own);
     Positions samples(own.begin(), own.end());
     samples.push_back((own[0] + own[1] + own[2]) / 3.0);
+    const auto shows = [&](const ccaa::Corners& corners) {
+      return ccaa::areaNormal(corners).dot(normal) > 0.0;
+    };
     for (const Position& sample : samples) {
-      std::size_t nearest = NONE;
-      double least = reach_;
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (!part_.is_new[i] || ccaa::areaNormal(corners[i]).dot(normal) <= 0.0)
-          continue;
-        const double distance = nearestPlace(sample, corners[i]).distance;
-        if (distance < least) {
-          least = distance;
-          nearest = i;
-        }
-      }
-      if (nearest == NONE)
+      const TrianglePlace place = patches.nearest(sample, reach_, shows);
+      if (!place.found())
         return false;
-      shadow_[nearest] = true;
-      if (!(least < least_))
+      shadow_[new_triangles_[place.triangle]] = true;
+      if (!(place.distance < least_))
         continue;
-      least_ = least;
-      nearest_ = nearest;
+      least_ = place.distance;
+      closest = place;
     }
   }
-  const ccaa::Corners& corner = corners[nearest_];
+  nearest_ = new_triangles_[closest.triangle];
+  const ccaa::Corners& corner = patches[closest.triangle];
   const double edge = std::max((corner[1] - corner[0]).norm(), 1e-9 * reach_);
   slopes_ = static_cast<int>(std::clamp(least_ / edge, 1.0, MOST_SLOPES));
   return true;

@@ -92,8 +92,7 @@ LineFitter::cutToContour(const ForceLine& line, BisectingLine& ends) const
   const std::size_t middle = even.points.size() / 2;
   const auto vertexNear = [&](std::size_t k) -> std::optional<std::size_t> {
     const Position& place = even.points[k];
-    const auto all = [](std::size_t, std::size_t) { return true; };
-    const auto met = contour_.closest(place, place, CUT_DISTANCE * mean_spacing_, all);
+    const auto met = contour_.closest(place, place, CUT_DISTANCE * mean_spacing_);
     if (!met)
       return std::nullopt;
     return nearestVertex(met->point);
@@ -197,7 +196,7 @@ LineFitter::comesNear(const BisectingLine& line,
     const std::size_t next = hole_.curve.next(edge);
     return edge != line.from && next != line.from && edge != line.to && next != line.to;
   };
-  const auto met = contour_.closest(a, b, CLEARANCE * mean_spacing_, not_at_ends);
+  const auto met = contour_.closest(a, b, CLEARANCE * mean_spacing_, {}, not_at_ends);
   if (!met)
     return false;
   const Position place = a + met->along * (b - a);

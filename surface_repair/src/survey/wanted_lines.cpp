@@ -52,7 +52,7 @@ chordFrom(const BoundaryEdges& boundaries,
                     .closest(from,
                              from,
                              std::numeric_limits<double>::max(),
-                             [other](std::size_t c, std::size_t) { return c == other; })
+                             [other](std::size_t c) { return c == other; })
                     ->point;
   const Position& to = line.target.position;
   const auto normalAt = [&](const BoundaryPoint& end, const Eigen::Vector3d& way) {

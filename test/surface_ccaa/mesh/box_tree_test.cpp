@@ -59,6 +59,45 @@ TEST(BoxTree, FindsWhatLookingAtEveryBoxFinds)
   }
 }
 
+TEST(BoxTree, TheNearOnesHaveTheNearestAmongThem)
+{
+  const std::vector<Box> boxes = randomBoxes(500, 3);
+  const BoxTree tree(boxes);
+  for (const Box& query : randomBoxes(50, 99)) {
+    double least = 0.3;
+    std::size_t visits = 0;
+    tree.forEachNear(query, least, [&](index_t index) {
+      ++visits;
+      const Box& box = boxes[static_cast<std::size_t>(index)];
+      return least = std::min(least, box.squaredExteriorDistance(query));
+    });
+    double expected = 0.3;
+    for (const Box& box : boxes)
+      expected = std::min(expected, box.squaredExteriorDistance(query));
+    EXPECT_EQ(expected, least);
+    EXPECT_LT(visits, least > 0.0 ? 50U : boxes.size());
+  }
+}
+
+TEST(BoxTree, NoneIsVisitedThatIsFurtherThanAsked)
+{
+  const std::vector<Box> boxes = randomBoxes(500, 3);
+  const BoxTree tree(boxes);
+  for (const Box& query : randomBoxes(50, 99)) {
+    std::vector<index_t> near;
+    tree.forEachNear(query, 0.04, [&](index_t index) {
+      near.push_back(index);
+      return 0.04;
+    });
+    std::sort(near.begin(), near.end());
+    std::vector<index_t> expected;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (boxes[i].squaredExteriorDistance(query) <= 0.04)
+        expected.push_back(static_cast<index_t>(i));
+    EXPECT_EQ(expected, near);
+  }
+}
+
 TEST(BoxTree, TouchingCounts)
 {
   const BoxTree tree({Box(Position(0, 0, 0), Position(1, 1, 1))});

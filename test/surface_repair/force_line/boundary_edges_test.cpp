@@ -14,12 +14,6 @@ namespace {
 
 using test::sphereRim;
 
-bool
-all(std::size_t, std::size_t)
-{
-  return true;
-}
-
 BoundaryEdges
 twoRims()
 {
@@ -51,7 +45,7 @@ TEST(BoundaryEdges, FindsTheClosestEncounterOfASegment)
   for (int trial = 0; trial < 8; ++trial) {
     const Position a(place(generator), place(generator), place(generator));
     const Position b(place(generator), place(generator), place(generator));
-    const auto found = edges.closest(a, b, 5.0, all);
+    const auto found = edges.closest(a, b, 5.0);
     ASSERT_TRUE(found);
     EXPECT_NEAR(sampledDistance(edges, a, b), found->distance, 0.02);
     EXPECT_LE(found->distance, sampledDistance(edges, a, b) + 1e-12);
@@ -62,7 +56,7 @@ TEST(BoundaryEdges, EncounterLiesOnTheEdgeItNames)
 {
   const BoundaryEdges edges = twoRims();
   const Position from(0.2, 0.1, 0.0);
-  const auto found = edges.closest(from, Position(1.0, 0.3, 0.1), 5.0, all);
+  const auto found = edges.closest(from, Position(1.0, 0.3, 0.1), 5.0);
   ASSERT_TRUE(found);
   const BoundaryCurve& curve = edges.curves()[found->point.curve].curve;
   const Position expected = curve.points[found->point.edge] +
@@ -73,16 +67,14 @@ TEST(BoundaryEdges, EncounterLiesOnTheEdgeItNames)
 TEST(BoundaryEdges, NothingIsFoundBeyondTheDistance)
 {
   const Position centre = Position::Zero();
-  EXPECT_FALSE(twoRims().closest(centre, centre, 0.9, all));
+  EXPECT_FALSE(twoRims().closest(centre, centre, 0.9));
 }
 
 TEST(BoundaryEdges, EdgesThatDoNotCountAreNotFound)
 {
   const Position near_first(0.9, 0.0, 0.3);
   const auto found = twoRims().closest(
-      near_first, near_first, 5.0, [](std::size_t curve, std::size_t) {
-        return curve == 1;
-      });
+      near_first, near_first, 5.0, [](std::size_t curve) { return curve == 1; });
   ASSERT_TRUE(found);
   EXPECT_EQ(1U, found->point.curve);
 }
@@ -91,7 +83,7 @@ TEST(BoundaryEdges, LowestEdgeOfEqualsIsTaken)
 {
   const Position centre(0.0, 0.0, 0.35);
   const auto found =
-      twoRims().closest(centre, centre, 5.0, [](std::size_t c, std::size_t e) {
+      twoRims().closest(centre, centre, 5.0, {}, [](std::size_t c, std::size_t e) {
         return c == 0 && (e == 7 || e == 22); // opposite each other
       });
   ASSERT_TRUE(found);
@@ -103,7 +95,7 @@ TEST(BoundaryEdges, SegmentAlongAnEdgeTouchesIt)
   const BoundaryEdges edges = twoRims();
   const BoundaryCurve& curve = edges.curves()[0].curve;
   const auto found = edges.closest(
-      curve.points[3] - curve.edge(3), curve.points[3] + 2.0 * curve.edge(3), 0.1, all);
+      curve.points[3] - curve.edge(3), curve.points[3] + 2.0 * curve.edge(3), 0.1);
   ASSERT_TRUE(found);
   EXPECT_NEAR(0.0, found->distance, 1e-14);
 }
