@@ -43,14 +43,16 @@ private:
   listSupports();
   bool
   dropCoincident();
-  bool
+  void
+  linkSupports();
+  void
   walkAll();
-  std::size_t
-  nextOf(std::size_t support) const;
   HoleContour
   walkFrom(std::size_t support);
-  bool
-  dropPassedTwice(const HoleContour& contour);
+  std::vector<std::size_t>
+  passedTwice(const HoleContour& contour) const;
+  void
+  drop(std::size_t bridge);
   void
   addLoneBoundaries();
 
@@ -59,6 +61,7 @@ private:
   std::vector<bool> kept_;                       /**< of the bridges */
   std::vector<Support> supports_;                /**< by curve and arc */
   std::vector<std::array<std::size_t, 2>> ends_; /**< of a bridge: its supports */
+  std::vector<std::size_t> next_, before_; /**< of a support: along its boundary */
   std::vector<bool> used_; /**< of a support: the section that ends there is used */
   std::vector<HoleContour> contours_;
 };
@@ -97,18 +100,20 @@ Extraction::dropCoincident()
   return dropped;
 }
 
-/** The next supporting point of the same boundary in positive direction. */
-std::size_t
-Extraction::nextOf(std::size_t support) const
+/** Supports of a boundary follow each other in positive direction, all around. */
+void
+Extraction::linkSupports()
 {
-  const std::size_t curve = supports_[support].curve;
-  if (support + 1 < supports_.size() && supports_[support + 1].curve == curve)
-    return support + 1;
-  const auto first = std::lower_bound(
-      supports_.begin(), supports_.end(), curve, [](const Support& s, std::size_t c) {
-        return s.curve < c;
-      });
-  return static_cast<std::size_t>(first - supports_.begin());
+  next_.resize(supports_.size());
+  before_.resize(supports_.size());
+  for (std::size_t first = 0, end = 0; first < supports_.size(); first = end) {
+    while (end < supports_.size() && supports_[end].curve == supports_[first].curve)
+      ++end;
+    for (std::size_t i = first; i < end; ++i) {
+      next_[i] = i + 1 < end ? i + 1 : first;
+      before_[next_[i]] = i;
+    }
+  }
 }
 
 HoleContour
@@ -119,7 +124,7 @@ Extraction::walkFrom(std::size_t support)
   do {
     const Support& from = supports_[here];
     const std::size_t across = ends_[from.bridge][from.is_end ? 0 : 1];
-    const std::size_t next = nextOf(across);
+    const std::size_t next = next_[across];
     contour.steps.push_back(
         {from.bridge, from.is_end, {supports_[across].point, supports_[next].point}});
     used_[next] = true;
@@ -129,38 +134,52 @@ Extraction::walkFrom(std::size_t support)
   return contour;
 }
 
-/** C4.47-3. \return whether there was such a bridge */
-bool
-Extraction::dropPassedTwice(const HoleContour& contour)
+/** C4.47-3: bridges that a contour passes on both sides. */
+std::vector<std::size_t>
+Extraction::passedTwice(const HoleContour& contour) const
 {
   std::vector<std::size_t> passed;
   for (const ContourStep& step : contour.steps)
     passed.push_back(step.bridge);
   std::sort(passed.begin(), passed.end());
-  bool dropped = false;
+  std::vector<std::size_t> twice;
   for (std::size_t i = 1; i < passed.size(); ++i)
-    if (passed[i] == passed[i - 1]) {
-      kept_[passed[i]] = false;
-      dropped = true;
-    }
-  return dropped;
+    if (passed[i] == passed[i - 1])
+      twice.push_back(passed[i]);
+  return twice;
 }
 
-/** \return false when bridges were deleted on the way */
-bool
+/** Its supports go from their boundaries. */
+void
+Extraction::drop(std::size_t bridge)
+{
+  kept_[bridge] = false;
+  for (const std::size_t support : ends_[bridge]) {
+    next_[before_[support]] = next_[support];
+    before_[next_[support]] = before_[support];
+    used_[support] = true; // nothing begins there
+  }
+}
+
+/** Without a bridge that a contour passes twice, the other contours are as they were:
+ * only that one is walked again. */
+void
 Extraction::walkAll()
 {
-  contours_.clear();
   used_.assign(supports_.size(), false);
-  for (std::size_t i = 0; i < supports_.size(); ++i) {
-    if (used_[i])
-      continue;
-    HoleContour contour = walkFrom(i);
-    if (dropPassedTwice(contour))
-      return false;
-    contours_.push_back(std::move(contour));
-  }
-  return true;
+  for (std::size_t i = 0; i < supports_.size(); ++i)
+    while (!used_[i]) {
+      HoleContour contour = walkFrom(i);
+      const std::vector<std::size_t> twice = passedTwice(contour);
+      if (twice.empty()) {
+        contours_.push_back(std::move(contour));
+        break;
+      }
+      for (const ContourStep& step : contour.steps)
+        used_[ends_[step.bridge][step.backward ? 1 : 0]] = false;
+      for (const std::size_t bridge : twice)
+        drop(bridge);
+    }
 }
 
 void
@@ -168,7 +187,8 @@ Extraction::addLoneBoundaries()
 {
   std::vector<bool> has_bridge(boundaries_.curves().size(), false);
   for (const Support& support : supports_)
-    has_bridge[support.curve] = true;
+    if (kept_[support.bridge])
+      has_bridge[support.curve] = true;
   for (std::size_t curve = 0; curve < has_bridge.size(); ++curve)
     if (!has_bridge[curve]) {
       const BoundaryPoint first = boundaries_.pointAt(curve, 0.0);
@@ -181,7 +201,9 @@ Extraction::run()
 {
   do
     listSupports();
-  while (dropCoincident() || !walkAll());
+  while (dropCoincident());
+  linkSupports();
+  walkAll();
   addLoneBoundaries();
   ContourExtraction result;
   result.contours = std::move(contours_);

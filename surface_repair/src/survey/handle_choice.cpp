@@ -25,6 +25,8 @@ constexpr double MOST_BENT = 2.1;
 constexpr double CARRYING_ODDS = 3.6;
 /** Bridges, and junctions, that are tried for each handle. */
 constexpr std::size_t MOST_TRIES = 64;
+/** Times in all that contours are extracted anew. */
+constexpr std::size_t MOST_EXTRACTIONS = 1024;
 
 using CurvePair = std::array<std::size_t, 2>;
 
@@ -61,6 +63,49 @@ without(const Dropped& is_dropped,
 struct Candidate {
   const Junction* junction = nullptr;
   std::size_t bridge = NONE; /**< NONE: all of them */
+};
+
+/** The contours on both sides of each bridge, NONE for one that none passes. */
+class BridgeSides {
+public:
+  explicit BridgeSides(const SurveyedBridges& joined)
+  : contours_(joined.holes.contours.size()), sides_(joined.bridges.size(), {NONE, NONE})
+  {
+    for (std::size_t c = 0; c < contours_; ++c)
+      for (const ContourStep& step : joined.holes.contours[c].steps)
+        if (step.bridge != NONE)
+          sides_[step.bridge][step.backward ? 1 : 0] = c;
+  }
+
+  /** \brief Whether fewer handles are possible without some bridges. Each that goes
+   * makes one contour of two, which leaves their number as it is, unless one that stays
+   * has the same contour on both sides then and goes, too. */
+  template <typename Dropped>
+  bool
+  mayTakeHandle(const Dropped& is_dropped) const
+  {
+    ccaa::DisjointSets sets(contours_);
+    const auto is_same = [&](std::size_t b) {
+      return sets.find(sides_[b][0]) == sets.find(sides_[b][1]);
+    };
+    std::vector<std::size_t> staying;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      if (sides_[b][0] == NONE)
+        continue;
+      if (!is_dropped(b)) {
+        staying.push_back(b);
+        continue;
+      }
+      if (is_same(b))
+        return true;
+      sets.join(sides_[b][0], sides_[b][1]);
+    }
+    return std::any_of(staying.begin(), staying.end(), is_same);
+  }
+
+private:
+  std::size_t contours_;
+  std::vector<std::array<std::size_t, 2>> sides_;
 };
 
 /** Of junctions that may not make a handle: single bridges first, so that most of them
@@ -129,14 +174,20 @@ dropHandles(const ModelSurvey& survey,
             SurveyedBridges& joined)
 {
   BridgedTopology now = bridgedTopology(survey, joined);
+  std::size_t tries = 0;
   for (bool dropped = true; dropped && now.handles > 0;) {
     dropped = false;
+    const BridgeSides sides(joined);
     for (const Candidate& candidate : candidatesOf(survey, joined)) {
       const auto is_dropped = [&](std::size_t bridge) {
         return candidate.bridge == NONE
                    ? curvesOf(joined.bridges[bridge]) == candidate.junction->curves
                    : bridge == candidate.bridge;
       };
+      if (!sides.mayTakeHandle(is_dropped))
+        continue;
+      if (++tries > MOST_EXTRACTIONS)
+        return;
       SurveyedBridges left = without(is_dropped, boundaries, joined);
       const BridgedTopology then = bridgedTopology(survey, left);
       if (then.pieces != now.pieces || then.handles >= now.handles)
