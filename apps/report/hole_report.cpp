@@ -251,13 +251,19 @@ tellShortfalls(const RepairReport& report, const pcl::PolygonMesh& mesh)
     if (!place.empty())
       text += std::string(" (") + (is_one ? "" : "one is ") + place + ")";
   }
-  for (const pcl::RepairDoubt& doubt : report.doubts) {
-    text += (text.empty() ? "" : ". ") + std::string(describe(doubt.reason));
-    if (doubt.reason != pcl::DoubtReason::UNSUPPORTED)
-      text += " (" + placeOf(doubt.points[0], mesh) + " and " +
-              placeOf(doubt.points[1], mesh) + ")";
+  std::map<pcl::DoubtReason, std::vector<const pcl::RepairDoubt*>> doubts;
+  for (const pcl::RepairDoubt& doubt : report.doubts)
+    doubts[doubt.reason].push_back(&doubt);
+  for (const auto& [reason, alike] : doubts) {
+    const pcl::RepairDoubt& first = *alike.front();
+    text += (text.empty() ? "" : ". ") + std::string(describe(reason));
+    if (reason == pcl::DoubtReason::UNSUPPORTED)
+      text += formatted(" (%.0f %%)", 100.0 * first.ratio);
     else
-      text += formatted(" (%.0f %%)", 100.0 * doubt.ratio);
+      text +=
+          (alike.size() == 1 ? " (" : formatted(" (%zu times, once ", alike.size())) +
+          placeOf(first.points[0], mesh) + " and " + placeOf(first.points[1], mesh) +
+          ")";
   }
   return text;
 }

@@ -90,14 +90,20 @@ diagonalsNear(const Triangles& coarse, std::size_t points)
 
 } // namespace
 
-Triangles
+bool
+areAllLookedAt(std::size_t points)
+{
+  return points <= FULL_SEARCH;
+}
+
+TriangulationTable
 triangulateCoarseToFine(const BoundaryCurve& polygon,
                         const FillingWeights& weights,
                         const FillingLimits& limits)
 {
   const std::size_t n = polygon.size();
-  if (n <= FULL_SEARCH)
-    return TriangulationTable(polygon, nullptr, weights, limits).triangles();
+  if (areAllLookedAt(n))
+    return {polygon, nullptr, weights, limits};
   FillingLimits coarse;
   if (limits.joined)
     coarse.joined = [&](std::size_t i, std::size_t j) {
@@ -112,11 +118,14 @@ triangulateCoarseToFine(const BoundaryCurve& polygon,
       return limits.crossed(2 * i, 2 * j);
     };
   const BoundaryCurve every_second = everySecond(polygon);
-  Triangles start = triangulateCoarseToFine(every_second, weights, coarse);
-  if (start.empty()) // what is in the way of the coarse one need not be in ours
-    start = triangulateCoarseToFine(every_second, weights, {});
-  const std::vector<Diagonal> near = diagonalsNear(start, n);
-  return TriangulationTable(polygon, &near, weights, limits).triangles();
+  const auto start = [&](const FillingLimits& within) {
+    return triangulateCoarseToFine(every_second, weights, within).triangles();
+  };
+  Triangles first = start(coarse);
+  if (first.empty()) // what is in the way of the coarse one need not be in ours
+    first = start({});
+  const std::vector<Diagonal> near = diagonalsNear(first, n);
+  return {polygon, &near, weights, limits};
 }
 
 } // namespace repair

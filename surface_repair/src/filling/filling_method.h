@@ -28,6 +28,9 @@ struct FillingTask {
   /** \brief Whether the way between two points runs through what is there, so that all
    * triangles with that edge are obstructed. Null: triangles are asked for alone. */
   std::function<bool(const Position&, const Position&)> crossed;
+  /** \brief The triangulation that would be taken without these is known to run into
+   * something: it is not looked at again. */
+  bool has_failed = false;
   /** \brief Of a ring that was cut open the place at which its second loop begins, and
    * then two points may be at one place; else 0. See stitchRing(). */
   std::size_t second_loop = 0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace pcl {
@@ -27,11 +28,12 @@ class Obstructions {
 public:
   explicit Obstructions(const FillingTask& task) : task_(task) {}
 
+  /** \brief \param[in] triangles of points that ascend */
   void
-  forbid(Triangle triangle)
+  forbid(const Triangles& triangles)
   {
-    std::sort(triangle.begin(), triangle.end());
-    obstructed_[triangle] = true;
+    for (const Triangle& triangle : triangles)
+      obstructed_[triangle] = true;
   }
 
   bool
@@ -89,7 +91,7 @@ private:
 };
 
 /** Of triangles that meet each other, some without which no two do: always the one that
- * meets most others. */
+ * meets most others. Their points ascend. */
 Triangles
 culprits(const Triangles& triangles, std::vector<ccaa::TrianglePair> pairs)
 {
@@ -104,6 +106,7 @@ culprits(const Triangles& triangles, std::vector<ccaa::TrianglePair> pairs)
     const auto worst = static_cast<pcl::index_t>(
         std::max_element(meetings.begin(), meetings.end()) - meetings.begin());
     found.push_back(triangles[static_cast<std::size_t>(worst)]);
+    std::sort(found.back().begin(), found.back().end());
     pairs.erase(std::remove_if(pairs.begin(),
                                pairs.end(),
                                [&](const ccaa::TrianglePair& pair) {
@@ -121,19 +124,27 @@ struct Best {
 };
 
 /** Triangulate, forbid what meets other triangles, and so on.
- * \return whether the best one has no triangles that meet */
+ * \return whether other weights could lead to something better */
 bool
 search(const FillingTask& task, const FillingWeights& weights, Best& best)
 {
   Obstructions obstructions(task);
-  bool obstructed = false;
+  bool obstructed = task.has_failed;
+  Triangles forbidden; // in the round before
+  FillingLimits limits;
+  std::optional<TriangulationTable> table;
+  const auto fill = [&] {
+    limits = obstructions.limits(obstructed);
+    table.emplace(triangulateCoarseToFine(task.polygon, weights, limits));
+  };
+  fill();
   for (std::size_t round = 0; round < MENDING_ROUNDS; ++round) {
-    const FillingLimits limits = obstructions.limits(obstructed);
-    Triangles triangles = triangulateCoarseToFine(task.polygon, weights, limits);
+    const Triangles& triangles = table->triangles();
     if (triangles.empty())
-      return false;
+      return !forbidden.empty() || !areAllLookedAt(task.polygon.size());
     if (!obstructed && obstructions.any(triangles)) {
       obstructed = true;
+      fill();
       continue;
     }
     ccaa::RunControl control;
@@ -142,12 +153,17 @@ search(const FillingTask& task, const FillingWeights& weights, Best& best)
     if (best.triangles.empty() || pairs.size() < best.meetings)
       best = {triangles, pairs.size()};
     if (pairs.empty())
-      return true;
-    for (const Triangle& triangle : culprits(triangles, std::move(pairs)))
-      obstructions.forbid(triangle);
+      return false;
+    forbidden = culprits(triangles, std::move(pairs));
+    obstructions.forbid(forbidden);
+    if (obstructed) {
+      table->avoid(forbidden);
+      continue;
+    }
     obstructed = true;
+    fill();
   }
-  return false;
+  return true;
 }
 
 } // namespace
@@ -162,7 +178,7 @@ MinimumWeightFilling::close(const FillingTask& task) const
   }
   Best best;
   for (const FillingWeights& weights : TRIED_WEIGHTS)
-    if (search(task, weights, best))
+    if (!search(task, weights, best))
       break;
   filling.triangles = std::move(best.triangles);
   if (filling.triangles.empty())

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pcl {
 namespace repair {
@@ -85,6 +86,29 @@ TriangulationTable::fillRow(std::size_t i)
   }
 }
 
+void
+TriangulationTable::avoid(const Triangles& obstructed)
+{
+  std::vector<std::size_t> first_end(polygon_.size(), NONE); // of those from a point on
+  for (const Triangle& triangle : obstructed) {
+    std::size_t& end = first_end[static_cast<std::size_t>(triangle.front())];
+    end = std::min(end, static_cast<std::size_t>(triangle.back()));
+  }
+  for (std::size_t i = polygon_.size() - 1; i-- > 0;) {
+    first_end[i] = std::min(first_end[i], first_end[i + 1]);
+    for (std::size_t c = row_begin_[i]; c < row_begin_[i + 1]; ++c) {
+      Cell& cell = cells_[c];
+      if (column_of_[c] < first_end[i] || cell.apex == NONE)
+        continue;
+      cell.weight = std::numeric_limits<double>::infinity();
+      cell.apex = NONE;
+      fillCell(i, column_of_[c], cell);
+    }
+  }
+  triangles_.clear();
+  collect();
+}
+
 /** Of the triangle (i, m, j), with the best triangulations behind its other edges. */
 TriangulationTable::Weighed
 TriangulationTable::weigh(const Cell& cell,
@@ -159,19 +183,20 @@ TriangulationTable::accept(const Candidate& candidate, Cell& cell)
 void
 TriangulationTable::acceptClear(std::size_t i, std::size_t j, Cell& cell)
 {
-  std::stable_sort(candidates_.begin(),
-                   candidates_.end(),
-                   [](const Candidate& a, const Candidate& b) {
-                     return a.weighed.weight < b.weighed.weight;
-                   });
-  for (const Candidate& candidate : candidates_) {
-    if (!limits_.obstructed(i, candidate.apex, j)) {
-      accept(candidate, cell);
+  const auto is_later = [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.weighed.weight, a.apex) > std::tie(b.weighed.weight, b.apex);
+  };
+  std::make_heap(candidates_.begin(), candidates_.end(), is_later);
+  for (bool is_first = true; !candidates_.empty(); is_first = false) {
+    const Candidate& lightest = candidates_.front();
+    if (!limits_.obstructed(i, lightest.apex, j)) {
+      accept(lightest, cell);
       return;
     }
-    if (&candidate == &candidates_.front() && !isClosing(i, j) && limits_.crossed &&
-        limits_.crossed(i, j))
+    if (is_first && !isClosing(i, j) && limits_.crossed && limits_.crossed(i, j))
       return;
+    std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
+    candidates_.pop_back();
   }
 }
 

@@ -46,6 +46,11 @@ public:
                      const FillingWeights& weights,
                      const FillingLimits& limits);
 
+  /** \brief Find the best triangulation again after some triangles, by ascending
+   * points, are obstructed, too. Cost: of the cells that span one of them. */
+  void
+  avoid(const Triangles& obstructed);
+
   /** \brief n - 2 triangles, wound against the polygon; none when every triangulation
    * is forbidden. */
   const Triangles&

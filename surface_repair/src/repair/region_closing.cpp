@@ -28,6 +28,9 @@ namespace {
 
 /** Rings around what runs into something that go back, one try after the other. */
 constexpr std::array<std::size_t, 4> CALMED_RINGS = {0, 2, 4, 8};
+/** Triangles of a fill that run into something before it is refined: with more, none
+ * has come out free. */
+constexpr std::size_t MOST_IN_THE_WAY = 64;
 
 class RegionClosing {
 public:
@@ -52,6 +55,10 @@ public:
 private:
   bool
   isToBeFlat() const;
+  OpenReason
+  crossedBoundary(const HolePolygon& hole) const;
+  void
+  leavePierced();
   bool
   hasSamples(const HolePolygon& hole) const;
   void
@@ -136,6 +143,39 @@ RegionClosing::hasSamples(const HolePolygon& hole) const
              .method == CompletionFilling().name();
 }
 
+/** PIERCED where the surface crosses an edge that it has, INTERSECTION where it crosses
+ * a bridge, else NONE. */
+OpenReason
+RegionClosing::crossedBoundary(const HolePolygon& hole) const
+{
+  const auto given = static_cast<pcl::index_t>(place_.model.positions.size());
+  OpenReason reason = OpenReason::NONE;
+  for (std::size_t k = 0; k < hole.curve.size(); ++k) {
+    const std::size_t next = hole.curve.next(k);
+    if (!obstacle_.isCrossedBy(hole.curve.points[k], hole.curve.points[next]))
+      continue;
+    reason = OpenReason::INTERSECTION;
+    const pcl::index_t a = hole.vertices[k], b = hole.vertices[next];
+    if (a < given && b < given && areJoined(place_.model, a, b))
+      return OpenReason::PIERCED;
+  }
+  return reason;
+}
+
+/** Each triangle at an edge that the surface crosses would meet it: nothing is tried.
+ */
+void
+RegionClosing::leavePierced()
+{
+  for (std::size_t h = 0; h < region_.holes.size(); ++h) {
+    const OpenReason reason = crossedBoundary(region_.holes[h]);
+    if (reason == OpenReason::NONE)
+      continue;
+    strategy_[h] = GIVEN_UP;
+    result_.holes[h].open = reason;
+  }
+}
+
 /** ICM2 -> ICM1 (4.5). */
 void
 RegionClosing::subdivide()
@@ -145,7 +185,7 @@ RegionClosing::subdivide()
   std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
     // Bridges would follow the surface around: out of the plane, or past the samples.
-    if (flat_ || !region_.samples.empty()) {
+    if (flat_ || !region_.samples.empty() || strategy_[h] == GIVEN_UP) {
       parts_.push_back({region_.holes[h], {}, h});
       continue;
     }
@@ -180,11 +220,14 @@ RegionClosing::fillsOf(const FillStrategy& strategy)
   for (const FilledPart& part : parts_)
     taken.addPolygon(part.polygon);
   for (const FilledPart& part : parts_) {
-    fillings.push_back(fillHole(
+    fillings.emplace_back();
+    if (strategy_[part.hole] == GIVEN_UP)
+      continue;
+    fillings.back() = fillHole(
         fillingTask(part.polygon, taken, strategy.avoids ? &obstacle_ : nullptr),
         strategy.without_free || flat_ ? FillingChoice::MINIMUM_WEIGHT
                                        : place_.parameters.filling.choice,
-        place_.guides.free_points.get()));
+        place_.guides.free_points.get());
     if (fillings.back().filling.closed())
       taken.addFilling(part.polygon, fillings.back().filling);
   }
@@ -281,9 +324,12 @@ RegionClosing::fair()
   assemble();
   const RepairParameters& parameters = place_.parameters;
   const bool keeps_shape = any(&FillStrategy::keeps_shape);
-  if (keeps_shape || !parameters.refine)
+  const bool is_alone = region_.holes.size() == 1 && !place_.mends;
+  if (keeps_shape || is_alone || !parameters.refine)
     findCollisions();
-  const bool stays_obstructed = keeps_shape && !obstructed_.empty();
+  const bool stays_obstructed = keeps_shape
+                                    ? !obstructed_.empty()
+                                    : is_alone && obstructed_.size() > MOST_IN_THE_WAY;
   if (stays_obstructed || !parameters.refine)
     return;
   refinePatch(place_.model, parameters.refinement, result_.patch, keeps_shape);
@@ -401,6 +447,7 @@ RegionClosing::mend()
 ClosedRegion
 RegionClosing::run()
 {
+  leavePierced();
   subdivide();
   do {
     fill();

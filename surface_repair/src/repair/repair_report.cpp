@@ -35,6 +35,8 @@ describe(OpenReason reason)
     return "closing it would give an edge three triangles";
   case OpenReason::INTERSECTION:
     return "closing it would run through the surface";
+  case OpenReason::PIERCED:
+    return "the surface runs through its boundary";
   case OpenReason::NOT_WANTED:
     return "it was not to be closed or joined";
   }
@@ -101,6 +103,8 @@ nameOf(OpenReason reason)
     return "NOT_MANIFOLD";
   case OpenReason::INTERSECTION:
     return "INTERSECTION";
+  case OpenReason::PIERCED:
+    return "PIERCED";
   case OpenReason::NOT_WANTED:
     return "NOT_WANTED";
   }

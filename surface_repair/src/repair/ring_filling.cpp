@@ -181,6 +181,11 @@ fillRings(const std::vector<RingPolygon>& rings,
       return ccaa::isCollinear(corners) ||
              (obstacle != nullptr && obstacle->meets(corners));
     };
+    task.has_failed = obstacle != nullptr;
+    if (obstacle != nullptr)
+      task.crossed = [obstacle](const Position& p, const Position& q) {
+        return obstacle->isCrossedBy(p, q);
+      };
     if (last < 2) // an edge of both loops
       continue;
     const Filling filling = MinimumWeightFilling().close(task);

@@ -25,16 +25,37 @@ treeOver(const std::vector<ccaa::Corners>& triangles)
   return ccaa::BoxTree(boxes);
 }
 
-/** Within all edges of a triangle, and from one side of it to the other. */
+/** Whether a way from a corner of a triangle, the first one, runs within it. */
+bool
+runsWithin(const ccaa::Corners& triangle, const Position& to)
+{
+  const auto& [a, b, c] = triangle;
+  if (ccaa::sideOfPlane(a, b, c, to) != 0)
+    return false;
+  const int axis = ccaa::droppableAxis(a, b, c);
+  const int turn = ccaa::turnInPlane(a, b, c, axis);
+  return ccaa::turnInPlane(a, b, to, axis) == turn &&
+         ccaa::turnInPlane(a, to, c, axis) == turn;
+}
+
+/** Whether each triangle that has an edge meets another one for that (trianglesMeet()):
+ * but for common corners the edge has a point in common with it. */
 bool
 crosses(const Position& p, const Position& q, const ccaa::Corners& triangle)
 {
-  const auto& [a, b, c] = triangle;
-  if (ccaa::sideOfPlane(a, b, c, p) * ccaa::sideOfPlane(a, b, c, q) >= 0)
+  const auto cornerAt = [&](const Position& place) {
+    return static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), place) -
+                                    triangle.begin());
+  };
+  const std::size_t at_p = cornerAt(p), at_q = cornerAt(q);
+  if (at_p == 3 && at_q == 3)
+    return ccaa::segmentMeetsTriangle(p, q, triangle);
+  if (at_p != 3 && at_q != 3)
     return false;
-  const int side = ccaa::sideOfPlane(p, q, a, b);
-  return side != 0 && side == ccaa::sideOfPlane(p, q, b, c) &&
-         side == ccaa::sideOfPlane(p, q, c, a);
+  const std::size_t first = std::min(at_p, at_q);
+  return runsWithin(
+      {triangle[first], triangle[(first + 1) % 3], triangle[(first + 2) % 3]},
+      at_p == 3 ? p : q);
 }
 
 std::uint64_t

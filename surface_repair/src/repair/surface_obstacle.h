@@ -31,9 +31,9 @@ public:
   bool
   meets(const ccaa::Corners& corners) const;
 
-  /** \brief Whether the way between two points runs through one that is there, from one
-   * side of it to the other within its edges: then any triangle with an area that has
-   * this way as an edge meets it. Exact. */
+  /** \brief Whether the way between two points meets one that is there, but for corners
+   * that they have in common: then any triangle with an area that has this way as an
+   * edge meets it. Exact. */
   bool
   isCrossedBy(const Position& p, const Position& q) const;
 

@@ -64,6 +64,7 @@ fillingTask(const HolePolygon& polygon,
   task.crossed = [obstacle](const Position& p, const Position& q) {
     return obstacle->isCrossedBy(p, q);
   };
+  task.has_failed = true;
   return task;
 }
 

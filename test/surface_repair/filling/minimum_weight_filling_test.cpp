@@ -5,11 +5,13 @@
 
 #include "filling/disc_check.h"
 #include "filling/minimum_weight_filling.h"
+#include "filling/triangulation_table.h"
 #include "filling_samples.h"
 #include "mesh/intersection.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -187,6 +189,51 @@ TEST(MinimumWeightFilling, CrossedDiagonalsChangeNothingAndSpareQuestions)
     EXPECT_EQ(expected, fillingOf(task).triangles);
     EXPECT_LT(2 * asked, asked_before);
   }
+}
+
+TEST(TriangulationTable, AvoidsMoreTrianglesAsIfTheyHadBeenObstructedFromTheStart)
+{
+  const BoundaryCurve polygon = slitAlongTube(20).polygon;
+  std::set<Triangle> avoided;
+  FillingLimits limits;
+  limits.obstructed = [&](std::size_t i, std::size_t m, std::size_t j) {
+    return avoided.count({static_cast<pcl::index_t>(i),
+                          static_cast<pcl::index_t>(m),
+                          static_cast<pcl::index_t>(j)}) > 0;
+  };
+  const FillingWeights weights;
+  TriangulationTable table(polygon, nullptr, weights, limits);
+  for (int round = 0; round < 10; ++round) {
+    Triangles more;
+    for (const std::size_t t : {0U, 7U, 20U}) {
+      more.push_back(table.triangles().at(t));
+      std::sort(more.back().begin(), more.back().end());
+    }
+    avoided.insert(more.begin(), more.end());
+    table.avoid(more);
+    const TriangulationTable anew(polygon, nullptr, weights, limits);
+    ASSERT_FALSE(anew.triangles().empty());
+    EXPECT_EQ(anew.triangles(), table.triangles()) << round;
+  }
+}
+
+TEST(MinimumWeightFilling, KnownFailureLeadsToTheSame)
+{
+  FillingTask task = slitAlongTube(24);
+  const Triangle refused = [&] {
+    Triangle triangle = fillingOf(task).triangles.at(5);
+    std::sort(triangle.begin(), triangle.end());
+    return triangle;
+  }();
+  task.obstructed = [&](const ccaa::Corners& corners) {
+    return std::all_of(refused.begin(), refused.end(), [&](pcl::index_t v) {
+      const Position& point = task.polygon.points[static_cast<std::size_t>(v)];
+      return std::find(corners.begin(), corners.end(), point) != corners.end();
+    });
+  };
+  const Filling searched = fillingOf(task);
+  task.has_failed = true;
+  EXPECT_EQ(searched.triangles, fillingOf(task).triangles);
 }
 
 TEST(MinimumWeightFilling, ObstructionsSeeTheTriangleWoundLikeTheSurface)

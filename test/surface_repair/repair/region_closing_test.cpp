@@ -227,6 +227,17 @@ TEST(RegionClosing, LeavesOpenWhatNothingCloses)
   expectSound(site, closed);
 }
 
+TEST(RegionClosing, TriesNothingWhereTheSurfaceRunsThroughTheBoundary)
+{
+  Site site(holedSheet(7.0));
+  const BoundaryCurve& rim = site.regions[0].holes[0].curve;
+  site.putSpike(rim.points[3] + 0.5 * rim.edge(3), 2.0);
+  const ClosedRegion closed = site.close();
+  EXPECT_EQ(OpenReason::PIERCED, closed.holes[0].open);
+  EXPECT_EQ(0U, closed.holes[0].tries);
+  expectSound(site, closed);
+}
+
 /** All four vertices of the polygon have edges to each other already. */
 TEST(RegionClosing, AHoleWhoseDiagonalsAreEdgesHasNoFilling)
 {

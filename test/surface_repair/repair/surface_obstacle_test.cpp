@@ -165,15 +165,54 @@ TEST(SurfaceObstacle, HasAnotherFingerprintWithAnotherTriangleNearby)
   EXPECT_NE(before, sphere.fingerprint(near));
 }
 
-TEST(SurfaceObstacle, IsNotCrossedByWaysToItsCornersOrOverItsEdges)
+const Shape LEVEL{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+
+TEST(SurfaceObstacle, IsCrossedByWaysThatTouchIt)
 {
-  const Shape triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const SurfaceObstacle obstacle(modelOf(triangle), {everywhere()});
+  const SurfaceObstacle obstacle(modelOf(LEVEL), {everywhere()});
   EXPECT_TRUE(obstacle.isCrossedBy({0.2, 0.2, 1.0}, {0.2, 0.2, -1.0}));
-  EXPECT_FALSE(obstacle.isCrossedBy({0.2, 0.2, 1.0}, {0.2, 0.2, 0.0}));
-  EXPECT_FALSE(obstacle.isCrossedBy({0.5, 0.0, 1.0}, {0.5, 0.0, -1.0}));
-  EXPECT_FALSE(obstacle.isCrossedBy({0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}));
-  EXPECT_FALSE(obstacle.isCrossedBy({-1.0, 0.2, 0.0}, {2.0, 0.2, 0.0}));
+  EXPECT_TRUE(obstacle.isCrossedBy({0.2, 0.2, 1.0}, {0.2, 0.2, 0.0}));
+  EXPECT_TRUE(obstacle.isCrossedBy({0.5, 0.0, 1.0}, {0.5, 0.0, -1.0}));
+  EXPECT_TRUE(obstacle.isCrossedBy({-1.0, 0.2, 0.0}, {2.0, 0.2, 0.0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0.6, 0.6, 1.0}, {0.6, 0.6, -1.0}));
+}
+
+TEST(SurfaceObstacle, IsCrossedByWaysFromItsCornersThatRunWithinIt)
+{
+  const SurfaceObstacle obstacle(modelOf(LEVEL), {everywhere()});
+  EXPECT_TRUE(obstacle.isCrossedBy({0, 0, 0}, {1, 1, 0}));
+  EXPECT_TRUE(obstacle.isCrossedBy({0.1, 0.2, 0}, {1, 0, 0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0, 0, 0}, {-1, -1, 0}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0, 0, 0}, {1, 1, 1}));
+  EXPECT_FALSE(obstacle.isCrossedBy({0, 0, 0}, {1, 0, 0}));
+}
+
+/** On a small lattice many corners are common, and many triangles in one plane. */
+TEST(SurfaceObstacle, ThatALatticeWayCrossesIsMetByAllTrianglesWithIt)
+{
+  RandomSource random(5);
+  const auto corners = [&] {
+    Positions places;
+    for (int k = 0; k < 3; ++k) {
+      const auto x = static_cast<double>(random.below(4));
+      const auto y = static_cast<double>(random.below(4));
+      places.emplace_back(x, y, static_cast<double>(random.below(2)));
+    }
+    return ccaa::Corners{places[0], places[1], places[2]};
+  };
+  std::size_t crossed = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const ccaa::Corners there = corners(), asked = corners();
+    if (ccaa::isCollinear(there) || ccaa::isCollinear(asked))
+      continue;
+    SurfaceObstacle obstacle(IncompleteModel(), {});
+    obstacle.add({there[0], there[1], there[2]}, {{0, 1, 2}});
+    if (!obstacle.isCrossedBy(asked[0], asked[1]))
+      continue;
+    ++crossed;
+    EXPECT_TRUE(obstacle.meets(asked)) << trial;
+  }
+  EXPECT_GT(crossed, 2000U);
 }
 
 TEST(SurfaceObstacle, IsMetByATriangleThroughIt)
