@@ -19,7 +19,8 @@ namespace {
 constexpr const char* HELP =
     R"(bench_ccaa [options] [CLOUD | list:NAME]...
 
-CLOUD  FILE.ply, FILE.pcd, bumpy:N, sample:FILE:N:NOISE, noisy:FILE:SIGMA,
+CLOUD  FILE.ply, FILE.pcd, bumpy:N, office:SEED, aerial:SEED,
+       sample:FILE:N:NOISE, noisy:FILE:SIGMA,
        thinned:FILE:SHARE:SIGMA, outliers:FILE:SHARE or graded:FILE:FACTOR
        (explained in input_clouds.h)
 NAME   bunny, closed, igea or scenes: files below the folder PSR_SHARED_DATA

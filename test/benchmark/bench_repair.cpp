@@ -34,6 +34,9 @@ constexpr const char* HELP =
     "  curved  fairing alone, then one hole of 600 edges, beside CGAL's filling\n"
     "  growth  time against the length of all boundaries\n"
     "  large   ten holes in 5 million triangles beside reading the adjacency\n"
+    "  scans   range maps, scenes, rooms, terrain: one thread and two\n"
+    "  many    100 to 10 000 holes in 4 million triangles, one thread and two\n"
+    "  long    one hole of up to 2 000 edges in 2 million triangles\n"
     "  sides   scenes from one side: what of them faces the sensor\n"
     "  topology  closed models that lose parts: how many get their topology back\n"
     "  free    what sparse free points of lost parts do, and what they cost\n"
@@ -45,7 +48,8 @@ constexpr const char* HELP =
     "\n"
     "Real models are looked for in the folder named by PSR_SHARED_DATA.\n";
 
-const std::array<std::string, 12> PARTS = {"junctions",
+const std::array<std::string, 15> PARTS = {"junctions",
+                                           "scans",
                                            "cases",
                                            "thesis",
                                            "bunny",
@@ -53,6 +57,8 @@ const std::array<std::string, 12> PARTS = {"junctions",
                                            "curved",
                                            "growth",
                                            "large",
+                                           "many",
+                                           "long",
                                            "sides",
                                            "topology",
                                            "free",
@@ -110,6 +116,12 @@ run(const std::string& part, const Settings& settings)
     bench::printRepairGrowth(std::cout, settings.repeats);
   else if (part == "large")
     bench::printLargeRepair(std::cout, settings.repeats);
+  else if (part == "scans")
+    bench::printScans(std::cout, settings.repeats);
+  else if (part == "many")
+    bench::printManyHoles(std::cout, settings.repeats);
+  else if (part == "long")
+    bench::printLongHoles(std::cout, settings.repeats);
   else if (part == "topology")
     bench::printTopologyTable(std::cout, settings.seeds == 0 ? 1 : settings.seeds);
   else if (part == "free")

@@ -8,6 +8,7 @@
 #include <pcl/conversions.h>
 
 #include "cloud_damage.h"
+#include "support/single_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,10 +154,25 @@ makeCloud(const std::string& word)
   const std::vector<std::string> part = parts(word);
   if (part.size() == 2 && part[0] == "bumpy")
     return bumpySphere(std::stoul(part[1]));
+  if (part.size() == 2 && part[0] == "office")
+    return cloudOf(pcl::ccaa::test::officeFrame(std::stoul(part[1])).points);
+  if (part.size() == 2 && part[0] == "aerial")
+    return cloudOf(pcl::ccaa::test::aerialView(std::stoul(part[1])).points);
   if (part.size() == 4 && part[0] == "sample")
     return sampleMesh(part[1], std::stoul(part[2]), std::stod(part[3]));
   const Cloud::Ptr damaged = makeDamagedCloud(part);
   return damaged ? damaged : readCloud(word);
+}
+
+Cloud::Ptr
+cloudOf(const pcl::ccaa::Positions& points)
+{
+  const Cloud::Ptr cloud(new Cloud);
+  for (const pcl::ccaa::Position& point : points)
+    cloud->emplace_back(static_cast<float>(point.x()),
+                        static_cast<float>(point.y()),
+                        static_cast<float>(point.z()));
+  return cloud;
 }
 
 std::string

@@ -5,6 +5,8 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "mesh/triangle.h"
+
 #include <string>
 
 namespace bench {
@@ -14,6 +16,8 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 /** \brief The cloud that a word of the command line names:
  * - FILE.ply or FILE.pcd: its finite points;
  * - bumpy:N: N points spread at random over a closed bumpy sphere, in random order;
+ * - office:SEED, aerial:SEED: a frame of a depth camera, a tile of laser points from
+ * the air (single_view.h);
  * - sample:FILE.ply:N:NOISE: N points spread at random over the triangles of a mesh,
  * each moved by gaussian noise of NOISE mean spacings, in random order;
  * - noisy:FILE:SIGMA: each point of FILE moved along each axis by gaussian noise of
@@ -30,6 +34,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
  * std::invalid_argument for a number that is none. */
 Cloud::Ptr
 makeCloud(const std::string& word);
+
+/** \brief Points as a cloud. */
+Cloud::Ptr
+cloudOf(const pcl::ccaa::Positions& points);
 
 /** \brief The file that holds the true surface of the cloud that a word names, if any
  * does: FILE.ply itself, whose triangles makeCloud() does not look at. Empty for clouds

@@ -20,4 +20,17 @@ printRepairGrowth(std::ostream& out, std::size_t repeats);
 void
 printLargeRepair(std::ostream& out, std::size_t repeats);
 
+/** \brief What scanners see: range maps as they are, clouds after reconstruction; in
+ * one thread and in two. */
+void
+printScans(std::ostream& out, std::size_t repeats);
+
+/** \brief 100 to 10 000 holes, in one thread and in two. */
+void
+printManyHoles(std::ostream& out, std::size_t repeats);
+
+/** \brief One hole of some hundred to 2 000 edges. */
+void
+printLongHoles(std::ostream& out, std::size_t repeats);
+
 } // namespace bench

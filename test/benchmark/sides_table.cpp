@@ -52,17 +52,6 @@ realScenes()
           {"bunny_scans/bun180.ply", scanner}};
 }
 
-Cloud::Ptr
-cloudOf(const SingleView& view)
-{
-  const auto cloud = std::make_shared<Cloud>();
-  for (const Position& point : view.points)
-    cloud->emplace_back(static_cast<float>(point.x()),
-                        static_cast<float>(point.y()),
-                        static_cast<float>(point.z()));
-  return cloud;
-}
-
 /** A cloud fused from many frames, or noisier than its spacing, as one view from the
  * origin: the nearest point of each cell. */
 Cloud::Ptr
@@ -132,7 +121,8 @@ printSides(std::ostream& out, std::uint64_t seeds)
          "repair       %  outer side by\n";
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const SingleView view = pcl::ccaa::test::singleView(seed);
-    printScene("generated " + std::to_string(seed), cloudOf(view), view.sensor, out);
+    printScene(
+        "generated " + std::to_string(seed), cloudOf(view.points), view.sensor, out);
   }
   const char* const folder = std::getenv("PSR_SHARED_DATA");
   const std::string data = folder != nullptr ? folder : PSR_SHARED_DATA_DIR;

@@ -105,7 +105,137 @@ struct ViewedScene {
   }
 };
 
+/** Distance at which a ray from within leaves a box. */
+double
+leave(const Eigen::AlignedBox3d& box, const Position& from, const Position& direction)
+{
+  double distance = NO_HIT;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double wall : {box.min()[axis], box.max()[axis]})
+      if ((wall - from[axis]) * direction[axis] > 0.0)
+        distance = std::min(distance, (wall - from[axis]) / direction[axis]);
+  return distance;
+}
+
+/** A room with furniture. */
+struct Office {
+  Eigen::AlignedBox3d room{Position(0.0, 0.0, 0.0), Position(6.0, 5.0, 2.6)};
+  std::vector<Ball> balls;
+  std::vector<Eigen::AlignedBox3d> boxes;
+
+  explicit Office(RandomSource& random)
+  {
+    for (int i = 0; i < 10; ++i) { // desks with things on them
+      const Position low(random.uniform(1.2, 5.0), random.uniform(0.0, 4.2), 0.7);
+      boxes.emplace_back(low, low + Position(random.uniform(0.6, 1.4), 0.7, 0.04));
+      for (int k = 0; k < 2; ++k) {
+        const Position foot =
+            low + Position(random.uniform(0.0, 0.5), random.uniform(0.0, 0.5), 0.06);
+        const Position size(random.uniform(0.03, 0.4),
+                            random.uniform(0.03, 0.3),
+                            random.uniform(0.02, 0.4));
+        boxes.emplace_back(foot, foot + size);
+      }
+      balls.push_back({low + Position(0.3, -0.4, random.uniform(-0.3, 0.4)),
+                       random.uniform(0.05, 0.25)});
+    }
+  }
+
+  double
+  nearest(const Position& from, const Position& direction) const
+  {
+    double distance = leave(room, from, direction);
+    for (const Ball& ball : balls)
+      distance = std::min(distance, hit(ball, from, direction));
+    for (const Eigen::AlignedBox3d& box : boxes)
+      distance = std::min(distance, hit(box, from, direction));
+    return distance;
+  }
+};
+
 } // namespace
+
+SingleView
+officeFrame(std::uint64_t seed, std::size_t columns)
+{
+  RandomSource random(seed);
+  const Office office(random);
+  const Position camera(0.4, random.uniform(1.5, 3.5), 1.5);
+  const Position ahead(1.0, random.uniform(-0.2, 0.2), -0.25);
+  const auto looking = Eigen::Quaterniond::FromTwoVectors(Position::UnitZ(), ahead);
+  const std::size_t rows = columns * 3 / 4;
+  const double step = 1.1 / static_cast<double>(columns);
+  const auto ray = [&](std::size_t column, std::size_t row) -> Position {
+    return {step * (static_cast<double>(column) - 0.5 * static_cast<double>(columns)),
+            step * (static_cast<double>(row) - 0.5 * static_cast<double>(rows)),
+            1.0};
+  };
+  std::vector<Position> spots; // column, row, radius
+  for (int i = 0; i < 12; ++i)
+    spots.emplace_back(random.uniform(0.0, static_cast<double>(columns)),
+                       random.uniform(0.0, static_cast<double>(rows)),
+                       random.uniform(0.01, 0.04) * static_cast<double>(columns));
+  SingleView view;
+  for (std::size_t row = 0; row < rows; ++row) {
+    double before = 0.0;
+    for (std::size_t column = 0; column < columns; ++column) {
+      const Position way = ray(column, row);
+      const double scale = way.norm();
+      const double depth = office.nearest(camera, looking * (way / scale)) / scale;
+      const bool jumps = std::abs(depth - before) > 0.05 * depth;
+      before = depth;
+      const bool is_in_spot =
+          std::any_of(spots.begin(), spots.end(), [&](const auto& s) {
+            return std::hypot(static_cast<double>(column) - s.x(),
+                              static_cast<double>(row) - s.y()) < s.z();
+          });
+      const double noisy = depth + 0.001 * depth * depth * random.normal();
+      if (noisy > 4.5 || is_in_spot || (jumps && random.uniform() < 0.5))
+        continue;
+      view.points.push_back(way / (0.00285 * std::round(1.0 / (0.00285 * noisy))));
+    }
+  }
+  return view;
+}
+
+SingleView
+aerialView(std::uint64_t seed, double side)
+{
+  RandomSource random(seed);
+  std::vector<Ball> crowns;
+  std::vector<Eigen::AlignedBox3d> houses;
+  for (double area = side * side; area > 0.0; area -= 800.0) {
+    const Position low(random.uniform(0.0, side), random.uniform(0.0, side), -50.0);
+    const Position size(random.uniform(8.0, 20.0), random.uniform(8.0, 14.0), 0.0);
+    const double roof = random.uniform(4.0, 15.0);
+    houses.emplace_back(low, low + size + Position(0.0, 0.0, 50.0 + roof));
+    for (int i = 0; i < 4; ++i)
+      crowns.push_back({Position(random.uniform(0.0, side),
+                                 random.uniform(0.0, side),
+                                 random.uniform(4.0, 9.0)),
+                        random.uniform(1.5, 4.0)});
+  }
+  SingleView view;
+  view.sensor = Position(0.5 * side, 0.5 * side, 800.0);
+  for (std::size_t left = static_cast<std::size_t>(2.0 * side * side); left > 0;
+       --left) {
+    const Position foot(random.uniform(0.0, side), random.uniform(0.0, side), -20.0);
+    const Position down = (foot - view.sensor).normalized();
+    double distance = (foot - view.sensor).norm();
+    const Position ground = view.sensor + distance * down;
+    distance +=
+        (10.0 * floorHeight(0.02 * ground.x(), 0.02 * ground.y()) + 20.0) / down.z();
+    for (const Eigen::AlignedBox3d& house : houses)
+      distance = std::min(distance, hit(house, view.sensor, down));
+    for (const Ball& crown : crowns) {
+      const double enter = hit(crown, view.sensor, down);
+      if (enter < distance && random.uniform() < 0.7)
+        distance = std::min(distance, enter + random.uniform(0.0, 2.0 * crown.radius));
+    }
+    view.points.push_back(view.sensor + (distance + 0.03 * random.normal()) * down);
+  }
+  return view;
+}
 
 SingleView
 singleView(std::uint64_t seed, std::size_t rays)
