@@ -189,6 +189,7 @@ recount(RepairReport& report)
 void
 takeOver(GrowingSurface surface, const Course& course)
 {
+  course.memory.forget();
   const ccaa::LoopContext& context = course.context;
   ModelSurvey& survey = course.survey;
   RepairReport& report = course.report;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: which regions could not be closed where nothing has changed
+// Part of PclSurfaceRepair: which regions could not be closed where nothing has gone
 // since.
 
 #include "repair/region_memory.h"
-
-#include "repair/surface_obstacle.h"
 
 #include <algorithm>
 #include <tuple>
@@ -15,15 +13,11 @@ namespace repair {
 bool
 RegionMemory::Key::operator<(const Key& other) const
 {
-  return std::tie(surroundings, numbers, points) <
-         std::tie(other.surroundings, other.numbers, other.points);
+  return std::tie(numbers, points) < std::tie(other.numbers, other.points);
 }
 
 RegionMemory::Key
-RegionMemory::keyOf(const Region& region,
-                    const IncompleteModel& model,
-                    const SurfaceObstacle& obstacle,
-                    const ccaa::Box& box)
+RegionMemory::keyOf(const Region& region, const IncompleteModel& model)
 {
   Key key;
   const auto add = [&](const Position& point) {
@@ -40,7 +34,6 @@ RegionMemory::keyOf(const Region& region,
   }
   for (const std::size_t sample : region.samples)
     add(model.free_points[sample]);
-  key.surroundings = obstacle.fingerprint(box);
   return key;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: which regions could not be closed where nothing has changed
+// Part of PclSurfaceRepair: which regions could not be closed where nothing has gone
 // since.
 
 #pragma once
@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -20,26 +19,21 @@ namespace repair {
 bool
 allFailed(const std::vector<HoleOutcome>& holes);
 
-/** \brief Regions of which no hole could be closed. Closing is determined by a region
- * and by what is around it: where both are as they were, it fails again. */
+/** \brief Regions of which no hole could be closed. What comes to the surface is more
+ * that is in the way: until something goes from it, such a region fails again. */
 class RegionMemory {
 public:
-  /** \brief What decides how a region is closed, with all its surroundings. */
+  /** \brief What decides how a region is closed, but for the surface. */
   struct Key {
     std::vector<std::array<double, 3>> points; /**< of boundaries and samples */
     std::vector<std::size_t> numbers;          /**< how they belong together */
-    std::uint64_t surroundings = 0;
 
     bool
     operator<(const Key& other) const;
   };
 
-  /** \param[in] box around all that its closing looks at */
   static Key
-  keyOf(const Region& region,
-        const IncompleteModel& model,
-        const SurfaceObstacle& obstacle,
-        const ccaa::Box& box);
+  keyOf(const Region& region, const IncompleteModel& model);
 
   /** \brief How the holes of such a region failed; null: they did not. */
   const std::vector<HoleOutcome>*
@@ -55,6 +49,13 @@ public:
   empty() const
   {
     return failed_.empty();
+  }
+
+  /** \brief To be told when something goes from the surface. */
+  void
+  forget()
+  {
+    failed_.clear();
   }
 
 private:

@@ -121,7 +121,7 @@ private:
         const ccaa::LoopContext& context) const
   {
     if (!memory_.empty())
-      if (const auto* failed = memory_.find(keyOf(r, obstacle)))
+      if (const auto* failed = memory_.find(keyOf(r)))
         return {{}, *failed};
     return closeRegion(place_, regions_[r], obstacle, context);
   }
@@ -138,22 +138,21 @@ private:
         !obstructedTriangles(closed_[r].patch, obstacle).empty())
       closed_[r] = close(r, obstacle, context_);
     obstacle.add(closed_[r].patch.positions, closed_[r].patch.triangles);
-    remember(r, obstacle);
+    remember(r);
   }
 
-  /** \param[in] obstacle as when it was closed: where all failed, nothing came to it */
   void
-  remember(std::size_t r, const SurfaceObstacle& obstacle)
+  remember(std::size_t r)
   {
     const std::vector<HoleOutcome>& holes = closed_[r].holes;
     if (!context_.cancelled() && allFailed(holes))
-      memory_.remember(keyOf(r, obstacle), holes);
+      memory_.remember(keyOf(r), holes);
   }
 
   RegionMemory::Key
-  keyOf(std::size_t r, const SurfaceObstacle& obstacle) const
+  keyOf(std::size_t r) const
   {
-    return RegionMemory::keyOf(regions_[r], place_.model, obstacle, places_[r]);
+    return RegionMemory::keyOf(regions_[r], place_.model);
   }
 
   const ClosingPlace& place_;

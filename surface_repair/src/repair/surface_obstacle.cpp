@@ -7,7 +7,6 @@
 #include "mesh/intersection.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace pcl {
@@ -56,24 +55,6 @@ crosses(const Position& p, const Position& q, const ccaa::Corners& triangle)
   return runsWithin(
       {triangle[first], triangle[(first + 1) % 3], triangle[(first + 2) % 3]},
       at_p == 3 ? p : q);
-}
-
-std::uint64_t
-bitsOf(double value)
-{
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
-
-/** A bijection under which close numbers come far apart (the finalizer of MurmurHash3).
- */
-std::uint64_t
-mixed(std::uint64_t bits)
-{
-  bits = (bits ^ (bits >> 33U)) * 0xff51afd7ed558ccdULL;
-  bits = (bits ^ (bits >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
-  return bits ^ (bits >> 33U);
 }
 
 /** Which boxes meet any of the places. */
@@ -171,21 +152,6 @@ SurfaceObstacle::isCrossedBy(const Position& p, const Position& q) const
         found = found || crosses(p, q, layer.triangles[static_cast<std::size_t>(i)]);
       });
   return found;
-}
-
-std::uint64_t
-SurfaceObstacle::fingerprint(const ccaa::Box& box) const
-{
-  std::uint64_t sum = 0;
-  for (const Layer& layer : layers_)
-    layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
-      std::uint64_t hash = 0;
-      for (const Position& corner : layer.triangles[static_cast<std::size_t>(i)])
-        for (const double coordinate : corner)
-          hash = mixed(hash ^ bitsOf(coordinate));
-      sum += hash;
-    });
-  return sum;
 }
 
 std::vector<std::size_t>

@@ -7,7 +7,6 @@
 #include "mesh/box_tree.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -36,11 +35,6 @@ public:
    * edge meets it. Exact. */
   bool
   isCrossedBy(const Position& p, const Position& q) const;
-
-  /** \brief A number that changes with the triangles whose boxes meet a box, whatever
-   * order they came in. */
-  std::uint64_t
-  fingerprint(const ccaa::Box& box) const;
 
 private:
   /** Triangles that came together. */

@@ -4,18 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "repair/region_memory.h"
-#include "repair/surface_obstacle.h"
-#include "support/shapes.h"
-#include "surface_repair/boundary/boundary_models.h"
 
 namespace pcl {
 namespace repair {
 namespace {
-
-using namespace ccaa::test;
-using test::modelOf;
-
-const ccaa::Box NEARBY(Position::Constant(-2.0), Position::Constant(2.0));
 
 Region
 squareRegion()
@@ -28,19 +20,13 @@ squareRegion()
   return region;
 }
 
-/** A sphere that holds a free point, and what is around it. */
-struct Surroundings {
-  IncompleteModel model = modelOf(icosphere(2));
-  SurfaceObstacle obstacle{model, {NEARBY}};
-
-  Surroundings() { model.free_points = {{0.5, 0.5, 0.1}}; }
-
-  RegionMemory::Key
-  keyOf(const Region& region) const
-  {
-    return RegionMemory::keyOf(region, model, obstacle, NEARBY);
-  }
-};
+RegionMemory::Key
+keyOf(const Region& region)
+{
+  IncompleteModel model;
+  model.free_points = {{0.5, 0.5, 0.1}};
+  return RegionMemory::keyOf(region, model);
+}
 
 std::vector<HoleOutcome>
 outcomes(OpenReason reason)
@@ -53,11 +39,10 @@ outcomes(OpenReason reason)
 
 TEST(RegionMemory, KnowsHowARegionFailed)
 {
-  const Surroundings around;
   RegionMemory memory;
-  EXPECT_EQ(nullptr, memory.find(around.keyOf(squareRegion())));
-  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
-  const std::vector<HoleOutcome>* found = memory.find(around.keyOf(squareRegion()));
+  EXPECT_EQ(nullptr, memory.find(keyOf(squareRegion())));
+  memory.remember(keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  const std::vector<HoleOutcome>* found = memory.find(keyOf(squareRegion()));
   ASSERT_NE(nullptr, found);
   EXPECT_EQ(OpenReason::INTERSECTION, found->front().open);
   EXPECT_EQ(3U, found->front().tries);
@@ -71,20 +56,18 @@ TEST(RegionMemory, HolesOfWhichOneWasClosedHaveNotFailed)
   EXPECT_FALSE(allFailed(holes));
 }
 
-TEST(RegionMemory, TriesAgainWhereSomethingNearHasChanged)
+TEST(RegionMemory, TriesAgainWhereSomethingHasGone)
 {
-  Surroundings around;
   RegionMemory memory;
-  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
-  around.obstacle.add({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 1, 2}});
-  EXPECT_EQ(nullptr, memory.find(around.keyOf(squareRegion())));
+  memory.remember(keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  memory.forget();
+  EXPECT_EQ(nullptr, memory.find(keyOf(squareRegion())));
 }
 
 TEST(RegionMemory, TriesAgainARegionThatHasChanged)
 {
-  const Surroundings around;
   RegionMemory memory;
-  memory.remember(around.keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  memory.remember(keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
   Region moved = squareRegion();
   moved.holes.front().curve.points[2].z() = 1e-9;
   Region certain = squareRegion();
@@ -94,7 +77,7 @@ TEST(RegionMemory, TriesAgainARegionThatHasChanged)
   Region sampled = squareRegion();
   sampled.samples = {0};
   for (const Region& other : {moved, certain, flat, sampled})
-    EXPECT_EQ(nullptr, memory.find(around.keyOf(other)));
+    EXPECT_EQ(nullptr, memory.find(keyOf(other)));
 }
 
 } // namespace

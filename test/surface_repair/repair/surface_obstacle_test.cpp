@@ -134,15 +134,6 @@ TEST_P(RandomObstacles, ThatAWayCrossesAreMetByAllTrianglesWithIt)
   EXPECT_GT(crossed, 10U);
 }
 
-TEST_P(RandomObstacles, HaveOneFingerprintWhateverTheirOrder)
-{
-  const Shape surface = randomTriangles(60, 0.2, GetParam());
-  Shape turned = surface;
-  std::reverse(turned.triangles.begin(), turned.triangles.end());
-  EXPECT_EQ(SurfaceObstacle(modelOf(surface), {everywhere()}).fingerprint(everywhere()),
-            SurfaceObstacle(modelOf(turned), {everywhere()}).fingerprint(everywhere()));
-}
-
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomObstacles, ::testing::Range(0U, 10U));
 
 /** Three corners at equal heights around the z axis. */
@@ -152,17 +143,6 @@ levelTriangle(double z, double radius = 0.3)
   return {Position(radius, 0.0, z),
           Position(-0.5 * radius, 0.8 * radius, z),
           Position(-0.5 * radius, -0.8 * radius, z)};
-}
-
-TEST(SurfaceObstacle, HasAnotherFingerprintWithAnotherTriangleNearby)
-{
-  SurfaceObstacle sphere(modelOf(icosphere(3)), {everywhere()});
-  const ccaa::Box near(Position::Constant(-2.0), Position::Constant(2.0));
-  const std::uint64_t before = sphere.fingerprint(near);
-  sphere.add({{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}});
-  EXPECT_EQ(before, sphere.fingerprint(near));
-  sphere.add({{1, 0, 0}, {3, 0, 0}, {1, 1, 0}}, {{0, 1, 2}});
-  EXPECT_NE(before, sphere.fingerprint(near));
 }
 
 const Shape LEVEL{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
