@@ -119,11 +119,10 @@ decideByVolume(const IncompleteModel& model,
 {
   if (sides.size() != 1 || sides[0].rule != SideRule::UNDECIDED)
     return;
-  double length = 0.0;
+  double area = 0.0; // each is no larger than a disc (isoperimetric inequality)
   for (const BoundaryLoop& loop : loops)
-    length += loop.length;
-  // Together no larger than a disc with all their length (isoperimetric inequality).
-  if (length * length / (4.0 * M_PI) > SMALL_OPENINGS * model.islands[0].area)
+    area += loop.length * loop.length / (4.0 * M_PI);
+  if (area > SMALL_OPENINGS * model.islands[0].area)
     return;
   const double volume = signedVolume(model, loops);
   if (volume != 0.0)

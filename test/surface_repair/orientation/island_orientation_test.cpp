@@ -171,6 +171,19 @@ TEST(IslandOrientation, VolumeIsThatOfTheShapeWhereverItIs)
   }
 }
 
+/** Eight, whose lengths together are those of one that is too large. */
+TEST(IslandOrientation, VolumeDecidesAboutManySmallOpenings)
+{
+  const Position corner = Position::Ones().normalized();
+  const std::vector<IslandSide> sides =
+      orient(modelOf(without(icosphere(5), [&](const Position& p) {
+        return p.cwiseAbs().dot(corner) > std::cos(0.2);
+      })));
+  ASSERT_EQ(1U, sides.size());
+  EXPECT_EQ(SideRule::VOLUME, sides[0].rule);
+  EXPECT_FALSE(sides[0].flipped);
+}
+
 TEST(IslandOrientation, VolumeSaysNothingOfALargeOpening)
 {
   EXPECT_NE(SideRule::VOLUME, orient(sphereOpenAbove(0.3))[0].rule);
