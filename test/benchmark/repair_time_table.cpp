@@ -15,6 +15,7 @@
 #include "survey/model_survey.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
@@ -181,12 +182,15 @@ printLargeRepair(std::ostream& out, std::size_t repeats)
       << median(repairing) / median(reading) << std::endl;
 }
 
+/** Scans that have triangles, in the shared data. */
+const std::array<std::string, 3> RANGE_MAPS = {
+    "rs1_scene/rs1_normals.ply", "range_maps/lato000.ply", "range_maps/lato180.ply"};
+
 /** The mesh that is to be repaired. */
 pcl::PolygonMesh::Ptr
 scanOf(const std::string& word)
 {
-  if (word.find("range_maps") != std::string::npos ||
-      word.find("rs1_scene") != std::string::npos)
+  if (std::find(RANGE_MAPS.begin(), RANGE_MAPS.end(), word) != RANGE_MAPS.end())
     return meshOf(readShared(word));
   pcl::ConsecutiveReconstruction<pcl::PointXYZ> chain;
   chain.setInputCloud(makeCloud(word));
@@ -198,10 +202,11 @@ scanOf(const std::string& word)
 void
 printScans(std::ostream& out, std::size_t repeats)
 {
-  std::vector<std::string> words = {
-      "office:1", "aerial:1", "rs1_scene/rs1_normals.ply"};
-  for (std::string& word : cloudList("scenes"))
-    words.push_back(std::move(word));
+  std::vector<std::string> words(RANGE_MAPS.begin(), RANGE_MAPS.end());
+  for (const std::string& word : cloudList("scenes"))
+    if (word.find("range_maps") == std::string::npos)
+      words.push_back(word);
+  words.insert(words.end(), {"aerial:1", "office:1"});
   out << "Repair of scans\n"
          "scan                          triangles   edges  closed    open"
          "  s, one thread  s, two threads  ratio\n";
