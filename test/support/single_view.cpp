@@ -69,11 +69,25 @@ hitFloor(const Position& from, const Position& direction)
   return at.head<2>().cwiseAbs().maxCoeff() < 2.0 ? distance : NO_HIT;
 }
 
-/** The scene, standing upright. */
-struct ViewedScene {
+struct Bodies {
   std::vector<Ball> balls;
   std::vector<Eigen::AlignedBox3d> boxes;
 
+  /** \brief Where a ray meets one, or what is behind them. */
+  double
+  nearest(const Position& from, const Position& direction, double behind) const
+  {
+    double distance = behind;
+    for (const Ball& ball : balls)
+      distance = std::min(distance, hit(ball, from, direction));
+    for (const Eigen::AlignedBox3d& box : boxes)
+      distance = std::min(distance, hit(box, from, direction));
+    return distance;
+  }
+};
+
+/** The scene, standing upright. */
+struct ViewedScene : Bodies {
   explicit ViewedScene(RandomSource& random)
   {
     for (int i = 0; i < 4; ++i) {
@@ -92,17 +106,6 @@ struct ViewedScene {
       boxes.emplace_back(low, low + size);
     }
   }
-
-  double
-  nearest(const Position& from, const Position& direction) const
-  {
-    double distance = hitFloor(from, direction);
-    for (const Ball& ball : balls)
-      distance = std::min(distance, hit(ball, from, direction));
-    for (const Eigen::AlignedBox3d& box : boxes)
-      distance = std::min(distance, hit(box, from, direction));
-    return distance;
-  }
 };
 
 /** Distance at which a ray from within leaves a box. */
@@ -118,10 +121,8 @@ leave(const Eigen::AlignedBox3d& box, const Position& from, const Position& dire
 }
 
 /** A room with furniture. */
-struct Office {
+struct Office : Bodies {
   Eigen::AlignedBox3d room{Position(0.0, 0.0, 0.0), Position(6.0, 5.0, 2.6)};
-  std::vector<Ball> balls;
-  std::vector<Eigen::AlignedBox3d> boxes;
 
   explicit Office(RandomSource& random)
   {
@@ -139,17 +140,6 @@ struct Office {
       balls.push_back({low + Position(0.3, -0.4, random.uniform(-0.3, 0.4)),
                        random.uniform(0.05, 0.25)});
     }
-  }
-
-  double
-  nearest(const Position& from, const Position& direction) const
-  {
-    double distance = leave(room, from, direction);
-    for (const Ball& ball : balls)
-      distance = std::min(distance, hit(ball, from, direction));
-    for (const Eigen::AlignedBox3d& box : boxes)
-      distance = std::min(distance, hit(box, from, direction));
-    return distance;
   }
 };
 
@@ -181,7 +171,10 @@ officeFrame(std::uint64_t seed, std::size_t columns)
     for (std::size_t column = 0; column < columns; ++column) {
       const Position way = ray(column, row);
       const double scale = way.norm();
-      const double depth = office.nearest(camera, looking * (way / scale)) / scale;
+      const Position direction = looking * (way / scale);
+      const double depth =
+          office.nearest(camera, direction, leave(office.room, camera, direction)) /
+          scale;
       const bool jumps = std::abs(depth - before) > 0.05 * depth;
       before = depth;
       const bool is_in_spot =
@@ -256,7 +249,8 @@ singleView(std::uint64_t seed, std::size_t rays)
                               static_cast<double>(row) * step - 0.45,
                               1.0))
               .normalized();
-      const double distance = scene.nearest(view.sensor, direction);
+      const double distance =
+          scene.nearest(view.sensor, direction, hitFloor(view.sensor, direction));
       if (distance < NO_HIT)
         view.points.push_back(view.sensor + distance * direction +
                               noise * Position(random.uniform(-1.0, 1.0),

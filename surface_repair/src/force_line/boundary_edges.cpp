@@ -141,5 +141,20 @@ BoundaryEdges::closest(const Position& a,
   return BoundaryEncounter{place, std::sqrt(best.squared_distance), best.along_first};
 }
 
+std::optional<BoundaryEncounter>
+BoundaryEdges::closestFurtherAlong(const Position& a,
+                                   const Position& b,
+                                   double within,
+                                   std::size_t curve,
+                                   double arc,
+                                   double length) const
+{
+  const auto is_it = [&](std::size_t other) { return other == curve; };
+  const auto is_further = [&](std::size_t, std::size_t edge) {
+    return arcBetween(curve, arc, arcOfEdge(curve, edge)) > length;
+  };
+  return closest(a, b, within, is_it, is_further);
+}
+
 } // namespace repair
 } // namespace pcl

@@ -87,6 +87,16 @@ public:
           const CurveFilter& curve_counts = {},
           const EdgeFilter& edge_counts = {}) const;
 
+  /** \brief The same with the edges of one curve of which the middle is further than
+   * some length along it from a place. */
+  std::optional<BoundaryEncounter>
+  closestFurtherAlong(const Position& a,
+                      const Position& b,
+                      double within,
+                      std::size_t curve,
+                      double arc,
+                      double length) const;
+
 private:
   std::vector<TargetCurve> curves_;
   std::vector<std::vector<double>> arcs_; /**< of each curve, at its points and end */

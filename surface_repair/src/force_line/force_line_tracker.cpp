@@ -157,12 +157,8 @@ Trace::nearestTarget(const Position& a, const Position& b, double within) const
       return targets_.curves()[curve].island != query_.silent_island;
     });
   const EffectiveCharge& hole = *query_.effective;
-  const auto is_own = [&](std::size_t curve) { return curve == hole.curve; };
-  const auto is_far = [&](std::size_t curve, std::size_t edge) {
-    return targets_.arcBetween(curve, hole.arc, targets_.arcOfEdge(curve, edge)) >
-           hole.threshold;
-  };
-  return targets_.closest(a, b, within, is_own, is_far);
+  return targets_.closestFurtherAlong(
+      a, b, within, hole.curve, hole.arc, hole.threshold);
 }
 
 /** One step of the method of Bogacki and Shampine; the state at the end is the first of

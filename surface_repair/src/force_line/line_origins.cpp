@@ -76,13 +76,9 @@ gapAcross(const LineOrigin& origin,
 {
   const Position& place = origin.point.position;
   const double longest = targets.lengthOf(hole.curve);
-  const auto is_own = [&](std::size_t curve) { return curve == hole.curve; };
-  const auto is_far = [&](std::size_t curve, std::size_t edge) {
-    return targets.arcBetween(curve, hole.arc, targets.arcOfEdge(curve, edge)) >
-           hole.threshold;
-  };
   for (double within = first_guess;; within *= 2.0) {
-    const auto nearest = targets.closest(place, place, within, is_own, is_far);
+    const auto nearest = targets.closestFurtherAlong(
+        place, place, within, hole.curve, hole.arc, hole.threshold);
     if (nearest)
       return nearest->distance;
     if (within > longest)

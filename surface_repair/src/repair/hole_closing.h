@@ -36,7 +36,7 @@ struct ClosedHoles {
   Failures failed;
 };
 
-/** \brief Close the regions of a list one after the other (see closeRegion()).
+/** \brief Close the regions of a list (see closeRegions()).
  * \param[in,out] list its welded vertices are forgotten when nothing could be closed
  * \param[in,out] survey points in which holes meet are one vertex afterwards, see
  * weldPinches(), unless nothing could be closed \param[in] stage for progress

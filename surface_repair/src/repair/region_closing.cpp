@@ -324,13 +324,12 @@ RegionClosing::fair()
   assemble();
   const RepairParameters& parameters = place_.parameters;
   const bool keeps_shape = any(&FillStrategy::keeps_shape);
-  const bool is_alone = region_.holes.size() == 1 && !place_.mends;
-  if (keeps_shape || is_alone || !parameters.refine)
+  const bool is_opening = region_.holes.size() == 1 && !place_.mends;
+  const bool is_looked_at = keeps_shape || is_opening || !parameters.refine;
+  if (is_looked_at)
     findCollisions();
-  const bool stays_obstructed = keeps_shape
-                                    ? !obstructed_.empty()
-                                    : is_alone && obstructed_.size() > MOST_IN_THE_WAY;
-  if (stays_obstructed || !parameters.refine)
+  const std::size_t most_in_the_way = keeps_shape ? 0 : MOST_IN_THE_WAY;
+  if (!parameters.refine || (is_looked_at && obstructed_.size() > most_in_the_way))
     return;
   refinePatch(place_.model, parameters.refinement, result_.patch, keeps_shape);
   if (parameters.relax)

@@ -177,15 +177,11 @@ fillRings(const std::vector<RingPolygon>& rings,
                          std::minmax(in_part(0), in_part(last))) ||
              areJoined(part.model, edge.first, edge.second);
     };
-    task.obstructed = [&](const ccaa::Corners& corners) {
-      return ccaa::isCollinear(corners) ||
-             (obstacle != nullptr && obstacle->meets(corners));
-    };
-    task.has_failed = obstacle != nullptr;
     if (obstacle != nullptr)
-      task.crossed = [obstacle](const Position& p, const Position& q) {
-        return obstacle->isCrossedBy(p, q);
-      };
+      avoid(*obstacle, task);
+    task.obstructed = [meets = task.obstructed](const ccaa::Corners& corners) {
+      return ccaa::isCollinear(corners) || (meets && meets(corners));
+    };
     if (last < 2) // an edge of both loops
       continue;
     const Filling filling = MinimumWeightFilling().close(task);

@@ -125,33 +125,45 @@ SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles)
   layers_.push_back(std::move(layer));
 }
 
+template <typename Test>
 bool
-SurfaceObstacle::meets(const ccaa::Corners& corners) const
+SurfaceObstacle::holdsForAny(const ccaa::Box& box, const Test& test) const
 {
-  if (ccaa::isCollinear(corners))
-    return false;
-  const ccaa::Box box = ccaa::boxOf(corners);
   bool found = false;
   for (const Layer& layer : layers_)
     if (!found && layer.box.intersects(box))
       layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
-        found = found || ccaa::trianglesMeet(
-                             corners, layer.triangles[static_cast<std::size_t>(i)]);
+        found = found || test(layer.triangles[static_cast<std::size_t>(i)]);
       });
   return found;
 }
 
 bool
+SurfaceObstacle::meets(const ccaa::Corners& corners) const
+{
+  return !ccaa::isCollinear(corners) &&
+         holdsForAny(ccaa::boxOf(corners), [&](const ccaa::Corners& there) {
+           return ccaa::trianglesMeet(corners, there);
+         });
+}
+
+bool
 SurfaceObstacle::isCrossedBy(const Position& p, const Position& q) const
 {
-  const ccaa::Box box(p.cwiseMin(q), p.cwiseMax(q));
-  bool found = false;
-  for (const Layer& layer : layers_)
-    if (!found && layer.box.intersects(box))
-      layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
-        found = found || crosses(p, q, layer.triangles[static_cast<std::size_t>(i)]);
-      });
-  return found;
+  return holdsForAny({p.cwiseMin(q), p.cwiseMax(q)},
+                     [&](const ccaa::Corners& there) { return crosses(p, q, there); });
+}
+
+void
+avoid(const SurfaceObstacle& obstacle, FillingTask& task)
+{
+  task.obstructed = [&obstacle](const ccaa::Corners& corners) {
+    return obstacle.meets(corners);
+  };
+  task.crossed = [&obstacle](const Position& p, const Position& q) {
+    return obstacle.isCrossedBy(p, q);
+  };
+  task.has_failed = true;
 }
 
 std::vector<std::size_t>

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "filling/filling_method.h"
 #include "filling/patch.h"
 #include "mesh/box_tree.h"
 
@@ -37,6 +38,11 @@ public:
   isCrossedBy(const Position& p, const Position& q) const;
 
 private:
+  /** Whether a test holds for any triangle whose box meets one. */
+  template <typename Test>
+  bool
+  holdsForAny(const ccaa::Box& box, const Test& test) const;
+
   /** Triangles that came together. */
   struct Layer {
     ccaa::Box box;
@@ -49,6 +55,11 @@ private:
 
   std::vector<Layer> layers_;
 };
+
+/** \brief Let a filling avoid a surface after the one that does not look at it has run
+ * into something. \param[in] obstacle must outlive the task */
+void
+avoid(const SurfaceObstacle& obstacle, FillingTask& task);
 
 /** \brief Triangles of a patch that run through the surface or through each other,
  * ascending. */

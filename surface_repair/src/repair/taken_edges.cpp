@@ -56,15 +56,8 @@ fillingTask(const HolePolygon& polygon,
     return polygon.curve.points[a] == polygon.curve.points[b] ||
            taken.contain(polygon.vertices[a], polygon.vertices[b]);
   };
-  if (obstacle == nullptr)
-    return task;
-  task.obstructed = [obstacle](const ccaa::Corners& corners) {
-    return obstacle->meets(corners);
-  };
-  task.crossed = [obstacle](const Position& p, const Position& q) {
-    return obstacle->isCrossedBy(p, q);
-  };
-  task.has_failed = true;
+  if (obstacle != nullptr)
+    avoid(*obstacle, task);
   return task;
 }
 
