@@ -138,11 +138,11 @@ IndicatorField::sources() const
 Tension
 IndicatorField::tensionAt(const FieldQuery& query) const
 {
-  Tension tension;
-  // Kept by each thread: trackers ask point by point, and memory costs as much as sums.
+  // Kept by each thread: trackers ask point by point, and memory and searches cost more
+  // than sums.
   thread_local Workspace space;
-  implementation_->answer(&query, &query + 1, &tension, space);
-  return tension;
+  space.candidates.findAlong(implementation_->blocks, query);
+  return implementation_->sum(query, space);
 }
 
 std::vector<Tension>

@@ -18,6 +18,11 @@ constexpr std::size_t BUNCH_SIZE = 32;
 /** \brief A bunch is no wider than this share of L_2, or its search finds too much. */
 constexpr double BUNCH_WIDTH = 0.75;
 
+/** \brief Radius of the search for a line, in L_2; it is made anew once it is so many
+ * times what a query needs. */
+constexpr double ALONG = 1.5;
+constexpr double TOO_WIDE = 4.0;
+
 /** \brief Whether the same sources count for both, apart from L_2. */
 bool
 heedAlike(const FieldQuery& a, const FieldQuery& b)
@@ -64,12 +69,37 @@ BunchCandidates::find(const SourceBlocks& blocks,
       box.extend(query->position);
       far = std::max(far, query->falloff.far);
     }
-  found_.clear();
-  if (!box.isEmpty())
-    blocks.near({blocks.toFrame(box.center()),
-                 (far + 0.5 * box.diagonal().norm()) * blocks.scale()},
-                found_);
-  gather(blocks, *first);
+  if (box.isEmpty())
+    box.extend(Position::Zero());
+  search(blocks,
+         {blocks.toFrame(box.center()),
+          (far + 0.5 * box.diagonal().norm()) * blocks.scale()},
+         *first);
+}
+
+void
+BunchCandidates::findAlong(const SourceBlocks& blocks, const FieldQuery& query)
+{
+  if (!canBeAnswered(query))
+    return;
+  const Position place = blocks.toFrame(query.position);
+  const double far = query.falloff.far * blocks.scale();
+  if (known_blocks_ != blocks.number() || !heedAlike(known_query_, query) ||
+      (place - known_place_.center).norm() + far > known_place_.radius ||
+      known_place_.radius > TOO_WIDE * far)
+    search(blocks, {place, ALONG * far}, query);
+}
+
+void
+BunchCandidates::search(const SourceBlocks& blocks,
+                        const Ball& place,
+                        const FieldQuery& query)
+{
+  known_blocks_ = blocks.number();
+  known_query_ = query;
+  known_place_ = place;
+  blocks.near(place, found_);
+  gather(blocks, query);
 }
 
 void

@@ -31,14 +31,24 @@ public:
   void
   find(const SourceBlocks& blocks, const FieldQuery* first, const FieldQuery* last);
 
+  /** \brief Find the blocks for a query of a line that asks point by point: around
+   * it, too, so that a search serves the next ones. */
+  void
+  findAlong(const SourceBlocks& blocks, const FieldQuery& query);
+
   /** \brief As the kernel reads them; valid until the next find(). */
   field_kernel::Candidates
   view() const;
 
 private:
   void
+  search(const SourceBlocks& blocks, const Ball& place, const FieldQuery& query);
+  void
   gather(const SourceBlocks& blocks, const FieldQuery& query);
 
+  std::uint64_t known_blocks_ = 0; /**< by their number; 0: none */
+  FieldQuery known_query_;         /**< what was heeded around known_place_ */
+  Ball known_place_;
   std::vector<std::uint32_t> found_;
   std::array<std::vector<double>, 3> center_;
   std::vector<double> radius_;

@@ -3,6 +3,7 @@
 #include "field/source_blocks.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace pcl {
 namespace repair {
@@ -30,9 +31,16 @@ setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
   rows.values[ARC][lane] = source.arc;
 }
 
+std::uint64_t
+nextNumber()
+{
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 } // namespace
 
-SourceBlocks::SourceBlocks(const SourceSet& sources)
+SourceBlocks::SourceBlocks(const SourceSet& sources) : number_(nextNumber())
 {
   placeFrame(sources);
   for (const SourceCurve& curve : sources.curves)

@@ -43,6 +43,13 @@ public:
 
   explicit SourceBlocks(const SourceSet& sources);
 
+  /** \brief From 1 on, of no other blocks of this run of the program. */
+  std::uint64_t
+  number() const
+  {
+    return number_;
+  }
+
   Position
   toFrame(const Position& position) const
   {
@@ -125,6 +132,7 @@ private:
     Ball ball;
   };
 
+  std::uint64_t number_;
   Position origin_ = Position::Zero();
   double scale_ = 1.0;
   std::vector<Rows> rows_;

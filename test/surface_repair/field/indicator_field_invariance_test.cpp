@@ -38,6 +38,19 @@ TEST(IndicatorFieldBatch, GivesTheBitsOfSinglePoints)
     EXPECT_EQ(tensions[i], field.tensionAt(queries[i]));
 }
 
+TEST(IndicatorFieldBatch, GivesTheBitsOfSinglePointsOfTwoFieldsInTurn)
+{
+  const IndicatorField first(twoCaps(300, 0.3), 0.5);
+  const IndicatorField second(twoCaps(400, 0.2), 0.5);
+  const std::vector<FieldQuery> queries = queriesAlongGap(100);
+  const std::vector<Tension> of_first = first.tensionAt(queries, {});
+  const std::vector<Tension> of_second = second.tensionAt(queries, {});
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    EXPECT_EQ(of_first[i], first.tensionAt(queries[i]));
+    EXPECT_EQ(of_second[i], second.tensionAt(queries[i]));
+  }
+}
+
 TEST(IndicatorFieldBatch, IsTheSameForAnyNumberOfThreads)
 {
   const IndicatorField field(twoCaps(300, 0.3));
