@@ -88,6 +88,16 @@ GrowingSurface::hasChanged() const
   return std::find(is_there.begin(), is_there.end(), false) != is_there.end();
 }
 
+std::vector<ccaa::Box>
+GrowingSurface::gone() const
+{
+  std::vector<ccaa::Box> boxes;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (!is_there[t])
+      boxes.push_back(ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)));
+  return boxes;
+}
+
 std::vector<std::size_t>
 GrowingSurface::near(const ccaa::Box& box) const
 {
@@ -189,7 +199,7 @@ recount(RepairReport& report)
 void
 takeOver(GrowingSurface surface, const Course& course)
 {
-  course.memory.forget();
+  course.memory.forgetNear(surface.gone());
   const ccaa::LoopContext& context = course.context;
   ModelSurvey& survey = course.survey;
   RepairReport& report = course.report;

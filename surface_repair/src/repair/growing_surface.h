@@ -60,6 +60,10 @@ public:
           const Patch& patch,
           std::size_t of_hole);
 
+  /** \brief Boxes of the triangles that have gone. */
+  std::vector<ccaa::Box>
+  gone() const;
+
   /** \brief Triangles have gone. */
   bool
   hasChanged() const;

@@ -5,6 +5,7 @@
 #include "repair/region_memory.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace pcl {
@@ -41,7 +42,18 @@ const std::vector<HoleOutcome>*
 RegionMemory::find(const Key& key) const
 {
   const auto found = failed_.find(key);
-  return found == failed_.end() ? nullptr : &found->second;
+  return found == failed_.end() ? nullptr : &found->second.holes;
+}
+
+void
+RegionMemory::forgetNear(const std::vector<ccaa::Box>& gone)
+{
+  const ccaa::BoxTree tree(gone);
+  for (auto failure = failed_.begin(); failure != failed_.end();) {
+    bool has_lost = false;
+    tree.forEachMeeting(failure->second.place, [&](pcl::index_t) { has_lost = true; });
+    failure = has_lost ? failed_.erase(failure) : std::next(failure);
+  }
 }
 
 bool

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "mesh/box_tree.h"
 #include "repair/region_closing.h"
 
 #include <array>
@@ -20,7 +21,8 @@ bool
 allFailed(const std::vector<HoleOutcome>& holes);
 
 /** \brief Regions of which no hole could be closed. What comes to the surface is more
- * that is in the way: until something goes from it, such a region fails again. */
+ * that is in the way: until something goes from it near such a region, it fails again.
+ */
 class RegionMemory {
 public:
   /** \brief What decides how a region is closed, but for the surface. */
@@ -40,9 +42,9 @@ public:
   find(const Key& key) const;
 
   void
-  remember(Key key, const std::vector<HoleOutcome>& holes)
+  remember(Key key, const ccaa::Box& place, const std::vector<HoleOutcome>& holes)
   {
-    failed_.emplace(std::move(key), holes);
+    failed_.emplace(std::move(key), Failure{place, holes});
   }
 
   bool
@@ -51,15 +53,18 @@ public:
     return failed_.empty();
   }
 
-  /** \brief To be told when something goes from the surface. */
+  /** \brief To be told when triangles go from the surface. \param[in] gone their boxes
+   */
   void
-  forget()
-  {
-    failed_.clear();
-  }
+  forgetNear(const std::vector<ccaa::Box>& gone);
 
 private:
-  std::map<Key, std::vector<HoleOutcome>> failed_;
+  struct Failure {
+    ccaa::Box place; /**< where the region is built */
+    std::vector<HoleOutcome> holes;
+  };
+
+  std::map<Key, Failure> failed_;
 };
 
 } // namespace repair

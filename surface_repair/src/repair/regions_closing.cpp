@@ -71,7 +71,7 @@ public:
   std::vector<ClosedRegion>
   run(const std::function<void(double)>& tell)
   {
-    SurfaceObstacle obstacle(place_.model, places_);
+    SurfaceObstacle obstacle(place_.model, places_, context_.threads);
     std::size_t done = 0;
     for (const std::vector<std::size_t>& together : closableTogether(places_)) {
       closeTogether(together, obstacle, [&](std::size_t more) {
@@ -146,7 +146,7 @@ private:
   {
     const std::vector<HoleOutcome>& holes = closed_[r].holes;
     if (!context_.cancelled() && allFailed(holes))
-      memory_.remember(keyOf(r), holes);
+      memory_.remember(keyOf(r), places_[r], holes);
   }
 
   RegionMemory::Key

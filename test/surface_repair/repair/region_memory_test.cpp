@@ -28,6 +28,12 @@ keyOf(const Region& region)
   return RegionMemory::keyOf(region, model);
 }
 
+ccaa::Box
+place()
+{
+  return {Position(-1, -1, -1), Position(2, 2, 1)};
+}
+
 std::vector<HoleOutcome>
 outcomes(OpenReason reason)
 {
@@ -41,7 +47,7 @@ TEST(RegionMemory, KnowsHowARegionFailed)
 {
   RegionMemory memory;
   EXPECT_EQ(nullptr, memory.find(keyOf(squareRegion())));
-  memory.remember(keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
   const std::vector<HoleOutcome>* found = memory.find(keyOf(squareRegion()));
   ASSERT_NE(nullptr, found);
   EXPECT_EQ(OpenReason::INTERSECTION, found->front().open);
@@ -59,15 +65,23 @@ TEST(RegionMemory, HolesOfWhichOneWasClosedHaveNotFailed)
 TEST(RegionMemory, TriesAgainWhereSomethingHasGone)
 {
   RegionMemory memory;
-  memory.remember(keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
-  memory.forget();
+  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
+  memory.forgetNear({{Position(5, 5, 5), Position(6, 6, 6)}, place()});
   EXPECT_EQ(nullptr, memory.find(keyOf(squareRegion())));
+}
+
+TEST(RegionMemory, DoesNotTryAgainWhereSomethingHasGoneElsewhere)
+{
+  RegionMemory memory;
+  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
+  memory.forgetNear({{Position(5, 5, 5), Position(6, 6, 6)}});
+  EXPECT_NE(nullptr, memory.find(keyOf(squareRegion())));
 }
 
 TEST(RegionMemory, TriesAgainARegionThatHasChanged)
 {
   RegionMemory memory;
-  memory.remember(keyOf(squareRegion()), outcomes(OpenReason::INTERSECTION));
+  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
   Region moved = squareRegion();
   moved.holes.front().curve.points[2].z() = 1e-9;
   Region certain = squareRegion();
