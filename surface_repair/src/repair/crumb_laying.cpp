@@ -32,6 +32,10 @@ constexpr double MOST_SLOPES = 16.0;
 /** Depth of the surface that is missing in a hole, at most, in lengths of its boundary.
  */
 constexpr double DEEPEST = 0.3;
+/** Distance of the patch on the other side of a crumb, in that of the patch on its
+ * side, up to which the crumb is turned first: which side small islands show is not
+ * sure. */
+constexpr double NEARER = 0.5;
 /** Edges of an opening that is closed around a crumb. */
 constexpr std::size_t LONGEST_BORDER = 128;
 /** What is looked at around a crumb, in the reach. */
@@ -60,6 +64,10 @@ private:
   bool
   findShadow(const TriangleSearch& patches, bool turned);
   bool
+  isKnown(const Opening& opening);
+  bool
+  isNearerTurned(const TriangleSearch& patches);
+  bool
   layInto(int rings);
   bool
   close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
@@ -75,13 +83,15 @@ private:
   GrowingSurface& surface_;
   double reach_ = 0.0;
   ccaa::Box around_;
-  ccaa::Box place_;                           /**< of what is opened and the crumb */
-  ModelPart part_;                            /**< all around the crumb */
-  std::vector<std::size_t> new_triangles_;    /**< of the part */
-  std::vector<bool> shadow_;                  /**< of the part's triangles */
-  std::size_t nearest_ = 0;                   /**< of the shadow */
-  double least_ = 0.0;                        /**< its distance */
-  std::set<std::vector<pcl::index_t>> tried_; /**< borders of openings */
+  ccaa::Box place_;                        /**< of what is opened and the crumb */
+  std::vector<std::size_t> near_;          /**< triangles all around the crumb */
+  ModelPart part_;                         /**< the same as a model */
+  std::vector<std::size_t> new_triangles_; /**< places among them */
+  std::vector<bool> shadow_;               /**< of them */
+  std::size_t nearest_ = 0;                /**< of the shadow */
+  double least_ = 0.0;                     /**< its distance */
+  /** Side of the crumb and border of the opening, and their place. */
+  std::set<std::pair<std::vector<std::size_t>, std::array<double, 6>>> tried_;
   int slopes_ = 1; /**< edges of the nearest between it and the crumb */
 };
 
@@ -99,7 +109,7 @@ CrumbLaying::run()
 bool
 CrumbLaying::isBesideHole() const
 {
-  const std::size_t hole = surface_.hole[part_.triangles[nearest_]];
+  const std::size_t hole = surface_.hole[near_[nearest_]];
   return least_ > DEEPEST * course_.report.holes[hole].length;
 }
 
@@ -111,15 +121,14 @@ CrumbLaying::touchesInput() const
   for (const std::size_t t : crumb_)
     for (const pcl::index_t corner : surface_.triangles[t])
       points.insert(surface_.pointOf(corner));
-  return std::any_of(
-      part_.triangles.begin(), part_.triangles.end(), [&](std::size_t t) {
-        const Triangle& triangle = surface_.triangles[t];
-        return surface_.hole[t] == NONE &&
-               !std::binary_search(crumb_.begin(), crumb_.end(), t) &&
-               std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
-                 return points.count(surface_.pointOf(corner)) > 0;
-               });
-      });
+  return std::any_of(near_.begin(), near_.end(), [&](std::size_t t) {
+    const Triangle& triangle = surface_.triangles[t];
+    return surface_.hole[t] == NONE &&
+           !std::binary_search(crumb_.begin(), crumb_.end(), t) &&
+           std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+             return points.count(surface_.pointOf(corner)) > 0;
+           });
+  });
 }
 
 /** \param[in] reach in extents of the crumb */
@@ -133,22 +142,23 @@ CrumbLaying::tryWithin(double reach)
   if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
     return false;
   around_ = ccaa::widened(box, ROOM * reach_);
-  part_ = surface_.part(surface_.near(around_));
+  near_ = surface_.near(around_);
   new_triangles_.clear();
   std::vector<ccaa::Corners> corners;
-  for (std::size_t i = 0; i < part_.triangles.size(); ++i)
-    if (part_.is_new[i]) {
+  for (std::size_t i = 0; i < near_.size(); ++i)
+    if (surface_.hole[near_[i]] != NONE) {
       new_triangles_.push_back(i);
       corners.push_back(
-          ccaa::cornersOf(part_.model.triangles[i], part_.model.positions));
+          ccaa::cornersOf(surface_.triangles[near_[i]], surface_.positions));
     }
   const TriangleSearch patches(std::move(corners));
-  for (const bool turned : {false, true}) {
+  const bool turned_first = isNearerTurned(patches);
+  for (const bool turned : {turned_first, !turned_first}) {
     if (!findShadow(patches, turned) || (reach >= FARTHEST && isBesideHole()))
       continue;
     if (turned)
       turnCrumb();
-    tried_.clear();
+    part_ = surface_.part(near_);
     for (const int rings : OPENED_RINGS)
       if (layInto(reach < FARTHEST ? rings : rings * slopes_))
         return true;
@@ -163,7 +173,7 @@ CrumbLaying::tryWithin(double reach)
 bool
 CrumbLaying::findShadow(const TriangleSearch& patches, bool turned)
 {
-  shadow_.assign(part_.triangles.size(), false);
+  shadow_.assign(near_.size(), false);
   TrianglePlace closest;
   least_ = std::numeric_limits<double>::infinity();
   for (const std::size_t t : crumb_) {
@@ -193,6 +203,15 @@ CrumbLaying::findShadow(const TriangleSearch& patches, bool turned)
   return true;
 }
 
+/** Whether what covers the crumb's other side is so near that it is the likely one. */
+bool
+CrumbLaying::isNearerTurned(const TriangleSearch& patches)
+{
+  const bool is_covered = findShadow(patches, false);
+  const double distance = least_;
+  return !is_covered || (findShadow(patches, true) && least_ < NEARER * distance);
+}
+
 /** In the numbers of the whole. */
 BoundaryLoop
 inWhole(BoundaryLoop loop, const ModelPart& part)
@@ -217,18 +236,35 @@ CrumbLaying::rimVertex() const
   return lowest;
 }
 
+/** Of one opening and all that is around it the same comes each time. */
+bool
+CrumbLaying::isKnown(const Opening& opening)
+{
+  const Triangle& side = surface_.triangles[crumb_.front()];
+  std::vector<std::size_t> numbers(side.begin(), side.end());
+  for (std::size_t i = 0; i < near_.size(); ++i)
+    if (opening.is_open[i])
+      numbers.push_back(near_[i]);
+  std::array<double, 6> place;
+  Eigen::Map<Eigen::Vector3d>(place.data()) = place_.min();
+  Eigen::Map<Eigen::Vector3d>(place.data() + 3) = place_.max();
+  return !tried_.emplace(std::move(numbers), place).second;
+}
+
 bool
 CrumbLaying::layInto(int rings)
 {
   const Opening opening = openFrom(part_, nearest_, ringsAround(part_, shadow_, rings));
   if (opening.border.empty() || !isWithin(around_, part_, opening) ||
-      opening.border.size() > LONGEST_BORDER || !tried_.insert(opening.border).second)
+      opening.border.size() > LONGEST_BORDER)
     return false;
   place_ = placeOf(part_, opening);
   for (const std::size_t t : crumb_)
     place_.extend(
         ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
   place_ = place_.intersection(around_); // beyond that nothing is known
+  if (isKnown(opening))
+    return false;
   const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
   const std::vector<std::size_t> meeting = surface_.meeting(crumb_);
   if (std::any_of(meeting.begin(), meeting.end(), [&](std::size_t t) {
@@ -276,14 +312,8 @@ CrumbLaying::close(const Opening& opening,
 void
 CrumbLaying::turnCrumb()
 {
-  for (const std::size_t t : crumb_) {
+  for (const std::size_t t : crumb_)
     std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
-    const auto own =
-        std::lower_bound(part_.triangles.begin(), part_.triangles.end(), t) -
-        part_.triangles.begin();
-    Triangle& triangle = part_.model.triangles[static_cast<std::size_t>(own)];
-    std::swap(triangle[1], triangle[2]);
-  }
 }
 
 /** The hole of what was opened that was closed first. */
