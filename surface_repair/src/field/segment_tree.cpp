@@ -2,8 +2,11 @@
 // Part of PclSurfaceRepair: which of many boxes a segment passes.
 #include "field/segment_tree.h"
 
+#include "mesh/block_loop.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -19,6 +22,9 @@ constexpr float NOWHERE = 1e18f;
 /** \brief Steepest 1 / component of a segment: a component of nothing is this small. */
 constexpr double MOST_INVERSE = 1e12;
 
+/** \brief Parts of a tree that each thread arranges, so that all have enough. */
+constexpr std::size_t STRETCHES_A_THREAD = 4;
+
 using Place = std::vector<pcl::index_t>::iterator;
 
 /** \brief The axis along which the centres of some boxes spread most. */
@@ -33,18 +39,20 @@ widestAxis(const std::vector<ccaa::Box>& boxes, Place begin, Place end)
   return axis;
 }
 
-/** \brief Order boxes so that each run of `fan_out`, and each run of as many runs and
- * so on, lies close together: halve along the widest axis, at a multiple of the largest
- * run. Log-linear; ties by index. */
-void
-arrange(const std::vector<ccaa::Box>& boxes,
-        Place begin,
-        Place end,
-        std::size_t fan_out)
+/** \brief Some of the boxes, in the order of the tree. */
+struct Stretch {
+  Place begin, end;
+};
+
+/** \brief Halve a run along the widest axis, at a multiple of the largest run of runs
+ * of `fan_out`. Ties by index. \return the middle; the end where nothing is to halve */
+Place
+halve(const std::vector<ccaa::Box>& boxes, const Stretch& all, std::size_t fan_out)
 {
+  const auto [begin, end] = all;
   const auto count = static_cast<std::size_t>(end - begin);
   if (count <= fan_out)
-    return;
+    return end;
   std::size_t run = fan_out;
   while (run * fan_out < count)
     run *= fan_out;
@@ -58,8 +66,48 @@ arrange(const std::vector<ccaa::Box>& boxes,
     const double b = second.min()[axis] + second.max()[axis];
     return a < b || (a == b && i < j);
   });
-  arrange(boxes, begin, middle, fan_out);
-  arrange(boxes, middle, end, fan_out);
+  return middle;
+}
+
+/** \brief Order boxes so that each run of `fan_out`, and each run of as many runs and
+ * so on, lies close together. Log-linear. */
+void
+arrange(const std::vector<ccaa::Box>& boxes, const Stretch& all, std::size_t fan_out)
+{
+  const Place middle = halve(boxes, all, fan_out);
+  if (middle == all.end)
+    return;
+  arrange(boxes, {all.begin, middle}, fan_out);
+  arrange(boxes, {middle, all.end}, fan_out);
+}
+
+/** \brief The same, with halves side by side once there are some. */
+void
+arrange(const std::vector<ccaa::Box>& boxes,
+        const Stretch& all,
+        std::size_t fan_out,
+        int threads)
+{
+  const ccaa::LoopContext one_by_one{threads, nullptr, "", 1};
+  std::vector<Stretch> stretches{all};
+  while (threads > 1 &&
+         stretches.size() < STRETCHES_A_THREAD * static_cast<std::size_t>(threads)) {
+    std::vector<Place> middles(stretches.size());
+    ccaa::forEachBlock(
+        stretches.size(), one_by_one, [&](std::size_t i, std::size_t, std::size_t) {
+          middles[i] = halve(boxes, stretches[i], fan_out);
+        });
+    std::vector<Stretch> halves;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      halves.push_back({stretches[i].begin, middles[i]});
+      halves.push_back({middles[i], stretches[i].end});
+    }
+    stretches = std::move(halves);
+  }
+  ccaa::forEachBlock(
+      stretches.size(), one_by_one, [&](std::size_t i, std::size_t, std::size_t) {
+        arrange(boxes, stretches[i], fan_out);
+      });
 }
 
 } // namespace
@@ -88,7 +136,7 @@ SegmentTree::Node::box() const
   return box;
 }
 
-SegmentTree::SegmentTree(const std::vector<ccaa::Box>& boxes)
+SegmentTree::SegmentTree(const std::vector<ccaa::Box>& boxes, int threads)
 {
   ccaa::Box all;
   for (std::size_t i = 0; i < boxes.size(); ++i)
@@ -101,7 +149,7 @@ SegmentTree::SegmentTree(const std::vector<ccaa::Box>& boxes)
   origin_ = all.center();
   const double extent = all.sizes().maxCoeff();
   scale_ = extent > 0.0 ? 1.0 / extent : 1.0;
-  arrange(boxes, order_.begin(), order_.end(), FAN_OUT);
+  arrange(boxes, {order_.begin(), order_.end()}, FAN_OUT, threads);
   std::vector<ccaa::Box> lower;
   for (const pcl::index_t i : order_) {
     const ccaa::Box& box = boxes[static_cast<std::size_t>(i)];

@@ -24,7 +24,8 @@ namespace repair {
 class SegmentTree {
 public:
   SegmentTree() = default;
-  explicit SegmentTree(const std::vector<ccaa::Box>& boxes);
+  /** \brief Empty boxes are left out. The same tree for any number of threads. */
+  explicit SegmentTree(const std::vector<ccaa::Box>& boxes, int threads = 1);
 
   /** \brief The boxes' indices by place in the tree. */
   const std::vector<pcl::index_t>&

@@ -37,14 +37,14 @@ struct Shield::Implementation {
   std::vector<ccaa::Corners> triangles; /**< by place in the tree */
 };
 
-Shield::Shield(const IncompleteModel& model)
+Shield::Shield(const IncompleteModel& model, int threads)
 : implementation_(std::make_unique<Implementation>())
 {
   std::vector<ccaa::Box> boxes;
   boxes.reserve(model.triangles.size());
   for (const Triangle& triangle : model.triangles)
     boxes.push_back(boxOf(cornersOf(model, triangle)));
-  implementation_->tree = SegmentTree(boxes);
+  implementation_->tree = SegmentTree(boxes, threads);
   for (const pcl::index_t i : implementation_->tree.order())
     implementation_->triangles.push_back(
         cornersOf(model, model.triangles[static_cast<std::size_t>(i)]));

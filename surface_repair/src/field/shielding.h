@@ -16,7 +16,7 @@ class Shield {
 public:
   /** \brief Triangles without an area never stand in the way. Builds a tree: half a
    * microsecond a triangle. */
-  explicit Shield(const IncompleteModel& model);
+  explicit Shield(const IncompleteModel& model, int threads = 1);
   ~Shield();
 
   /** \brief Whether the open segment from a to b crosses the surface. Crossings closer

@@ -3,6 +3,7 @@
 
 #include "repair/surface_obstacle.h"
 
+#include "mesh/block_loop.h"
 #include "mesh/exact_sign.h"
 #include "mesh/intersection.h"
 
@@ -84,15 +85,27 @@ private:
 } // namespace
 
 SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
-                                 const std::vector<ccaa::Box>& places)
+                                 const std::vector<ccaa::Box>& places,
+                                 int threads)
 {
   const NearPlaces near_places(places);
+  const ccaa::LoopContext context{threads};
+  std::vector<std::vector<ccaa::Corners>> found(
+      context.blockCount(model.triangles.size()));
+  ccaa::forEachBlock(model.triangles.size(),
+                     context,
+                     [&](std::size_t block, std::size_t begin, std::size_t end) {
+                       for (std::size_t t = begin; t < end; ++t) {
+                         const ccaa::Corners corners =
+                             ccaa::cornersOf(model.triangles[t], model.positions);
+                         if (near_places.contain(ccaa::boxOf(corners)) &&
+                             !ccaa::isCollinear(corners))
+                           found[block].push_back(corners);
+                       }
+                     });
   std::vector<ccaa::Corners> near_triangles;
-  for (const Triangle& triangle : model.triangles) {
-    const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
-    if (near_places.contain(ccaa::boxOf(corners)) && !ccaa::isCollinear(corners))
-      near_triangles.push_back(corners);
-  }
+  for (const std::vector<ccaa::Corners>& some : found)
+    near_triangles.insert(near_triangles.end(), some.begin(), some.end());
   addLayer(std::move(near_triangles));
 }
 

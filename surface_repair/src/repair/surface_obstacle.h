@@ -8,6 +8,7 @@
 #include "mesh/box_tree.h"
 
 #include <cstddef>
+#include <deque>
 #include <vector>
 
 namespace pcl {
@@ -19,7 +20,9 @@ class SurfaceObstacle {
 public:
   /** \brief Take the triangles of a model that come near to places. Cost: 20 ns a
    * triangle of the model, and a tree over those that are taken. */
-  SurfaceObstacle(const IncompleteModel& model, const std::vector<ccaa::Box>& places);
+  SurfaceObstacle(const IncompleteModel& model,
+                  const std::vector<ccaa::Box>& places,
+                  int threads = 1);
 
   /** \brief Triangles that are there from now on, too. Cost: log n trees over each of
    * the n that are added in all. */
@@ -53,7 +56,7 @@ private:
   void
   addLayer(std::vector<ccaa::Corners> triangles);
 
-  std::vector<Layer> layers_;
+  std::deque<Layer> layers_; /**< stay where they are: trees cost much to copy */
 };
 
 /** \brief Let a filling avoid a surface after the one that does not look at it has run

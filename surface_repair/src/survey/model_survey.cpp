@@ -72,8 +72,11 @@ traceFields(const SurveyParameters& parameters,
   for (std::size_t k = 0; k < survey.loops.size(); ++k)
     if (isComplex(survey, k, parameters.simple_edges))
       complex_holes.push_back(k);
-  survey.guides = makeGuides(
-      survey, parameters.field, islands.median_gap, between || !complex_holes.empty());
+  survey.guides = makeGuides(survey,
+                             parameters.field,
+                             islands.median_gap,
+                             between || !complex_holes.empty(),
+                             context.threads);
   if (between)
     joinIslands(islands, parameters, context, survey);
   for (const std::size_t hole : complex_holes)

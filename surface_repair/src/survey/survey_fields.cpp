@@ -169,11 +169,12 @@ std::shared_ptr<const SurveyGuides>
 makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
            double median_gap,
-           bool with_surface)
+           bool with_surface,
+           int threads)
 {
   auto guides = std::make_shared<SurveyGuides>();
   if (with_surface)
-    guides->surface = std::make_unique<Shield>(survey.model);
+    guides->surface = std::make_unique<Shield>(survey.model, threads);
   const Positions& points = survey.model.free_points;
   if (points.empty() || !(parameters.trust > 0.0))
     return guides;

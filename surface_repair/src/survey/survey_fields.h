@@ -28,7 +28,8 @@ std::shared_ptr<const SurveyGuides>
 makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
            double median_gap,
-           bool with_surface);
+           bool with_surface,
+           int threads);
 
 Reach
 reachOf(const FieldParameters& parameters);
