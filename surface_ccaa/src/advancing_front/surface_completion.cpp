@@ -215,6 +215,7 @@ Completion::orient()
                                   hintsOf(mesh_, context_.threads),
                                   control_)
                       .tally;
+  result_.topology = topologyOf(result_.triangles, adjacency_);
 }
 
 } // namespace

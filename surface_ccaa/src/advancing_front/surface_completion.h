@@ -7,6 +7,7 @@
 
 #include "advancing_front/gap_growth.h"
 #include "advancing_front/given_surface.h"
+#include "mesh/surface_topology.h"
 #include "mesh/triangle.h"
 #include "run/run_control.h"
 
@@ -20,6 +21,7 @@ struct CompletedMesh {
   PartialMeshFault fault = PartialMeshFault::NONE; /**< if any, nothing else is set */
   Triangles triangles; /**< the given ones that stay, in order, then the new ones */
   std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
+  SurfaceTopology topology;       /**< of the triangles */
 };
 
 /** \brief Complete a partial mesh: keep what is given, close gaps where the sampling
