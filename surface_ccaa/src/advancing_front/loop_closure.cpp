@@ -138,6 +138,7 @@ LoopClosure::triangulate(bool obstructions_count)
   return cell(0, n - 1).apex >= 0;
 }
 
+/** What crosses the surface is found only for what would be better. */
 void
 LoopClosure::fillCell(std::size_t i, std::size_t j)
 {
@@ -146,7 +147,9 @@ LoopClosure::fillCell(std::size_t i, std::size_t j)
   Cell& best = cell(i, j);
   for (std::size_t m = i + 1; m < j; ++m) {
     const Weight weight = weigh(i, m, j);
-    if (weight < best.weight) {
+    if (weight < best.weight &&
+        !(obstructions_count_ &&
+          trial_.crossesSurface({corners_[i], corners_[m], corners_[j]}))) {
       best.weight = weight;
       best.apex = static_cast<int>(m);
     }
@@ -170,8 +173,6 @@ LoopClosure::weigh(std::size_t i, std::size_t m, std::size_t j)
   if (!(left.fold <= 1.0) || !(right.fold <= 1.0))
     return {};
   const Triangle triangle{corners_[i], corners_[m], corners_[j]};
-  if (obstructions_count_ && trial_.crossesSurface(triangle))
-    return {};
   const Position area = areaNormal(trial_.cornersOf(triangle));
   const Position normal = area.normalized();
   Weight weight{std::max(left.fold, right.fold),

@@ -147,12 +147,13 @@ void
 SurfaceGrowth::listCandidates(FrontIndex i)
 {
   const FrontEdge& edge = surface_.front()[i];
+  const Position behind = unitNormal(trial_.cornersOf({edge.from, edge.to, edge.apex}));
   collectWitnesses(i);
   candidates_.clear();
   for (const pcl::index_t apex : witnesses_) {
     Candidate candidate;
     candidate.apex = apex;
-    if (apex != edge.apex && surface_.isOpen(apex) && estimate(edge, candidate))
+    if (apex != edge.apex && surface_.isOpen(apex) && estimate(edge, behind, candidate))
       candidates_.push_back(candidate);
   }
   std::sort(candidates_.begin(), candidates_.end());
@@ -207,9 +208,12 @@ SurfaceGrowth::witness(pcl::index_t vertex)
   seen = call_;
 }
 
-/** Whether a triangle is worth a closer look, and how good it can be at best. */
+/** Whether a triangle is worth a closer look, and how good it can be at best.
+ * \param[in] behind unit normal of the triangle behind the edge */
 bool
-SurfaceGrowth::estimate(const FrontEdge& edge, Candidate& candidate) const
+SurfaceGrowth::estimate(const FrontEdge& edge,
+                        const Position& behind,
+                        Candidate& candidate) const
 {
   const Position &a = surface_.position(edge.to), &b = surface_.position(edge.from),
                  &c = surface_.position(candidate.apex);
@@ -217,15 +221,17 @@ SurfaceGrowth::estimate(const FrontEdge& edge, Candidate& candidate) const
   const double doubled_area = normal.norm();
   if (!(doubled_area > LEAST_HEIGHT * (b - a).squaredNorm()))
     return false;
-  const Position behind = unitNormal({b, a, surface_.position(edge.apex)});
   const double cosine = behind.dot(normal) / doubled_area;
-  if (cosine < cos_largest_ || !trial_.isSupported(edge, candidate.apex))
+  if (cosine < cos_largest_)
+    return false;
+  const double radius = EmptyBall(a, b, c).circumradius();
+  if (!trial_.isSupported(edge, candidate.apex, radius))
     return false;
   const bool touches =
       surface_.hasTriangles(candidate.apex) && !isStitched(edge, candidate.apex);
   const bool folded = cosine < cos_smooth_;
   candidate.grade.tier = touches ? (folded ? 2 : 3) : (folded ? 1 : 0);
-  candidate.grade.cost = folded ? -cosine : EmptyBall(a, b, c).circumradius();
+  candidate.grade.cost = folded ? -cosine : radius;
   return true;
 }
 

@@ -122,7 +122,7 @@ private:
   void
   witness(pcl::index_t vertex);
   bool
-  estimate(const FrontEdge& edge, Candidate& candidate) const;
+  estimate(const FrontEdge& edge, const Position& behind, Candidate& candidate) const;
   bool
   isEmpty(EmptyBall& ball, const Triangle& corners) const;
   bool

@@ -22,7 +22,11 @@ TriangleTrial::TriangleTrial(const OpenSurface& open,
                              const GrowingSurface& surface,
                              double support,
                              const NearbyTriangles* nearby)
-: open_(open), surface_(surface), support_(support), nearby_(nearby)
+: open_(open)
+, surface_(surface)
+, support_(support)
+, nearby_(nearby)
+, around_(open.positions.size())
 {}
 
 /** Length of an edge that the surface does not have yet, else 0. */
@@ -35,52 +39,52 @@ TriangleTrial::newLength(pcl::index_t a, pcl::index_t b) const
   return (surface_.position(a) - surface_.position(b)).norm();
 }
 
-/** Circumradius, or what it would be in an equilateral triangle whose side is the
- * longest new edge; the smaller of both. The second is not worked out when the first is
- * small enough. */
 double
-TriangleTrial::reach(pcl::index_t a,
-                     pcl::index_t b,
-                     pcl::index_t c,
-                     double enough) const
+TriangleTrial::circumradius(const Triangle& t) const
 {
-  const double radius =
-      EmptyBall(surface_.position(a), surface_.position(b), surface_.position(c))
-          .circumradius();
-  if (radius <= enough)
-    return radius;
-  const double longest = std::max({newLength(a, b), newLength(b, c), newLength(c, a)});
-  return std::min(radius, longest / SIDE_OF_UNIT_RADIUS);
+  return EmptyBall(
+             surface_.position(t[0]), surface_.position(t[1]), surface_.position(t[2]))
+      .circumradius();
 }
 
 bool
-TriangleTrial::isSupported(const FrontEdge& edge, pcl::index_t apex) const
+TriangleTrial::isSupported(const FrontEdge& edge,
+                           pcl::index_t apex,
+                           double radius) const
 {
   return isSupported({edge.to, edge.from, apex},
-                     std::max(spacing(edge.from), spacing(edge.to)));
+                     std::max(spacing(edge.from), spacing(edge.to)),
+                     radius);
 }
 
 bool
 TriangleTrial::isSupported(const Triangle& t) const
 {
-  return isSupported(t, std::max({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
+  return isSupported(
+      t, std::max({spacing(t[0]), spacing(t[1]), spacing(t[2])}), circumradius(t));
 }
 
 bool
 TriangleTrial::isSupportedByAll(const Triangle& t) const
 {
-  return isSupported(t, std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])}));
+  return isSupported(
+      t, std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])}), circumradius(t));
 }
 
-/** \param[in] spacing that the corners would like; the most densely sampled of them has
- * the last word */
+/** Small enough must be the circumradius, or what it would be in an equilateral
+ * triangle whose side is the longest new edge. \param[in] spacing_there that the
+ * corners would like; the most densely sampled of them has the last word */
 bool
-TriangleTrial::isSupported(const Triangle& t, double spacing_there) const
+TriangleTrial::isSupported(const Triangle& t, double spacing_there, double radius) const
 {
   const double least = std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])});
   const double limit =
       support_ * std::min(spacing_there, LARGEST_SPACING_RATIO * least);
-  return reach(t[0], t[1], t[2], limit) <= limit;
+  if (radius <= limit)
+    return true;
+  const double longest =
+      std::max({newLength(t[0], t[1]), newLength(t[1], t[2]), newLength(t[2], t[0])});
+  return longest / SIDE_OF_UNIT_RADIUS <= limit;
 }
 
 bool
@@ -98,6 +102,8 @@ bool
 TriangleTrial::meetsAt(const Corners& corners, const Box& box, pcl::index_t vertex)
 {
   bool found = false;
+  if (!around_[static_cast<std::size_t>(vertex)].intersects(box))
+    return false;
   surface_.forTrianglesAt(
       vertex, [&](pcl::index_t t) { found = found || meets(corners, box, t); });
   return found;
@@ -108,8 +114,11 @@ void
 TriangleTrial::noteBoxes()
 {
   const Triangles& triangles = surface_.triangles();
-  for (std::size_t t = boxes_.size(); t < triangles.size(); ++t)
+  for (std::size_t t = boxes_.size(); t < triangles.size(); ++t) {
     boxes_.push_back(boxOf(cornersOf(triangles[t])));
+    for (const pcl::index_t corner : triangles[t])
+      around_[static_cast<std::size_t>(corner)].extend(boxes_[t]);
+  }
   seen_.resize(triangles.size(), 0);
   ++call_;
 }

@@ -42,9 +42,10 @@ public:
 
   /** \brief Whether the samples on a front edge are close enough to each other to
    * support a triangle that spans to an apex: its circumradius, or its new edges, are
-   * short against the spacing. A triangle without new edges always is supported. */
+   * short against the spacing. A triangle without new edges always is supported.
+   * \param[in] radius the circumradius */
   bool
-  isSupported(const FrontEdge& edge, pcl::index_t apex) const;
+  isSupported(const FrontEdge& edge, pcl::index_t apex, double radius) const;
 
   /** \brief The same for a triangle that stands alone. */
   bool
@@ -71,9 +72,9 @@ public:
 
 private:
   bool
-  isSupported(const Triangle& triangle, double spacing_there) const;
+  isSupported(const Triangle& triangle, double spacing_there, double radius) const;
   double
-  reach(pcl::index_t a, pcl::index_t b, pcl::index_t c, double enough) const;
+  circumradius(const Triangle& triangle) const;
   double
   newLength(pcl::index_t a, pcl::index_t b) const;
   void
@@ -88,6 +89,7 @@ private:
   double support_;
   const NearbyTriangles* nearby_;
   std::vector<Box> boxes_;          /**< of the triangles of the surface */
+  std::vector<Box> around_;         /**< of a vertex: around its triangles */
   std::vector<std::uint32_t> seen_; /**< of a triangle: the last call that met it */
   std::uint32_t call_ = 0;
 };
