@@ -2,10 +2,15 @@
 // Part of PclSurfaceRepair: the triangles around open points, for crossing tests.
 #include "advancing_front/nearby_triangles.h"
 
+#include "mesh/morton_code.h"
+#include "mesh/uninitialized.h"
+#include "search/radix_sort.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <unordered_set>
 
 namespace pcl {
@@ -54,43 +59,82 @@ cellsAround(const PointView& points, const std::vector<pcl::index_t>& open, doub
   return cells;
 }
 
+/** Triangles that may reach into a cell far from their first corner. There are few. */
+bool
+isLong(const Corners& c, double cell)
+{
+  return (c[1] - c[0]).cwiseAbs().maxCoeff() > cell ||
+         (c[2] - c[0]).cwiseAbs().maxCoeff() > cell;
+}
+
 } // namespace
 
 NearbyTriangles::NearbyTriangles(const Triangles& triangles,
                                  const AliveFlags& alive,
                                  const PointView& points,
                                  const std::vector<pcl::index_t>& open,
-                                 double cell)
+                                 double cell,
+                                 int threads)
 : triangles_(triangles), alive_(alive), points_(points)
 {
   if (open.empty() || triangles.empty() || !(cell > 0.0))
     return;
-  const auto cells = cellsAround(points, open, cell);
-  std::uint64_t last = 0;
-  bool last_is_near = false;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const std::uint64_t number = numberOf(cellOf(points[triangles[t][0]], cell));
-    if (t == 0 || number != last) { // neighbors in the list mostly share a cell
-      last = number;
-      last_is_near = cells.count(number) != 0;
-    }
-    if (last_is_near || isLong(static_cast<pcl::index_t>(t), cell))
-      chosen_.push_back(static_cast<pcl::index_t>(t));
-  }
-  std::vector<Box> boxes;
-  boxes.reserve(chosen_.size());
-  for (const pcl::index_t t : chosen_)
-    boxes.push_back(boxOf(cornersOf(triangles[static_cast<std::size_t>(t)], points)));
-  tree_ = std::make_unique<BoxTree>(boxes);
+  const LoopContext context{threads};
+  choose(open, cell, context);
+  sortAlongCurve(context);
+  tree_ = PackedBoxTree(chosen_.size(), context, [this](std::size_t place) {
+    return boxOf(cornersAt(place));
+  });
 }
 
-/** Triangles that may reach into a cell far from their first corner. There are few. */
-bool
-NearbyTriangles::isLong(pcl::index_t triangle, double cell) const
+void
+NearbyTriangles::choose(const std::vector<pcl::index_t>& open,
+                        double cell,
+                        const LoopContext& context)
 {
-  const Corners c = cornersOf(triangles_[static_cast<std::size_t>(triangle)], points_);
-  return (c[1] - c[0]).cwiseAbs().maxCoeff() > cell ||
-         (c[2] - c[0]).cwiseAbs().maxCoeff() > cell;
+  const auto cells = cellsAround(points_, open, cell);
+  std::vector<std::vector<pcl::index_t>> chosen(context.blockCount(triangles_.size()));
+  const auto look = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    std::uint64_t last = 0;
+    bool last_is_near = false;
+    for (std::size_t t = begin; t < end; ++t) {
+      const Corners corners = cornersOf(triangles_[t], points_);
+      const std::uint64_t number = numberOf(cellOf(corners[0], cell));
+      if (t == begin || number != last) { // neighbors in the list mostly share a cell
+        last = number;
+        last_is_near = cells.count(number) != 0;
+      }
+      if (last_is_near || isLong(corners, cell))
+        chosen[block].push_back(static_cast<pcl::index_t>(t));
+    }
+  };
+  forEachBlock(triangles_.size(), context, look);
+  chosen_ = joinBlocks(chosen);
+}
+
+/** Neighbors in the tree must be close in space, in whatever order they were given. */
+void
+NearbyTriangles::sortAlongCurve(const LoopContext& context)
+{
+  constexpr unsigned int BITS = 30; // of the code's 63, the highest
+  Box bounds;
+  for (const pcl::index_t t : chosen_)
+    bounds.extend(points_[triangles_[static_cast<std::size_t>(t)][0]]);
+  const double scale =
+      bounds.isEmpty() ? 1.0 : std::max(bounds.sizes().maxCoeff(), 1e-300);
+  UninitializedVector<CodedPoint> coded(chosen_.size()), spare(chosen_.size());
+  const auto code = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Position first =
+          points_[triangles_[static_cast<std::size_t>(chosen_[i])][0]];
+      coded[i] = {mortonCode((first - bounds.min()) / scale) >> (63 - BITS),
+                  chosen_[i]};
+    }
+  };
+  forEachBlock(chosen_.size(), context, code);
+  radixSort(coded.data(), spare.data(), coded.size(), BITS, context.threads);
+  for (std::size_t i = 0; i < chosen_.size(); ++i)
+    chosen_[i] = coded[i].point_index;
 }
 
 bool
@@ -98,16 +142,12 @@ NearbyTriangles::meets(const Corners& corners,
                        const Box& box,
                        const std::vector<pcl::index_t>& ignored) const
 {
-  bool found = false;
-  if (tree_)
-    tree_->forEachMeeting(box, [&](pcl::index_t place) {
-      const pcl::index_t chosen = chosen_[static_cast<std::size_t>(place)];
-      const auto t = static_cast<std::size_t>(chosen);
-      found = found || (alive_[t] != 0 &&
-                        !std::binary_search(ignored.begin(), ignored.end(), chosen) &&
-                        trianglesMeet(corners, cornersOf(triangles_[t], points_)));
-    });
-  return found;
+  return tree_.anyMeeting(box, [&](std::size_t place) {
+    const pcl::index_t triangle = chosen_[place];
+    return alive_[static_cast<std::size_t>(triangle)] != 0 &&
+           !std::binary_search(ignored.begin(), ignored.end(), triangle) &&
+           trianglesMeet(corners, cornersAt(place));
+  });
 }
 
 } // namespace ccaa

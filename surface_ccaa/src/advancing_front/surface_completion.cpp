@@ -137,7 +137,8 @@ Completion::advanceFront()
                   surface_->aliveGiven(),
                   mesh_.points,
                   gap_.open,
-                  cellSize(gap_.surface));
+                  cellSize(gap_.surface),
+                  context_.threads);
   const LoopContext growth{context_.threads, &control_, "growth"};
   obstructed_ =
       growInto(gap_, *nearby_, parameters_, componentRule(), growth, *surface_);

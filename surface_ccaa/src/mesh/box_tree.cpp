@@ -2,36 +2,14 @@
 // Part of PclSurfaceRepair: which of many boxes meet a given box.
 #include "mesh/box_tree.h"
 
+#include "mesh/morton_code.h"
+
 #include <cstdint>
 #include <utility>
 
 namespace pcl {
 namespace ccaa {
 namespace {
-
-/** \brief 21 bits spread out so that two free bits follow each. */
-std::uint64_t
-spread(std::uint64_t bits)
-{
-  bits = (bits | bits << 32) & 0x001f00000000ffffull;
-  bits = (bits | bits << 16) & 0x001f0000ff0000ffull;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00full;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3ull;
-  bits = (bits | bits << 2) & 0x1249249249249249ull;
-  return bits;
-}
-
-/** \brief Place along the Morton curve through the unit cube. */
-std::uint64_t
-mortonCode(const Eigen::Vector3d& share)
-{
-  constexpr double CELLS = 2097151.0;
-  std::uint64_t code = 0;
-  for (int k = 0; k < 3; ++k)
-    code |= spread(static_cast<std::uint64_t>(std::clamp(share[k], 0.0, 1.0) * CELLS))
-            << k;
-  return code;
-}
 
 Box
 boundsOf(const std::vector<Box>& boxes)

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: tests of mesh/box_tree.h.
+// Part of PclSurfaceRepair: tests of mesh/box_tree.h and
+// mesh/packed_box_tree.h.
 #include <gtest/gtest.h>
 
 #include "mesh/box_tree.h"
+#include "mesh/packed_box_tree.h"
 #include "support/random_source.h"
+
+#include <algorithm>
 
 namespace pcl {
 namespace ccaa {
@@ -125,6 +129,36 @@ TEST(BoxTree, HoldsBoxesAllInOnePlace)
 {
   const BoxTree tree(std::vector<Box>(100, Box(Position(2, 2, 2))));
   EXPECT_EQ(found(tree, Box(Position(2, 2, 2))).size(), 100u);
+}
+
+TEST(PackedBoxTree, MissesNoBoxAndNamesNoneThatIsFar)
+{
+  for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 1000u}) {
+    const std::vector<Box> boxes = randomBoxes(count, count);
+    const PackedBoxTree tree(count, {2}, [&](std::size_t i) { return boxes[i]; });
+    for (const Box& query : randomBoxes(50, 99)) {
+      std::vector<index_t> named;
+      EXPECT_FALSE(tree.anyMeeting(query, [&](std::size_t i) {
+        named.push_back(static_cast<index_t>(i));
+        return false;
+      }));
+      const std::vector<index_t> least = foundOneByOne(boxes, query);
+      const std::vector<index_t> most = foundOneByOne(boxes, widened(query, 1e-6));
+      EXPECT_TRUE(
+          std::includes(named.begin(), named.end(), least.begin(), least.end()));
+      EXPECT_TRUE(std::includes(most.begin(), most.end(), named.begin(), named.end()));
+    }
+  }
+}
+
+TEST(PackedBoxTree, StopsAtTheFirstThatPasses)
+{
+  const std::vector<Box> boxes = randomBoxes(100, 1);
+  const PackedBoxTree tree(boxes.size(), {1}, [&](std::size_t i) { return boxes[i]; });
+  std::size_t asked = 0;
+  EXPECT_TRUE(tree.anyMeeting(Box(Position::Zero(), Position::Ones()),
+                              [&](std::size_t) { return ++asked == 3; }));
+  EXPECT_EQ(3U, asked);
 }
 
 } // namespace

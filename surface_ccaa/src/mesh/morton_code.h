@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: places along a curve that fills space.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief 21 bits spread out so that two free bits follow each. */
+inline std::uint64_t
+spreadBits(std::uint64_t bits)
+{
+  bits = (bits | bits << 32) & 0x001f00000000ffffull;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ffull;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00full;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3ull;
+  bits = (bits | bits << 2) & 0x1249249249249249ull;
+  return bits;
+}
+
+/** \brief Place along the Morton curve through the unit cube, in 63 bits. */
+inline std::uint64_t
+mortonCode(const Eigen::Vector3d& share)
+{
+  constexpr double CELLS = 2097151.0;
+  std::uint64_t code = 0;
+  for (int k = 0; k < 3; ++k)
+    code |=
+        spreadBits(static_cast<std::uint64_t>(std::clamp(share[k], 0.0, 1.0) * CELLS))
+        << k;
+  return code;
+}
+
+} // namespace ccaa
+} // namespace pcl
