@@ -107,7 +107,7 @@ readGiven(const PartialMesh& mesh,
   surface.fault = findFault(surface.adjacency);
   if (surface.fault != PartialMeshFault::NONE)
     return surface;
-  surface.islands = labelIslands(surface.adjacency);
+  surface.islands = labelIslands(surface.adjacency, {context.threads});
   const std::vector<pcl::index_t> disagreeing =
       disagreeingIslands(mesh.given, surface.adjacency, surface.islands, context);
   if (keep_given && !disagreeing.empty())

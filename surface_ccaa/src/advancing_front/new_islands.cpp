@@ -61,9 +61,10 @@ std::vector<std::uint8_t>
 largeComponentFlags(const Triangles& triangles,
                     const TriangleAdjacency& adjacency,
                     std::size_t kept,
-                    std::size_t minimum_internal_points)
+                    std::size_t minimum_internal_points,
+                    const LoopContext& context)
 {
-  const Islands islands = labelIslands(adjacency);
+  const Islands islands = labelIslands(adjacency, context);
   const std::vector<std::size_t> internal = countInternalPoints(adjacency, islands);
   std::vector<std::uint8_t> lasts(islands.count, 0);
   for (std::size_t island = 0; island < islands.count; ++island)

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: which pieces that grew by themselves are a surface.
 #pragma once
 
+#include "mesh/block_loop.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_adjacency.h"
 
@@ -42,7 +43,8 @@ std::vector<std::uint8_t>
 largeComponentFlags(const Triangles& triangles,
                     const TriangleAdjacency& adjacency,
                     std::size_t kept,
-                    std::size_t minimum_internal_points);
+                    std::size_t minimum_internal_points,
+                    const LoopContext& context = {});
 
 } // namespace ccaa
 } // namespace pcl

@@ -185,7 +185,8 @@ Completion::keepLargeComponents()
       largeComponentFlags(result_.triangles,
                           adjacency_,
                           parameters_.keep_given ? result_.kept.size() : 0,
-                          parameters_.minimum_internal_points);
+                          parameters_.minimum_internal_points,
+                          {context_.threads});
   std::size_t left = 0, kept = 0;
   for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
     if (is_large[t] == 0)
@@ -216,7 +217,7 @@ Completion::orient()
                                   hintsOf(mesh_, context_.threads),
                                   control_)
                       .tally;
-  result_.topology = topologyOf(result_.triangles, adjacency_);
+  result_.topology = topologyOf(result_.triangles, adjacency_, {context_.threads});
 }
 
 } // namespace

@@ -2,33 +2,35 @@
 // Part of PclSurfaceRepair: the edge-connected components of a mesh.
 #include "mesh/islands.h"
 
+#include "mesh/disjoint_sets.h"
+
 namespace pcl {
 namespace ccaa {
 
 Islands
-labelIslands(const TriangleAdjacency& adjacency)
+labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context)
 {
-  constexpr pcl::index_t UNSEEN = -1;
-  Islands islands;
-  islands.of_triangle.assign(adjacency.triangleCount(), UNSEEN);
-  std::vector<pcl::index_t> stack;
-  for (std::size_t seed = 0; seed < islands.of_triangle.size(); ++seed) {
-    if (islands.of_triangle[seed] != UNSEEN)
-      continue;
-    const auto island = static_cast<pcl::index_t>(islands.count++);
-    islands.of_triangle[seed] = island;
-    stack.push_back(static_cast<pcl::index_t>(seed));
-    while (!stack.empty()) {
-      const pcl::index_t t = stack.back();
-      stack.pop_back();
+  const std::size_t count = adjacency.triangleCount();
+  DisjointSets sets(count, DisjointSets::Begin::EMPTY);
+  forEachBlock(count, context, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      sets.makeSet(t);
+  });
+  forEachBlock(count, context, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
       for (int corner = 0; corner < 3; ++corner) {
-        const pcl::index_t other = adjacency.across(t, corner);
-        if (other < 0 || islands.of_triangle[static_cast<std::size_t>(other)] != UNSEEN)
-          continue;
-        islands.of_triangle[static_cast<std::size_t>(other)] = island;
-        stack.push_back(other);
+        const pcl::index_t other =
+            adjacency.across(static_cast<pcl::index_t>(t), corner);
+        if (other >= 0 && static_cast<std::size_t>(other) < t)
+          sets.join(t, static_cast<std::size_t>(other));
       }
-    }
+  });
+  Islands islands;
+  islands.of_triangle.resize(count);
+  for (std::size_t t = 0; t < count; ++t) { // the lowest of a set is its root
+    const std::size_t root = sets.find(t);
+    islands.of_triangle[t] = root == t ? static_cast<pcl::index_t>(islands.count++)
+                                       : islands.of_triangle[root];
   }
   return islands;
 }

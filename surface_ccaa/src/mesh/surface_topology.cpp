@@ -5,67 +5,91 @@
 #include "mesh/disjoint_sets.h"
 #include "mesh/islands.h"
 #include "mesh/mesh_part.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace pcl {
 namespace ccaa {
 namespace {
 
-/** \brief The vertices of edges with one triangle, in sets that such edges connect. */
-class Openings {
-public:
-  explicit Openings(std::size_t vertices) : sets_(vertices), is_used_(vertices, false)
-  {}
+using Border = std::array<pcl::index_t, 2>;
 
-  void
-  addEdge(pcl::index_t a, pcl::index_t b)
-  {
-    sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-    is_used_[static_cast<std::size_t>(a)] = is_used_[static_cast<std::size_t>(b)] =
-        true;
-  }
-
-  std::size_t
-  count()
-  {
-    std::size_t sets = 0;
-    for (std::size_t v = 0; v < is_used_.size(); ++v)
-      sets += is_used_[v] && sets_.isRoot(v) ? 1 : 0;
-    return sets;
-  }
-
-private:
-  DisjointSets sets_;
-  std::vector<bool> is_used_;
+/** \brief What the edges of some triangles add up to. */
+struct EdgeCount {
+  std::size_t half_edges = 0; /**< twice the edges of one or two triangles */
+  bool is_wound_alike = true;
+  std::vector<Border> borders; /**< edges with one triangle */
 };
+
+void
+countEdges(std::size_t triangle,
+           const Triangles& triangles,
+           const TriangleAdjacency& adjacency,
+           EdgeCount& sum)
+{
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const pcl::index_t from = triangles[triangle][corner];
+    const pcl::index_t to = triangles[triangle][(corner + 1) % 3];
+    const pcl::index_t other =
+        adjacency.across(static_cast<pcl::index_t>(triangle), static_cast<int>(corner));
+    if (other == TriangleAdjacency::NONE)
+      sum.borders.push_back({from, to});
+    sum.half_edges += other == TriangleAdjacency::NONE ? 2 : other >= 0 ? 1 : 0;
+    if (other >= 0 &&
+        runsAlong(triangles[static_cast<std::size_t>(other)], from, to) != 0)
+      sum.is_wound_alike = false;
+  }
+}
+
+/** \brief In how many sets such edges connect vertices. */
+std::size_t
+countOpenings(const std::vector<Border>& borders)
+{
+  std::vector<pcl::index_t> vertices;
+  for (const Border& border : borders)
+    vertices.insert(vertices.end(), border.begin(), border.end());
+  sortUnique(vertices);
+  const auto place = [&](pcl::index_t vertex) {
+    return static_cast<std::size_t>(
+        std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+  };
+  DisjointSets sets(vertices.size());
+  for (const Border& border : borders)
+    sets.join(place(border[0]), place(border[1]));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    count += sets.isRoot(i) ? 1 : 0;
+  return count;
+}
 
 } // namespace
 
 SurfaceTopology
-topologyOf(const Triangles& triangles, const TriangleAdjacency& adjacency)
+topologyOf(const Triangles& triangles,
+           const TriangleAdjacency& adjacency,
+           const LoopContext& context)
 {
+  std::vector<EdgeCount> counts(context.blockCount(triangles.size()));
+  forEachBlock(triangles.size(), context, [&](auto block, auto begin, auto end) {
+    for (std::size_t t = begin; t < end; ++t)
+      countEdges(t, triangles, adjacency, counts[block]);
+  });
   SurfaceTopology topology;
-  Openings openings(adjacency.vertexCount());
-  std::size_t half_edges = 0; // twice the edges of one or two triangles
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const pcl::index_t from = triangles[t][corner];
-      const pcl::index_t to = triangles[t][(corner + 1) % 3];
-      const pcl::index_t other =
-          adjacency.across(static_cast<pcl::index_t>(t), static_cast<int>(corner));
-      if (other == TriangleAdjacency::NONE)
-        openings.addEdge(from, to);
-      half_edges += other == TriangleAdjacency::NONE ? 2 : other >= 0 ? 1 : 0;
-      if (other >= 0 &&
-          runsAlong(triangles[static_cast<std::size_t>(other)], from, to) != 0)
-        topology.is_wound_alike = false;
-    }
+  std::size_t half_edges = 0;
+  std::vector<Border> borders;
+  for (const EdgeCount& part : counts) {
+    half_edges += part.half_edges;
+    topology.is_wound_alike = topology.is_wound_alike && part.is_wound_alike;
+    borders.insert(borders.end(), part.borders.begin(), part.borders.end());
+  }
   const auto& fans = adjacency.fans();
   const auto count = [&](Fan fan) { return std::count(fans.begin(), fans.end(), fan); };
   topology.is_manifold = count(Fan::SEVERAL) + count(Fan::OVERFULL) == 0;
-  topology.pieces = labelIslands(adjacency).count;
-  topology.boundary_loops = openings.count();
+  topology.pieces = labelIslands(adjacency, context).count;
+  topology.boundary_loops = countOpenings(borders);
   topology.euler_characteristic =
       static_cast<long>(fans.size()) - static_cast<long>(count(Fan::NONE)) -
       static_cast<long>(half_edges / 2 + adjacency.overfullEdges().size()) +

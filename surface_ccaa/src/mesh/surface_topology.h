@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/surface_topology.h>
 
+#include "mesh/block_loop.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_adjacency.h"
 
@@ -13,7 +14,9 @@ namespace ccaa {
 /** \brief What kind of surface the triangles make. Cost: linear, about 0.05 us a
  * triangle. \param[in] adjacency of these triangles */
 SurfaceTopology
-topologyOf(const Triangles& triangles, const TriangleAdjacency& adjacency);
+topologyOf(const Triangles& triangles,
+           const TriangleAdjacency& adjacency,
+           const LoopContext& context = {});
 
 } // namespace ccaa
 } // namespace pcl
