@@ -211,12 +211,15 @@ Completion::orient()
 {
   for (const Fan fan : adjacency_.fans())
     report_.free_points += fan == Fan::NONE;
-  report_.sides = orientTriangles(result_.triangles,
-                                  adjacency_,
-                                  mesh_.points,
-                                  hintsOf(mesh_, context_.threads),
-                                  control_)
-                      .tally;
+  const OrientationReport sides = orientTriangles(result_.triangles,
+                                                  adjacency_,
+                                                  mesh_.points,
+                                                  hintsOf(mesh_, context_.threads),
+                                                  control_);
+  report_.sides = sides.tally;
+  if (sides.reversed > 0) // the corners of those have changed places
+    adjacency_.build(
+        result_.triangles, mesh_.points.size(), context_.threads, &control_);
   result_.topology = topologyOf(result_.triangles, adjacency_, {context_.threads});
 }
 

@@ -5,6 +5,7 @@
 #include "mesh/vertex_normals.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -14,8 +15,9 @@ namespace {
 
 /** Cosine between normals of two sides. */
 constexpr float OPPOSITE = -0.3f;
-/** Triangles around a thin place that depend on it. */
-constexpr int AROUND = 10;
+/** Rings of triangles around a thin place that are grown anew: the next number where
+ * that took at least half of the flaws away, and handles are left. */
+constexpr std::array<int, 2> AROUND = {10, 20};
 
 /** Flags for the ends of edges whose ends face away from each other. */
 std::vector<std::uint8_t>
@@ -60,11 +62,12 @@ flawsOf(const CompletedMesh& mesh, const CompletionReport& report)
 std::vector<pcl::index_t>
 trianglesAtThinPlaces(const Triangles& triangles,
                       const PointView& points,
+                      int rings,
                       const LoopContext& context)
 {
   std::vector<std::uint8_t> is_thin = thinPlaces(triangles, points, context);
   std::vector<pcl::index_t> found = trianglesAt(is_thin, triangles);
-  for (int ring = 1; ring < AROUND && !found.empty(); ++ring) {
+  for (int ring = 1; ring < rings && !found.empty(); ++ring) {
     for (const pcl::index_t t : found)
       for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
         is_thin[static_cast<std::size_t>(corner)] = 1;
@@ -80,17 +83,23 @@ openTunnels(const PartialMesh& mesh,
             CompletedMesh& result,
             CompletionReport& report)
 {
-  if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
-    return;
-  const auto thin = trianglesAtThinPlaces(mesh.given, mesh.points, context);
-  if (thin.empty() || context.cancelled())
-    return;
-  CompletionReport other_report;
-  CompletedMesh other = complete(thin, other_report);
-  if (context.cancelled() || flawsOf(other, other_report) >= flawsOf(result, report))
-    return;
-  result = std::move(other);
-  report = other_report;
+  for (const int rings : AROUND) {
+    if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
+      return;
+    const auto thin = trianglesAtThinPlaces(mesh.given, mesh.points, rings, context);
+    if (thin.empty() || context.cancelled())
+      return;
+    CompletionReport other_report;
+    CompletedMesh other = complete(thin, other_report);
+    const std::size_t before = flawsOf(result, report);
+    const std::size_t after = flawsOf(other, other_report);
+    if (context.cancelled() || after >= before)
+      return;
+    result = std::move(other);
+    report = other_report;
+    if (2 * after > before)
+      return;
+  }
 }
 
 } // namespace ccaa

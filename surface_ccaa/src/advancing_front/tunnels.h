@@ -25,6 +25,7 @@ namespace ccaa {
 std::vector<pcl::index_t>
 trianglesAtThinPlaces(const Triangles& triangles,
                       const PointView& points,
+                      int rings,
                       const LoopContext& context);
 
 /** \brief Completes a mesh without some more of its given triangles. */

@@ -10,17 +10,26 @@ namespace ccaa {
 namespace test {
 namespace {
 
-/** Points on a closed wedge, one at random in each square of a grid on its faces: 4
- * long, 1.5 wide, 0.5 thick at one end and 0.04 at the other, with points 0.05 apart.
- */
+struct Wedge {
+  double length, width;
+  double thick, tip; /**< thickness at its two ends */
+};
+
+constexpr Wedge BLADE{4.0, 1.5, 0.5, 0.04};
+constexpr Wedge PLATE{3.0, 2.0, 0.06, 0.06};
+
+/** Points on a closed wedge, 0.05 apart, one at random in each square of a grid on its
+ * faces. */
 Positions
-wedge(std::uint64_t seed)
+sampled(const Wedge& wedge, std::uint64_t seed)
 {
-  constexpr double LENGTH = 4.0, WIDTH = 1.5, THICK = 0.5, TIP = 0.04, SPACING = 0.05;
+  constexpr double SPACING = 0.05;
+  const double length = wedge.length, width = wedge.width;
+  const double thick = wedge.thick, tip = wedge.tip;
   RandomSource random(seed);
   Positions points;
-  const auto halfAt = [](double x) {
-    return 0.5 * (THICK + (TIP - THICK) * x / LENGTH);
+  const auto halfAt = [&](double x) {
+    return 0.5 * (thick + (tip - thick) * x / length);
   };
   const auto sample = [&](double columns, double rows, const auto& place) {
     for (double i = 0; i + 0.5 < columns; ++i)
@@ -28,33 +37,34 @@ wedge(std::uint64_t seed)
         points.push_back(
             place((i + random.uniform()) / columns, (j + random.uniform()) / rows));
   };
-  const double along = LENGTH / SPACING, across = WIDTH / SPACING;
+  const double along = length / SPACING, across = width / SPACING;
   for (const double side : {-1.0, 1.0}) {
     sample(along, across, [&](double u, double v) {
-      return Position(LENGTH * u, WIDTH * v, side * halfAt(LENGTH * u));
+      return Position(length * u, width * v, side * halfAt(length * u));
     });
     for (double k = 0; k < along; ++k)
       sample(1.0,
-             std::max(1.0, std::floor(2.0 * halfAt(LENGTH * k / along) / SPACING)),
+             std::max(1.0, std::floor(2.0 * halfAt(length * k / along) / SPACING)),
              [&](double u, double v) {
-               const double x = LENGTH * (k + u) / along;
+               const double x = length * (k + u) / along;
                return Position(
-                   x, WIDTH * (0.5 + 0.5 * side), halfAt(x) * (2.0 * v - 1.0));
+                   x, width * (0.5 + 0.5 * side), halfAt(x) * (2.0 * v - 1.0));
              });
   }
-  sample(THICK / SPACING, across, [&](double u, double v) {
-    return Position(0.0, WIDTH * v, THICK * (u - 0.5));
+  sample(thick / SPACING, across, [&](double u, double v) {
+    return Position(0.0, width * v, thick * (u - 0.5));
   });
   sample(1.0, across, [&](double u, double v) {
-    return Position(LENGTH, WIDTH * v, TIP * (u - 0.5));
+    return Position(length, width * v, tip * (u - 0.5));
   });
   return points;
 }
 
-TEST(ThinBlade, HasNoTunnels)
+void
+expectNoTunnels(const Wedge& wedge)
 {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const Positions points = wedge(seed);
+    const Positions points = sampled(wedge, seed);
     Chain chain;
     chain.setInputCloud(toCloud(points));
     Polygons polygons;
@@ -68,6 +78,11 @@ TEST(ThinBlade, HasNoTunnels)
     EXPECT_EQ(polygons.size(), chain.getTriangleLabels().size()) << seed;
   }
 }
+
+TEST(ThinBlade, HasNoTunnels) { expectNoTunnels(BLADE); }
+
+/** The start connects the sides all over. */
+TEST(ThinPlate, HasNoTunnels) { expectNoTunnels(PLATE); }
 
 } // namespace
 } // namespace test
