@@ -77,26 +77,6 @@ makeStart(const ReconstructSettings& settings)
   return start;
 }
 
-/** Times as they add up to the whole. */
-StageTimes
-stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  const pcl::ConsecutiveReport& chain = result.chain;
-  const double greedy = std::min(result.start.greedy_seconds, chain.start_seconds);
-  StageTimes stages = {{"search", chain.start_seconds - greedy}, {"start", greedy}};
-  double sum = chain.start_seconds;
-  if (settings.hasFilter()) {
-    stages.emplace_back("filter", chain.filter_seconds);
-    sum += chain.filter_seconds;
-  }
-  if (settings.until == "base") {
-    stages.emplace_back("base", chain.base_seconds);
-    sum += chain.base_seconds;
-  }
-  stages.emplace_back("joining", std::max(0.0, chain.total_seconds - sum));
-  return stages;
-}
-
 template <typename PointT>
 void
 reconstruct(const ReconstructSettings& settings,
@@ -170,6 +150,25 @@ sidesForRepair(const ReconstructSettings& settings, const ReconstructResult& res
 }
 
 } // namespace
+
+StageTimes
+stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  const pcl::ConsecutiveReport& chain = result.chain;
+  const double greedy = std::min(result.start.greedy_seconds, chain.start_seconds);
+  StageTimes stages = {{"search", chain.start_seconds - greedy}, {"start", greedy}};
+  double sum = chain.start_seconds;
+  if (settings.hasFilter()) {
+    stages.emplace_back("filter", chain.filter_seconds);
+    sum += chain.filter_seconds;
+  }
+  if (settings.until == "base") {
+    stages.emplace_back("base", chain.base_seconds);
+    sum += chain.base_seconds;
+  }
+  stages.emplace_back("joining", std::max(0.0, chain.total_seconds - sum));
+  return stages;
+}
 
 void
 runReconstruction(const ReconstructSettings& settings,

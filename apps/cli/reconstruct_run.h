@@ -86,6 +86,10 @@ struct ReconstructResult {
   pcl::PointCloud<pcl::Normal>::Ptr normals;          // null unless asked for
 };
 
+/** \brief Seconds of each stage that was run, as they add up to the whole. */
+StageTimes
+stageTimes(const ReconstructSettings& settings, const ReconstructResult& result);
+
 /** \brief Mesh the cloud of \a result; its fields stay byte for byte. Fails when the
  * run could not be finished; after a signal the result is of no use. */
 void

@@ -150,6 +150,12 @@ takeDecisions(const Json& document)
 
 } // namespace
 
+DecisionsPtr
+parseDecisions(const std::string& text)
+{
+  return std::make_shared<const Decisions>(takeDecisions(Json::parse(text)));
+}
+
 Status
 readDecisions(const std::string& path, DecisionsPtr& decisions)
 {
@@ -158,8 +164,7 @@ readDecisions(const std::string& path, DecisionsPtr& decisions)
   if (!status.ok())
     return status;
   try {
-    decisions = std::make_shared<const Decisions>(
-        takeDecisions(Json::parse(file.begin(), file.end())));
+    decisions = parseDecisions({file.begin(), file.end()});
   }
   catch (const std::exception& error) {
     return Status::error(nameForPeople(path) + ": " + error.what());
@@ -196,8 +201,8 @@ tellJunction(std::size_t number, const JunctionDecision& junction)
          plural(junction.bridges, "bridge") + ".";
 }
 
-void
-writeDecisions(const std::string& input, const Decisions& decisions, OutputFile& file)
+std::string
+decisionsText(const std::string& input, const Decisions& decisions)
 {
   const std::string checksum =
       formatted("%016llx", static_cast<unsigned long long>(decisions.mesh.checksum));
@@ -220,8 +225,13 @@ writeDecisions(const std::string& input, const Decisions& decisions, OutputFile&
   document["loops"] = std::move(loops);
   document["junctions"] = std::move(junctions);
   // File names need not be valid UTF-8.
-  file.text(document.dump(2, ' ', false, Json::error_handler_t::replace));
-  file.text("\n");
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void
+writeDecisions(const std::string& input, const Decisions& decisions, OutputFile& file)
+{
+  file.text(decisionsText(input, decisions));
 }
 
 } // namespace app

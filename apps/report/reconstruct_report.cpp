@@ -25,26 +25,6 @@ shareOf(std::size_t part, std::size_t whole)
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-json
-describeFilter(const pcl::UmbrellaReport& filter)
-{
-  return {{"input_polygons", filter.input_polygons},
-          {"invalid_polygons", filter.invalid_polygons},
-          {"duplicate_triangles", filter.duplicate_triangles},
-          {"overfull_edges", filter.overfull_edges},
-          {"overfull_triangles", filter.overfull_triangles},
-          {"umbrella_triangles", filter.umbrella_triangles},
-          {"small_region_triangles", filter.small_region_triangles},
-          {"twist_triangles", filter.twist_triangles},
-          {"output_triangles", filter.output_triangles},
-          {"reversed_triangles", filter.reversed_triangles},
-          {"components", filter.components},
-          {"one_sided_components", filter.one_sided_components},
-          {"internal_points", filter.internal_points},
-          {"boundary_points", filter.boundary_points},
-          {"free_points", filter.free_points}};
-}
-
 /** Keys as the thesis has them (3.1, 3.5); seconds, and seconds a point. */
 json
 describeSpeedup(const pcl::SpeedupReport& speedup)
@@ -132,6 +112,26 @@ outerSideBy(const pcl::ccaa::SideHints& told, const Model& model)
 }
 
 } // namespace
+
+json
+describeFilter(const pcl::UmbrellaReport& filter)
+{
+  return {{"input_polygons", filter.input_polygons},
+          {"invalid_polygons", filter.invalid_polygons},
+          {"duplicate_triangles", filter.duplicate_triangles},
+          {"overfull_edges", filter.overfull_edges},
+          {"overfull_triangles", filter.overfull_triangles},
+          {"umbrella_triangles", filter.umbrella_triangles},
+          {"small_region_triangles", filter.small_region_triangles},
+          {"twist_triangles", filter.twist_triangles},
+          {"output_triangles", filter.output_triangles},
+          {"reversed_triangles", filter.reversed_triangles},
+          {"components", filter.components},
+          {"one_sided_components", filter.one_sided_components},
+          {"internal_points", filter.internal_points},
+          {"boundary_points", filter.boundary_points},
+          {"free_points", filter.free_points}};
+}
 
 json
 describeRun(const ReconstructSettings& settings,

@@ -7,6 +7,10 @@
 
 namespace app {
 
+/** \brief What a filter has found and removed. */
+nlohmann::json
+describeFilter(const pcl::UmbrellaReport& filter);
+
 /** \brief The JSON report; its keys are explained in doc/apps.md. */
 nlohmann::json
 describeRun(const ReconstructSettings& settings,
