@@ -260,7 +260,7 @@ struct RelaxationParameters {
 struct RepairParameters {
   SurveyParameters survey; /**< sides, classes, field, lines, bridges */
   FillingParameters filling;
-  bool join_islands = true;
+  bool join_islands = true; /**< false: only holes are closed */
   /** \brief Discs of fewer triangles wait until the other islands are joined, and are
    * laid into the patches that cover them. Not where islands are not to be joined, nor
    * with decisions of the user. 0: none wait. */
@@ -272,8 +272,8 @@ struct RepairParameters {
    * leave the topology in doubt (DoubtReason::UNSUPPORTED); of a surface with handles
    * a quarter of it does. 1: never. Default 0.2. */
   double greatest_unsupported = 0.2;
-  bool refine = true;
-  bool relax = true; /**< only when refined */
+  bool refine = true; /**< make patches as dense as what is around */
+  bool relax = true;  /**< only when refined */
   RefinementParameters refinement;
   RelaxationParameters relaxation; /**< its trust is that of the field */
 };
