@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Part of PclSurfaceRepair: installs the missing Debian packages, and only those.
 #
-# usage: install_dependencies.sh [demo|test|benchmark|package|--update]   (default: test)
+# usage: install_dependencies.sh [demo|python|test|benchmark|package|--update]   (default: test)
 #   demo       what it takes to build and run the programs
+#   python     that, and what the Python package and pip take
 #   test       that, and what the tests, the format check and the sanitizers need
 #   benchmark  that, and CGAL as a competitor
 #   package    what it takes to build the programs, the site and the Debian packages
@@ -14,9 +15,10 @@ set -euo pipefail
 packages=(build-essential cmake ninja-build ccache libpcl-dev libeigen3-dev
           libflann-dev libboost-program-options-dev nlohmann-json3-dev
           libnanoflann-dev xvfb xauth)
-test_packages=(clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm doxygen
+python_packages=(pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
+test_packages=("${python_packages[@]}" python3-pytest python3-tqdm mypy clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm doxygen
                man-db pkgconf dpkg-dev file pcl-tools)
-package_packages=(doxygen dpkg-dev file lintian)
+package_packages=("${python_packages[@]}" doxygen dpkg-dev file lintian)
 benchmark_packages=(libcgal-dev)
 
 as_root=()
@@ -38,6 +40,7 @@ retry() {
 purpose=${1:-test}
 case $purpose in
   demo) ;;
+  python) packages+=("${python_packages[@]}") ;;
   test) packages+=("${test_packages[@]}") ;;
   benchmark) packages+=("${test_packages[@]}" "${benchmark_packages[@]}") ;;
   package) packages+=("${package_packages[@]}") ;;
