@@ -20,6 +20,14 @@ set(psr_package_runtime
 set(psr_package_dev libpclsurfacerepair-dev)
 set(psr_package_tools pclsurfacerepair-tools)
 set(psr_package_doc libpclsurfacerepair-doc)
+set(psr_package_python python3-pcl-surface-repair)
+set(psr_components runtime dev doc)
+if(PSR_BUILD_APPS)
+  list(APPEND psr_components tools)
+endif()
+if(TARGET pclsurfacerepair_python)
+  list(APPEND psr_components python)
+endif()
 
 # What Debian wants beside every package: licence, changelogs, exceptions.
 set(psr_debian "${PROJECT_BINARY_DIR}/debian")
@@ -39,7 +47,7 @@ configure_file("${PROJECT_SOURCE_DIR}/cmake/debian/changelog.in"
                "${psr_debian}/changelog.Debian" @ONLY)
 psr_compress("${psr_debian}/changelog.Debian" "${psr_debian}/changelog.Debian.gz")
 psr_compress("${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${psr_debian}/changelog.gz")
-foreach(psr_component IN ITEMS runtime dev tools doc)
+foreach(psr_component IN LISTS psr_components)
   install(
     FILES "${psr_debian}/copyright" "${psr_debian}/changelog.Debian.gz"
           "${psr_debian}/changelog.gz"
@@ -69,10 +77,7 @@ set(CPACK_PACKAGE_NAME pclsurfacerepair)
 set(CPACK_PACKAGE_VENDOR "PclSurfaceRepair contributors")
 set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
 set(CPACK_VERBATIM_VARIABLES ON)
-set(CPACK_COMPONENTS_ALL runtime dev doc)
-if(PSR_BUILD_APPS)
-  list(APPEND CPACK_COMPONENTS_ALL tools)
-endif()
+set(CPACK_COMPONENTS_ALL ${psr_components})
 # Each package has a title of its own.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -135,6 +140,27 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS xvfb)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "pcl-tools, ${psr_package_doc}")
 psr_describe(TOOLS programs
              "the programs, with manual pages and completion for bash")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME ${psr_package_python})
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+# A module is for one minor version of Python.
+math(EXPR psr_next_python "${PSR_PYTHON_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "${psr_package_runtime} ${psr_same_version}, python3-numpy, python3 (>= 3.${PSR_PYTHON_MINOR}), python3 (<< 3.${psr_next_python})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, ${psr_package_doc}")
+psr_describe(PYTHON "Python package"
+             "the module pclsurfacerepair, over numpy arrays")
+# Byte code comes and goes with the package.
+set(psr_script "#!/bin/sh\nset -e\n")
+file(WRITE "${psr_debian}/python/postinst"
+     "${psr_script}[ \"$1\" != configure ] || py3compile -p ${psr_package_python}\n")
+file(WRITE "${psr_debian}/python/prerm" "${psr_script}py3clean -p ${psr_package_python}\n")
+file(CHMOD "${psr_debian}/python/postinst" "${psr_debian}/python/prerm" FILE_PERMISSIONS
+     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+     WORLD_EXECUTE)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${psr_debian}/python/postinst"
+                                              "${psr_debian}/python/prerm")
 
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME ${psr_package_doc})
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)

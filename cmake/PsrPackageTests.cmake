@@ -27,7 +27,11 @@ set_tests_properties(PackagesAreMade PROPERTIES FIXTURES_SETUP packages
                                                                                 600)
 
 if(PSR_DPKG_DEB AND psr_programs)
-  foreach(psr_case IN ITEMS runtime dev tools doc site common dependencies)
+  set(psr_cases runtime dev tools doc site common dependencies)
+  if(TARGET pclsurfacerepair_python)
+    list(APPEND psr_cases python)
+  endif()
+  foreach(psr_case IN LISTS psr_cases)
     psr_add_package_test(
       PackageContents.${psr_case} packages bash
       "${CMAKE_CURRENT_SOURCE_DIR}/package/contents_test.sh" ${psr_case}

@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 scripts/install_dependencies.sh package
 scripts/build_docs.sh
 cmake --preset release -DPSR_BUILD_TESTS=OFF
-cmake --build --preset release --target apps
+cmake --build --preset release --target apps pclsurfacerepair_python
 rm -rf build/packages
 cpack --config build/release/CPackConfig.cmake -G DEB -B "$PWD/build/packages"
 rm -rf build/packages/_CPack_Packages

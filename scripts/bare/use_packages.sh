@@ -41,6 +41,16 @@ pcl_damage_cloud whole.ply damaged.ply --spheres 2
 pcl_render_mesh damaged.ply damaged.png --size 300x200
 head -c 8 damaged.png | grep -q PNG
 
+step "the Python package"
+install ./python3-pcl-surface-repair_*.deb
+python3 - <<'END'
+import numpy as np
+import pclsurfacerepair as psr
+_, report = psr.repair(psr.reconstruct(np.loadtxt("sphere.xyz")))
+print(report.verdict)
+assert report.complete
+END
+
 step "a user's program, with pkg-config and with CMake"
 install ./libpclsurfacerepair-dev_*.deb ./libpclsurfacerepair-doc_*.deb g++ make cmake \
   pkg-config
@@ -52,7 +62,7 @@ cmake --build consumer/build --target repair_scan
 consumer/build/repair_scan
 
 step "nothing stays behind"
-mapfile -t installed < <(dpkg-query -f '${Package}\n' -W '*pclsurfacerepair*')
+mapfile -t installed < <(dpkg-query -f '${Package}\n' -W '*pclsurfacerepair*' python3-pcl-surface-repair)
 mapfile -t files < <(dpkg -L "${installed[@]}" | sort -u)
 apt-get purge -y -qq -o Dir::Log::Terminal= "${installed[@]}" >/dev/null
 for file in "${files[@]}"; do

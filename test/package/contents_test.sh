@@ -12,13 +12,14 @@ version=$4
 programs=("${@:5}")
 failed=0
 
-# file_of runtime|dev|tools|doc
+# file_of runtime|dev|tools|doc|python
 file_of() {
   case $1 in
     runtime) ls "$packages"/libpclsurfacerepair[0-9]*.deb ;;
     dev) ls "$packages"/libpclsurfacerepair-dev_*.deb ;;
     tools) ls "$packages"/pclsurfacerepair-tools_*.deb ;;
     doc) ls "$packages"/libpclsurfacerepair-doc_*_all.deb ;;
+    python) ls "$packages"/python3-pcl-surface-repair_*.deb ;;
   esac
 }
 
@@ -77,8 +78,18 @@ case $check in
     docs=/usr/share/doc/PclSurfaceRepair
     while read -r page; do
       holds doc "$docs/${page//./\\.}"
-    done < <(cd "$source" && find doc -name '*.md' -o -path 'doc/examples/*.cpp')
+    done < <(cd "$source" && find doc -name '*.md' -o -path 'doc/examples/*.cpp' -o -path 'doc/examples/*.py')
     holds doc "$docs/README\.md" "$docs/test/consumer/Makefile"
+    ;;
+  python)
+    modules=/usr/lib/python3/dist-packages/pclsurfacerepair
+    while read -r module; do
+      holds python "$modules/${module//./\\.}"
+    done < <(cd "$source/apps/python/pclsurfacerepair" && ls)
+    holds python "$modules/_core\..*\.so" "$modules/_options\.py"
+    lacks python '__pycache__|\.(cpp|h)$'
+    [[ $(field python Depends) == *"$(field runtime Package) (= $version-"*python3-numpy* ]] ||
+      complain "python: it needs its version of the libraries, and numpy"
     ;;
   site)
     if [[ -z ${PSR_DOXYGEN:-} ]]; then
@@ -88,7 +99,7 @@ case $check in
     holds doc '/usr/share/doc/PclSurfaceRepair/html/index\.html'
     ;;
   common)
-    for package in runtime dev tools doc; do
+    for package in runtime dev tools doc $(ls "$packages" | grep -o '^python' | head -1); do
       name=$(field "$package" Package)
       holds "$package" "/usr/share/doc/$name/copyright" \
         "/usr/share/doc/$name/changelog(\.Debian)?\.gz"
