@@ -53,6 +53,15 @@ def _build(folder):
     return Path(folder) / "python" / "pclsurfacerepair"
 
 
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Without it pip would build a wheel to look into it, and then another one."""
+    project = _project()
+    info = Path(metadata_directory) / f"{_stem(project)}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(_metadata(project), encoding="utf-8")
+    return info.name
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     project = _project()
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
