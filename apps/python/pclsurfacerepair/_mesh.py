@@ -17,7 +17,6 @@ _PCL_TYPES = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8
 # PCL's names of what has three numbers here.
 _TRIPLES = {"points": "xyz", "normals": ("normal_x", "normal_y", "normal_z"),
             "viewpoints": ("vp_x", "vp_y", "vp_z")}
-_COLOR_BYTES = [2, 1, 0, 3]  # of red, green, blue and alpha in a packed colour
 
 
 class Report(dict):
@@ -166,15 +165,6 @@ def _as_attribute(name: str, values: ArrayLike, points: int) -> NDArray:
     return array if array.dtype.isnative else array.astype(array.dtype.newbyteorder("="))
 
 
-def _columns(name: str, array: NDArray) -> list[tuple[str, int]]:
-    """PCL's fields for an array, each with how many numbers it has."""
-    if name in _TRIPLES:
-        return [(field, 1) for field in _TRIPLES[name]]
-    if _is_packed(name, array):
-        return [("rgba" if array.shape[1] == 4 else "rgb", 1)]
-    return [(f"attribute {name}", int(np.prod(array.shape[1:])))]  # never one of PCL's own
-
-
 def _is_packed(name: str, array: NDArray) -> bool:
     return name == "colors" and array.dtype == np.uint8 and array.shape[1:] in ((3,), (4,))
 
@@ -185,52 +175,49 @@ class PointLayout:
     def __init__(self, arrays: dict[str, NDArray]) -> None:
         self.arrays = arrays
         self.offsets: dict[str, int] = {}
-        self.step = 0
         self.fields: list[tuple[str, int, int, int]] = []
+        self.step = 0
         for name, array in arrays.items():
             self._add(name, array)
-        self.step += -self.step % 8 if any(a.itemsize == 8 for a in arrays.values()) \
-            else -self.step % 4
+        self.step += -self.step % max(4, *(min(a.itemsize, 8) for a in arrays.values()))
 
     def _add(self, name: str, array: NDArray) -> None:
-        packed = _is_packed(name, array)
-        size = 4 if packed else array.itemsize
+        kind, size = array.dtype.str[1:], array.itemsize
+        fields, count = [f"attribute {name}"], int(np.prod(array.shape[1:]))  # no name of PCL's
+        if name in _TRIPLES:
+            fields, count = list(_TRIPLES[name]), 1
+        elif _is_packed(name, array):
+            fields, count, kind, size = ["rgba" if count == 4 else "rgb"], 1, "f4", 4
         self.step += -self.step % size
-        self.offsets[name] = offset = self.step
-        kind = "f4" if packed else array.dtype.str[1:]
-        for field, count in _columns(name, array):
+        self.offsets[name] = self.step
+        for field in fields:
             known = kind in _PCL_TYPES
-            number = count if known else count * size
-            self.fields.append((field, self.step, _PCL_TYPES.get(kind, 2), number))
+            self.fields.append((field, self.step, _PCL_TYPES.get(kind, 2),
+                                count if known else count * size))
             self.step += count * size
 
-    def view(self, cloud: _core.Cloud, name: str) -> NDArray:
-        """An array in the memory of a cloud, which it keeps alive."""
+    def _view(self, cloud: _core.Cloud, name: str) -> tuple[NDArray, Any]:
+        """An array in the memory of a cloud, which it keeps alive, and where its columns are."""
         array = self.arrays[name]
-        offset, shape = self.offsets[name], (cloud.size, *array.shape[1:])
-        if _is_packed(name, array):
-            return np.ndarray((cloud.size, 4), np.uint8, cloud.data, offset,
-                              (self.step, 1))
+        if _is_packed(name, array):  # blue, green, red, alpha
+            packed: NDArray = np.ndarray((cloud.size, 4), np.uint8, cloud.data,
+                                         self.offsets[name], (self.step, 1))
+            return packed, slice(2, None, -1) if array.shape[1] == 3 else [2, 1, 0, 3]
+        shape = (cloud.size, *array.shape[1:])
         strides = (self.step, array.itemsize)[:len(shape)]
-        return np.ndarray(shape, array.dtype, cloud.data, offset, strides)
+        return np.ndarray(shape, array.dtype, cloud.data, self.offsets[name], strides), \
+            slice(None)
 
     def pack(self) -> _core.Cloud:
         """A cloud of all arrays: the only copy that a run takes of its input."""
         cloud = _core.Cloud(len(self.arrays["points"]), self.step, self.fields)
         for name, array in self.arrays.items():
-            target = self.view(cloud, name)
-            if _is_packed(name, array):
-                target[:, _COLOR_BYTES[:array.shape[1]]] = array
-            else:
-                target[...] = array
+            target, columns = self._view(cloud, name)
+            target[(..., columns) if array.ndim == 2 else ...] = array
         return cloud
 
     def unpack(self, cloud: _core.Cloud) -> dict[str, NDArray]:
-        """The arrays of a cloud that was packed and has got more points; views where the layout
-        of a packed colour allows."""
-        arrays = {name: self.view(cloud, name) for name in self.arrays}
-        for name, array in self.arrays.items():
-            if _is_packed(name, array):
-                arrays[name] = arrays[name][:, 2::-1] if array.shape[1] == 3 \
-                    else arrays[name][:, _COLOR_BYTES]
-        return arrays
+        """The arrays of a cloud that was packed, and has got more points since."""
+        views = {name: self._view(cloud, name) for name in self.arrays}
+        return {name: view[..., columns] if view.ndim == 2 else view
+                for name, (view, columns) in views.items()}
