@@ -120,6 +120,7 @@ GrowingSurface::part(std::vector<std::size_t> chosen) const
   ModelPart found;
   Triangles own;
   Positions places;
+  found.number_of.reserve(chosen.size());
   for (const std::size_t t : chosen) {
     Triangle triangle = triangles[t];
     for (pcl::index_t& corner : triangle) {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace pcl {
@@ -19,7 +20,8 @@ struct ModelPart {
   std::vector<std::size_t> triangles; /**< of the whole, ascending */
   std::vector<bool> is_new;           /**< of these: they fill a hole */
   std::vector<pcl::index_t> vertices; /**< of the whole, for each of the part */
-  std::map<pcl::index_t, pcl::index_t> number_of; /**< in the part, of the whole's */
+  std::unordered_map<pcl::index_t, pcl::index_t>
+      number_of; /**< in the part, of the whole's */
   IncompleteModel model;
 };
 

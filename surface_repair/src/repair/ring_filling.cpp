@@ -209,6 +209,25 @@ fillRings(const std::vector<RingPolygon>& rings,
   return patch;
 }
 
+/** Whether the surface crosses an edge of the loops: what is filled there meets it. */
+bool
+isPierced(const std::vector<RingPolygon>& rings,
+          const ModelPart& part,
+          const SurfaceObstacle& obstacle)
+{
+  for (const RingPolygon& ring : rings)
+    for (std::size_t k = 0; k < ring.vertices.size(); ++k) {
+      const std::size_t next = ring.curve.next(k);
+      const auto from = part.number_of.find(ring.vertices[k]);
+      const auto to = part.number_of.find(ring.vertices[next]);
+      if (from != part.number_of.end() && to != part.number_of.end() &&
+          areJoined(part.model, from->second, to->second) &&
+          obstacle.isCrossedBy(ring.curve.points[k], ring.curve.points[next]))
+        return true;
+    }
+  return false;
+}
+
 /** Where it runs into something, it is not relaxed. */
 void
 fair(const IncompleteModel& model,
@@ -244,6 +263,8 @@ closeRings(const std::vector<RingPolygon>& rings,
 {
   const IncompleteModel& model = place.left.model;
   const SurfaceObstacle obstacle(model, {place.box});
+  if (isPierced(rings, place.left, obstacle))
+    return false;
   const ClosingPlace here = withinPart(model, course.parameters, course.frame);
   const auto take = [&](const Patch& patch) {
     if (!isFree(patch, place.box, obstacle) || !fitsModel(model, patch))
