@@ -217,6 +217,8 @@ Completion::orient()
                                                   hintsOf(mesh_, context_.threads),
                                                   control_);
   report_.sides = sides.tally;
+  if (parameters_.keep_given)
+    return;
   if (sides.reversed > 0) // the corners of those have changed places
     adjacency_.build(
         result_.triangles, mesh_.points.size(), context_.threads, &control_);

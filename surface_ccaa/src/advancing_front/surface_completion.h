@@ -21,7 +21,7 @@ struct CompletedMesh {
   PartialMeshFault fault = PartialMeshFault::NONE; /**< if any, nothing else is set */
   Triangles triangles; /**< the given ones that stay, in order, then the new ones */
   std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
-  SurfaceTopology topology;       /**< of the triangles */
+  SurfaceTopology topology; /**< of the triangles, unless all given ones are kept */
 };
 
 /** \brief Complete a partial mesh: keep what is given, close gaps where the sampling

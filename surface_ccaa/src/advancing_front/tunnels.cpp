@@ -19,7 +19,11 @@ constexpr float OPPOSITE = -0.3f;
  * that took at least half of the flaws away, and handles are left. */
 constexpr std::array<int, 2> AROUND = {10, 20};
 
-/** Flags for the ends of edges whose ends face away from each other. */
+/** Flags for the ends of edges whose ends face away from each other.
+ *
+ * There a start algorithm may connect two sides through the body. Such a tunnel has a
+ * perfect umbrella at each point, and its edges are no sharper than those in which the
+ * body ends: nothing here tells the one from the other. */
 std::vector<std::uint8_t>
 thinPlaces(const Triangles& triangles,
            const PointView& points,
@@ -59,23 +63,6 @@ flawsOf(const CompletedMesh& mesh, const CompletionReport& report)
 
 } // namespace
 
-std::vector<pcl::index_t>
-trianglesAtThinPlaces(const Triangles& triangles,
-                      const PointView& points,
-                      int rings,
-                      const LoopContext& context)
-{
-  std::vector<std::uint8_t> is_thin = thinPlaces(triangles, points, context);
-  std::vector<pcl::index_t> found = trianglesAt(is_thin, triangles);
-  for (int ring = 1; ring < rings && !found.empty(); ++ring) {
-    for (const pcl::index_t t : found)
-      for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
-        is_thin[static_cast<std::size_t>(corner)] = 1;
-    found = trianglesAt(is_thin, triangles);
-  }
-  return found;
-}
-
 void
 openTunnels(const PartialMesh& mesh,
             const CompletionWithout& complete,
@@ -83,10 +70,18 @@ openTunnels(const PartialMesh& mesh,
             CompletedMesh& result,
             CompletionReport& report)
 {
+  if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
+    return;
+  std::vector<std::uint8_t> is_thin = thinPlaces(mesh.given, mesh.points, context);
+  std::vector<pcl::index_t> thin = trianglesAt(is_thin, mesh.given);
+  int ring = 1;
   for (const int rings : AROUND) {
-    if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
-      return;
-    const auto thin = trianglesAtThinPlaces(mesh.given, mesh.points, rings, context);
+    for (; ring < rings && !thin.empty(); ++ring) {
+      for (const pcl::index_t t : thin)
+        for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])
+          is_thin[static_cast<std::size_t>(corner)] = 1;
+      thin = trianglesAt(is_thin, mesh.given);
+    }
     if (thin.empty() || context.cancelled())
       return;
     CompletionReport other_report;
@@ -97,7 +92,7 @@ openTunnels(const PartialMesh& mesh,
       return;
     result = std::move(other);
     report = other_report;
-    if (2 * after > before)
+    if (2 * after > before || result.topology.genus.value_or(0) <= 0)
       return;
   }
 }

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: place of a cell along the Hilbert curve.
 #pragma once
 
+#include "mesh/morton_code.h"
+
 #include <array>
 #include <cstdint>
 
@@ -91,23 +93,12 @@ makeDoubleSteps()
 inline constexpr std::array<std::array<Step, 64>, STATES> DOUBLE_STEPS =
     makeDoubleSteps();
 
-/** Put two zero bits between the 21 low bits of a coordinate. */
-inline std::uint64_t
-spread(std::uint64_t bits)
-{
-  bits = (bits | bits << 32) & 0x001f00000000ffffu;
-  bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-  return (bits | bits << 2) & 0x1249249249249249u;
-}
-
 /** \brief Place of the cell (x, y, z) along the curve through a cube of 2^bits cells
  * per axis; \a bits is even and at most 20. */
 inline std::uint64_t
 code(std::uint32_t x, std::uint32_t y, std::uint32_t z, unsigned int bits)
 {
-  const std::uint64_t octants = spread(x) << 2 | spread(y) << 1 | spread(z);
+  const std::uint64_t octants = spreadBits(x) << 2 | spreadBits(y) << 1 | spreadBits(z);
   std::uint64_t result = 0;
   unsigned int state = 0;
   for (unsigned int shift = 3 * bits; shift > 0; shift -= 6) {

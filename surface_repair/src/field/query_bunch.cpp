@@ -70,7 +70,7 @@ BunchCandidates::find(const SourceBlocks& blocks,
       far = std::max(far, query->falloff.far);
     }
   if (box.isEmpty())
-    box.extend(Position::Zero());
+    return;
   search(blocks,
          {blocks.toFrame(box.center()),
           (far + 0.5 * box.diagonal().norm()) * blocks.scale()},

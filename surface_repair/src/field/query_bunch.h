@@ -27,7 +27,8 @@ bunchFrom(const FieldQuery* first, const FieldQuery* last);
  * by one thread. */
 class BunchCandidates {
 public:
-  /** \brief Find the blocks for the queries [first, last) of one bunch. */
+  /** \brief Find the blocks for the queries [first, last) of one bunch, of those that
+   * can be answered. */
   void
   find(const SourceBlocks& blocks, const FieldQuery* first, const FieldQuery* last);
 

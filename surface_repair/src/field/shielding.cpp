@@ -11,14 +11,6 @@ namespace pcl {
 namespace repair {
 namespace {
 
-ccaa::Corners
-cornersOf(const IncompleteModel& model, const Triangle& triangle)
-{
-  return {model.positions[static_cast<std::size_t>(triangle[0])],
-          model.positions[static_cast<std::size_t>(triangle[1])],
-          model.positions[static_cast<std::size_t>(triangle[2])]};
-}
-
 /** \brief Box of a triangle that has an area; else empty, so that it is left out. */
 ccaa::Box
 boxOf(const ccaa::Corners& corners)
@@ -43,11 +35,11 @@ Shield::Shield(const IncompleteModel& model, int threads)
   std::vector<ccaa::Box> boxes;
   boxes.reserve(model.triangles.size());
   for (const Triangle& triangle : model.triangles)
-    boxes.push_back(boxOf(cornersOf(model, triangle)));
+    boxes.push_back(boxOf(ccaa::cornersOf(triangle, model.positions)));
   implementation_->tree = SegmentTree(boxes, threads);
   for (const pcl::index_t i : implementation_->tree.order())
     implementation_->triangles.push_back(
-        cornersOf(model, model.triangles[static_cast<std::size_t>(i)]));
+        ccaa::cornersOf(model.triangles[static_cast<std::size_t>(i)], model.positions));
 }
 
 Shield::~Shield() = default;

@@ -12,6 +12,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -55,20 +56,26 @@ public:
   run();
 
 private:
+  /** What covers a crumb. */
+  struct Shadow {
+    std::vector<bool> triangles; /**< of those near the crumb */
+    std::size_t nearest = 0;     /**< of them */
+    double distance = std::numeric_limits<double>::infinity(); /**< of that one */
+    int slopes = 1; /**< edges of the nearest between it and the crumb */
+  };
+
   bool
   tryWithin(double reach);
   bool
-  isBesideHole() const;
+  isBesideHole(const Shadow& shadow) const;
   bool
   touchesInput() const;
-  bool
-  findShadow(const TriangleSearch& patches, bool turned);
+  std::optional<Shadow>
+  shadowOn(const TriangleSearch& patches, bool turned) const;
   bool
   isKnown(const Opening& opening);
   bool
-  isNearerTurned(const TriangleSearch& patches);
-  bool
-  layInto(int rings);
+  layInto(const Shadow& shadow, int rings);
   bool
   close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
   pcl::index_t
@@ -87,12 +94,8 @@ private:
   std::vector<std::size_t> near_;          /**< triangles all around the crumb */
   ModelPart part_;                         /**< the same as a model */
   std::vector<std::size_t> new_triangles_; /**< places among them */
-  std::vector<bool> shadow_;               /**< of them */
-  std::size_t nearest_ = 0;                /**< of the shadow */
-  double least_ = 0.0;                     /**< its distance */
-  /** Side of the crumb and border of the opening, and their place. */
+  /** Side of the crumb and what was opened, and their place. */
   std::set<std::pair<std::vector<std::size_t>, std::array<double, 6>>> tried_;
-  int slopes_ = 1; /**< edges of the nearest between it and the crumb */
 };
 
 bool
@@ -107,10 +110,10 @@ CrumbLaying::run()
 
 /** Whether it is further away from the patch than a hole of that length is deep. */
 bool
-CrumbLaying::isBesideHole() const
+CrumbLaying::isBesideHole(const Shadow& shadow) const
 {
-  const std::size_t hole = surface_.hole[near_[nearest_]];
-  return least_ > DEEPEST * course_.report.holes[hole].length;
+  const std::size_t hole = surface_.hole[near_[shadow.nearest]];
+  return shadow.distance > DEEPEST * course_.report.holes[hole].length;
 }
 
 /** Whether a point of it is one of other triangles of the input: it is a fin. */
@@ -143,6 +146,7 @@ CrumbLaying::tryWithin(double reach)
     return false;
   around_ = ccaa::widened(box, ROOM * reach_);
   near_ = surface_.near(around_);
+  part_ = {};
   new_triangles_.clear();
   std::vector<ccaa::Corners> corners;
   for (std::size_t i = 0; i < near_.size(); ++i)
@@ -152,15 +156,20 @@ CrumbLaying::tryWithin(double reach)
           ccaa::cornersOf(surface_.triangles[near_[i]], surface_.positions));
     }
   const TriangleSearch patches(std::move(corners));
-  const bool turned_first = isNearerTurned(patches);
+  const std::optional<Shadow> given = shadowOn(patches, false);
+  const std::optional<Shadow> other = shadowOn(patches, true);
+  const bool turned_first =
+      other && (!given || other->distance < NEARER * given->distance);
   for (const bool turned : {turned_first, !turned_first}) {
-    if (!findShadow(patches, turned) || (reach >= FARTHEST && isBesideHole()))
+    const std::optional<Shadow>& shadow = turned ? other : given;
+    if (!shadow || (reach >= FARTHEST && isBesideHole(*shadow)))
       continue;
     if (turned)
       turnCrumb();
-    part_ = surface_.part(near_);
+    if (part_.triangles.empty()) // of the crumb only the places count
+      part_ = surface_.part(near_);
     for (const int rings : OPENED_RINGS)
-      if (layInto(reach < FARTHEST ? rings : rings * slopes_))
+      if (layInto(*shadow, reach < FARTHEST ? rings : rings * shadow->slopes))
         return true;
     if (turned)
       turnCrumb();
@@ -170,12 +179,12 @@ CrumbLaying::tryWithin(double reach)
 
 /** The triangles of a patch that are nearest to the crumb's corners and centres, on the
  * side that it shows. */
-bool
-CrumbLaying::findShadow(const TriangleSearch& patches, bool turned)
+std::optional<CrumbLaying::Shadow>
+CrumbLaying::shadowOn(const TriangleSearch& patches, bool turned) const
 {
-  shadow_.assign(near_.size(), false);
+  Shadow shadow;
+  shadow.triangles.assign(near_.size(), false);
   TrianglePlace closest;
-  least_ = std::numeric_limits<double>::infinity();
   for (const std::size_t t : crumb_) {
     const ccaa::Corners own =
         ccaa::cornersOf(surface_.triangles[t], surface_.positions);
@@ -188,28 +197,20 @@ CrumbLaying::findShadow(const TriangleSearch& patches, bool turned)
     for (const Position& sample : samples) {
       const TrianglePlace place = patches.nearest(sample, reach_, shows);
       if (!place.found())
-        return false;
-      shadow_[new_triangles_[place.triangle]] = true;
-      if (!(place.distance < least_))
+        return std::nullopt;
+      shadow.triangles[new_triangles_[place.triangle]] = true;
+      if (!(place.distance < shadow.distance))
         continue;
-      least_ = place.distance;
+      shadow.distance = place.distance;
       closest = place;
     }
   }
-  nearest_ = new_triangles_[closest.triangle];
+  shadow.nearest = new_triangles_[closest.triangle];
   const ccaa::Corners& corner = patches[closest.triangle];
   const double edge = std::max((corner[1] - corner[0]).norm(), 1e-9 * reach_);
-  slopes_ = static_cast<int>(std::clamp(least_ / edge, 1.0, MOST_SLOPES));
-  return true;
-}
-
-/** Whether what covers the crumb's other side is so near that it is the likely one. */
-bool
-CrumbLaying::isNearerTurned(const TriangleSearch& patches)
-{
-  const bool is_covered = findShadow(patches, false);
-  const double distance = least_;
-  return !is_covered || (findShadow(patches, true) && least_ < NEARER * distance);
+  shadow.slopes =
+      static_cast<int>(std::clamp(shadow.distance / edge, 1.0, MOST_SLOPES));
+  return shadow;
 }
 
 /** In the numbers of the whole. */
@@ -252,9 +253,10 @@ CrumbLaying::isKnown(const Opening& opening)
 }
 
 bool
-CrumbLaying::layInto(int rings)
+CrumbLaying::layInto(const Shadow& shadow, int rings)
 {
-  const Opening opening = openFrom(part_, nearest_, ringsAround(part_, shadow_, rings));
+  const Opening opening =
+      openFrom(part_, shadow.nearest, ringsAround(part_, shadow.triangles, rings));
   if (opening.border.empty() || !isWithin(around_, part_, opening) ||
       opening.border.size() > LONGEST_BORDER)
     return false;

@@ -55,8 +55,6 @@ public:
 private:
   bool
   isToBeFlat() const;
-  OpenReason
-  crossedBoundary(const HolePolygon& hole) const;
   void
   leavePierced();
   bool
@@ -143,32 +141,19 @@ RegionClosing::hasSamples(const HolePolygon& hole) const
              .method == CompletionFilling().name();
 }
 
-/** PIERCED where the surface crosses an edge that it has, INTERSECTION where it crosses
- * a bridge, else NONE. */
-OpenReason
-RegionClosing::crossedBoundary(const HolePolygon& hole) const
-{
-  const auto given = static_cast<pcl::index_t>(place_.model.positions.size());
-  OpenReason reason = OpenReason::NONE;
-  for (std::size_t k = 0; k < hole.curve.size(); ++k) {
-    const std::size_t next = hole.curve.next(k);
-    if (!obstacle_.isCrossedBy(hole.curve.points[k], hole.curve.points[next]))
-      continue;
-    reason = OpenReason::INTERSECTION;
-    const pcl::index_t a = hole.vertices[k], b = hole.vertices[next];
-    if (a < given && b < given && areJoined(place_.model, a, b))
-      return OpenReason::PIERCED;
-  }
-  return reason;
-}
-
 /** Each triangle at an edge that the surface crosses would meet it: nothing is tried.
  */
 void
 RegionClosing::leavePierced()
 {
+  const auto given = static_cast<pcl::index_t>(place_.model.positions.size());
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
-    const OpenReason reason = crossedBoundary(region_.holes[h]);
+    const HolePolygon& hole = region_.holes[h];
+    const auto is_given = [&](std::size_t from, std::size_t to) {
+      const pcl::index_t a = hole.vertices[from], b = hole.vertices[to];
+      return a < given && b < given && areJoined(place_.model, a, b);
+    };
+    const OpenReason reason = crossedEdges(hole.curve, is_given, obstacle_);
     if (reason == OpenReason::NONE)
       continue;
     strategy_[h] = GIVEN_UP;

@@ -215,17 +215,15 @@ isPierced(const std::vector<RingPolygon>& rings,
           const ModelPart& part,
           const SurfaceObstacle& obstacle)
 {
-  for (const RingPolygon& ring : rings)
-    for (std::size_t k = 0; k < ring.vertices.size(); ++k) {
-      const std::size_t next = ring.curve.next(k);
-      const auto from = part.number_of.find(ring.vertices[k]);
-      const auto to = part.number_of.find(ring.vertices[next]);
-      if (from != part.number_of.end() && to != part.number_of.end() &&
-          areJoined(part.model, from->second, to->second) &&
-          obstacle.isCrossedBy(ring.curve.points[k], ring.curve.points[next]))
-        return true;
-    }
-  return false;
+  return std::any_of(rings.begin(), rings.end(), [&](const RingPolygon& ring) {
+    const auto is_given = [&](std::size_t from, std::size_t to) {
+      const auto a = part.number_of.find(ring.vertices[from]);
+      const auto b = part.number_of.find(ring.vertices[to]);
+      return a != part.number_of.end() && b != part.number_of.end() &&
+             areJoined(part.model, a->second, b->second);
+    };
+    return crossedEdges(ring.curve, is_given, obstacle) == OpenReason::PIERCED;
+  });
 }
 
 /** Where it runs into something, it is not relaxed. */

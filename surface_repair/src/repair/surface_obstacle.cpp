@@ -103,10 +103,7 @@ SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
                            found[block].push_back(corners);
                        }
                      });
-  std::vector<ccaa::Corners> near_triangles;
-  for (const std::vector<ccaa::Corners>& some : found)
-    near_triangles.insert(near_triangles.end(), some.begin(), some.end());
-  addLayer(std::move(near_triangles));
+  addLayer(ccaa::joinBlocks(found));
 }
 
 void
@@ -177,6 +174,23 @@ avoid(const SurfaceObstacle& obstacle, FillingTask& task)
     return obstacle.isCrossedBy(p, q);
   };
   task.has_failed = true;
+}
+
+OpenReason
+crossedEdges(const BoundaryCurve& polygon,
+             const std::function<bool(std::size_t, std::size_t)>& is_given,
+             const SurfaceObstacle& obstacle)
+{
+  OpenReason reason = OpenReason::NONE;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::size_t next = polygon.next(k);
+    if (!obstacle.isCrossedBy(polygon.points[k], polygon.points[next]))
+      continue;
+    if (is_given(k, next))
+      return OpenReason::PIERCED;
+    reason = OpenReason::INTERSECTION;
+  }
+  return reason;
 }
 
 std::vector<std::size_t>

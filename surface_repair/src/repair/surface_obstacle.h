@@ -3,12 +3,15 @@
 
 #pragma once
 
+#include <pcl/surface_repair/repair_report.h>
+
 #include "filling/filling_method.h"
 #include "filling/patch.h"
 #include "mesh/box_tree.h"
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <vector>
 
 namespace pcl {
@@ -63,6 +66,14 @@ private:
  * into something. \param[in] obstacle must outlive the task */
 void
 avoid(const SurfaceObstacle& obstacle, FillingTask& task);
+
+/** \brief PIERCED where the surface crosses an edge of a polygon that is its own: what
+ * is filled there meets it. INTERSECTION where it crosses another edge, else NONE.
+ * \param[in] is_given whether an edge between two places of the polygon is its own */
+OpenReason
+crossedEdges(const BoundaryCurve& polygon,
+             const std::function<bool(std::size_t, std::size_t)>& is_given,
+             const SurfaceObstacle& obstacle);
 
 /** \brief Triangles of a patch that run through the surface or through each other,
  * ascending. */
