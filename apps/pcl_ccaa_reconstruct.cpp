@@ -7,6 +7,7 @@
 #include "io/point_columns.h"
 #include "io/position_check.h"
 #include "io/wording.h"
+#include "out_of_core/tiled_reconstruction.h"
 #include "report/hole_report.h"
 #include "report/reconstruct_report.h"
 #include "report/verdict.h"
@@ -151,7 +152,8 @@ work(const ReconstructSettings& settings, ProgressBar& bar, ReconstructResult& r
 {
   result.memory_before = currentMemoryBytes();
   if (bar.show("start", 0))
-    runReconstruction(settings, bar, result);
+    runReconstruction(settings, bar.callback(), result);
+  countTopology(settings, result);
   if (bar.show("normals", 0))
     addNormals(result);
   if (settings.repair && bar.show("repair", 0))
@@ -186,6 +188,10 @@ runOne(const ReconstructSettings& settings, ReconstructResult& result)
 Outcome
 run(const ReconstructSettings& settings)
 {
+  if (settings.tiles > 0) {
+    checkFiles(settings.files);
+    return reconstructInTiles(settings);
+  }
   if (!settings.files.isBatch()) {
     ReconstructResult result;
     checkFiles(settings.files);

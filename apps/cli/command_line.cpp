@@ -88,7 +88,8 @@ OptionGroup::Waiting
 OptionGroup::wholeNumber(const std::string& name,
                          long long value,
                          std::pair<long long, long long> range,
-                         const std::function<void(long long)>& set)
+                         const std::function<void(long long)>& set,
+                         bool is_optional)
 {
   const auto take = [name, range, set](const Variable& variable) {
     const auto number = variable.as<long long>();
@@ -96,7 +97,12 @@ OptionGroup::wholeNumber(const std::string& name,
     if (!variable.defaulted())
       set(number);
   };
-  return {*this, name, po::value<long long>()->default_value(value), take};
+  auto* const type = po::value<long long>();
+  return {
+      *this,
+      name,
+      is_optional ? type->implicit_value(value) : type->default_value(value),
+      take};
 }
 
 OptionGroup::Waiting

@@ -81,6 +81,20 @@ public:
     return wholeNumber(name, static_cast<long long>(value), {lowest, highest}, set);
   }
 
+  /** \brief The same, whose number may be left out (--name or --name=N): \a when_bare
+   * then. Without the option the value stays as it is. */
+  template <typename Count>
+  Waiting
+  optionalCount(const std::string& name,
+                Count& value,
+                long long when_bare,
+                long long lowest,
+                long long highest)
+  {
+    const auto set = [&value](long long number) { value = static_cast<Count>(number); };
+    return wholeNumber(name, when_bare, {lowest, highest}, set, true);
+  }
+
   /** \brief A real number from \a lowest to \a highest. */
   Waiting
   real(const std::string& name, double& value, double lowest, double highest);
@@ -108,7 +122,8 @@ private:
   wholeNumber(const std::string& name,
               long long value,
               std::pair<long long, long long> range,
-              const std::function<void(long long)>& set);
+              const std::function<void(long long)>& set,
+              bool is_optional = false);
 
   boost::program_options::options_description options_;
   std::vector<std::pair<std::string, Take>> takes_; /**< by name, in order */

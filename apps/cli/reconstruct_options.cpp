@@ -2,13 +2,37 @@
 // Part of PclSurfaceRepair: the command line of pcl_ccaa_reconstruct.
 #include "reconstruct_options.h"
 
+#include "io/text_scanner.h"
 #include "method_options.h"
+
+#include <cmath>
+#include <string_view>
 
 namespace app {
 namespace {
 
 const Word<std::string> STAGES[] = {
     {"start", "start"}, {"filter", "filter"}, {"base", "base"}};
+/** A number of bytes with K, M, G or T behind it. */
+std::uint64_t
+bytesOf(const std::string& text)
+{
+  constexpr std::string_view UNITS = "KMGT";
+  std::string digits = text;
+  double unit = 1.0;
+  if (const auto place =
+          text.empty() ? std::string_view::npos : UNITS.find(text.back());
+      place != std::string_view::npos) {
+    unit = std::pow(1024.0, double(place + 1));
+    digits.pop_back();
+  }
+  double number = 0.0;
+  if (!parseNumber(digits, number) || !(number * unit >= 1.0) || number * unit > 1e18)
+    throw Failure("--memory must be a number of bytes such as 500M or 4G, not '" +
+                  text + "'");
+  return static_cast<std::uint64_t>(number * unit);
+}
+
 const Word<std::string> SEARCHES[] = {{"fast", "fast"}, {"kdtree", "kdtree"}};
 
 void
@@ -40,6 +64,11 @@ addStageOptions(OptionGroup& options, ReconstructSettings& settings)
       "also run the base stage alone, and print whether the stages before it pay");
   options.choice("search", settings.search, SEARCHES)(
       "neighbour search: fast, or kdtree (PCL's own)");
+}
+
+void
+addGreedyOptions(OptionGroup& options, ReconstructSettings& settings)
+{
   options.count("neighbors", settings.neighbors, 3, 64)(
       "neighbours looked at for each point, 3 to 64");
   options.real("min-angle", settings.minimum_angle, 0, 60)(
@@ -57,13 +86,51 @@ addStageOptions(OptionGroup& options, ReconstructSettings& settings)
 }
 
 void
+addTileOptions(OptionGroup& options, ReconstructSettings& settings)
+{
+  options.optionalCount(
+      "tiles", settings.tiles, DEFAULT_TILE_POINTS, LEAST_TILE_POINTS, 1000000000)(
+      "work tile by tile, for clouds larger than memory: each tile has at most so many "
+      "points, 4 000 000 when it is just --tiles; all inputs are one cloud, "
+      "OUTPUT_MESH "
+      "is PLY");
+  options.parsed(
+      "memory",
+      [&settings](const std::string& text) { settings.memory = bytesOf(text); },
+      "4G")("with --tiles: memory for tiles that are worked on at a time, such as 500M "
+            "or 4G; the result is the same for any");
+  options.text("tile-folder", settings.tile_folder)(
+      "with --tiles: keep the tiles as shards, one PLY each with an index, in this "
+      "folder; a run that was stopped goes on there. OUTPUT_MESH may be left out");
+}
+
+void
+checkTiles(const ReconstructSettings& settings)
+{
+  if (settings.tiles == 0 && !settings.tile_folder.empty())
+    throw Failure("--tile-folder needs --tiles");
+  if (settings.tiles == 0)
+    return;
+  const FileNames& files = settings.files;
+  if (settings.repair || settings.labels || settings.normals ||
+      settings.until != "base" || settings.measure_speedup ||
+      settings.search != "fast" || files.isBatch() || settings.dry_run)
+    throw Failure("--tiles makes the mesh of the stage base and nothing else; it does "
+                  "not go with --repair, --labels, --normals, --until, "
+                  "--measure-speedup, --search, --dry-run and --output-folder");
+  if (!files.output.empty() && files.target().format != FileFormat::PLY)
+    throw Failure("--tiles writes PLY, not '" + files.output + "'");
+}
+
+void
 checkFiles(const ReconstructSettings& settings)
 {
   const FileNames& files = settings.files;
   if (files.isBatch() && settings.merge)
     throw Failure("--merge makes one mesh, --output-folder one of each input; they do "
                   "not go together");
-  if (!files.isBatch() && files.output.empty() && !settings.dry_run)
+  if (!files.isBatch() && files.output.empty() && !settings.dry_run &&
+      settings.tile_folder.empty())
     throw Failure("OUTPUT_MESH is missing (try --help)");
   if (settings.labels && !settings.dry_run && !holdsFaceProperties(files.target()))
     throw Failure("--labels needs an output that ends in .ply, not '" + files.output +
@@ -138,6 +205,13 @@ OUTPUT_MESH   )" +
 }
 
 void
+addChainOptions(CommandLine& command_line, ReconstructSettings& settings)
+{
+  addSideOptions(command_line, settings.sides);
+  addGreedyOptions(command_line.method(), settings);
+}
+
+void
 addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings)
 {
   addFileNames(command_line,
@@ -148,11 +222,13 @@ addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings)
                settings.files);
   addOutputs(command_line.options(), settings);
   addThreads(command_line, settings.threads);
-  addSideOptions(command_line, settings.sides);
+  addTileOptions(command_line.options(), settings);
   addWishOptions(command_line, settings.method);
   addFormatOption(command_line, settings.files, "");
   addStageOptions(command_line.method(), settings);
+  addChainOptions(command_line, settings);
   command_line.then([&] { return checkFiles(settings); });
+  command_line.then([&] { return checkTiles(settings); });
   command_line.then([&] { return checkStages(settings); });
   command_line.then([&] { return checkNeedsRepair(command_line, settings); });
 }

@@ -14,4 +14,8 @@ reconstructUsage();
 void
 addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings);
 
+/** \brief Only those that change what the chain makes of a cloud. */
+void
+addChainOptions(CommandLine& command_line, ReconstructSettings& settings);
+
 } // namespace app

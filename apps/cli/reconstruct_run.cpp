@@ -80,7 +80,7 @@ makeStart(const ReconstructSettings& settings)
 template <typename PointT>
 void
 reconstruct(const ReconstructSettings& settings,
-            ProgressBar& bar,
+            const pcl::ccaa::ProgressCallback& progress,
             ReconstructResult& result)
 {
   const auto start = makeStart<PointT>(settings);
@@ -97,7 +97,7 @@ reconstruct(const ReconstructSettings& settings,
   chain.setSideHints(hints);
   chain.setComputeNormals(settings.normals);
   chain.setNumberOfThreads(settings.threads);
-  chain.setProgressCallback(bar.callback());
+  chain.setProgressCallback(progress);
   chain.setInputCloud(toTypedCloud<PointT>(result.model));
   if (settings.measure_speedup)
     result.speedup = chain.measureSpeedup();
@@ -172,23 +172,28 @@ stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
 
 void
 runReconstruction(const ReconstructSettings& settings,
-                  ProgressBar& bar,
+                  const pcl::ccaa::ProgressCallback& progress,
                   ReconstructResult& result)
 {
   const Model& model = result.model;
   if (!pcl::ccaa::normalView(model.mesh.cloud).empty())
-    reconstruct<pcl::PointNormal>(settings, bar, result);
+    reconstruct<pcl::PointNormal>(settings, progress, result);
   else if (!pcl::ccaa::viewpointView(model.mesh.cloud).empty())
-    reconstruct<pcl::PointWithViewpoint>(settings, bar, result);
+    reconstruct<pcl::PointWithViewpoint>(settings, progress, result);
   else
-    reconstruct<pcl::PointXYZ>(settings, bar, result);
+    reconstruct<pcl::PointXYZ>(settings, progress, result);
   if (!result.chain.cancelled && result.chain.points == 0)
     throw Failure("the reconstruction failed, perhaps for lack of memory");
   result.stages = stageTimes(settings, result);
   noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
+}
+
+void
+countTopology(const ReconstructSettings& settings, ReconstructResult& result)
+{
   if (settings.hasFilter())
-    result.topology = topologyOf(model.mesh.polygons,
-                                 pointCount(model.mesh.cloud),
+    result.topology = topologyOf(result.model.mesh.polygons,
+                                 pointCount(result.model.mesh.cloud),
                                  pcl::ccaa::resolveThreads(settings.threads));
 }
 

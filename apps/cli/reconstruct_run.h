@@ -24,6 +24,10 @@
 
 namespace app {
 
+/** \brief Points of a tile, unless the user says otherwise, and at least. */
+constexpr std::uint64_t DEFAULT_TILE_POINTS = 4000000;
+constexpr std::uint64_t LEAST_TILE_POINTS = 1000;
+
 /** \brief What the user asked pcl_ccaa_reconstruct for. */
 struct ReconstructSettings {
   FileNames files;
@@ -46,6 +50,9 @@ struct ReconstructSettings {
   bool repair = false;                  // what the base stage left open
   pcl::repair::RepairParameters method; // of the repair
   bool quiet = false;
+  std::uint64_t tiles = 0; // most points of a tile; 0: all at once
+  std::uint64_t memory = std::uint64_t{4} << 30; // bytes
+  std::string tile_folder;                       // empty: none that stays
   pcl::ccaa::SideHints sides; // what the user tells about the outer side
 
   /** \brief As people write them: hundredths will do. */
@@ -94,8 +101,12 @@ stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
  * run could not be finished; after a signal the result is of no use. */
 void
 runReconstruction(const ReconstructSettings& settings,
-                  ProgressBar& bar,
+                  const pcl::ccaa::ProgressCallback& progress,
                   ReconstructResult& result);
+
+/** \brief Count what the mesh that was made consists of, unless it is raw. */
+void
+countTopology(const ReconstructSettings& settings, ReconstructResult& result);
 
 /** \brief Add the normals that were made as fields to the cloud. One that has normals
  * keeps them, and a warning says so. */

@@ -41,6 +41,13 @@ public:
     skipped_ += bytes < size() ? bytes : size();
   }
 
+  /** \brief Whether it is not in memory of its own. */
+  bool
+  isMapped() const
+  {
+    return mapped_;
+  }
+
   const char*
   begin() const
   {

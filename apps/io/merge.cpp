@@ -168,6 +168,25 @@ mergeRemarks(const std::vector<NamedModel>& parts, Model& whole)
 } // namespace
 
 void
+conformTo(const pcl::PCLPointCloud2& layout,
+          const Viewpoint& viewpoint,
+          pcl::PCLPointCloud2& cloud)
+{
+  if (findField(layout, "vp_x") != nullptr)
+    appendViewpoint(
+        viewpoint, cloud, findField(layout, "vp_x", Field::FLOAT64) != nullptr);
+  if (hasDoublePositions(layout) && !hasDoublePositions(cloud))
+    pcl::GlobalShift().toGlobal(pcl::PCLPointCloud2(cloud), cloud);
+  pcl::PCLPointCloud2 whole = layout;
+  whole.width = cloud.width * cloud.height;
+  whole.height = 1;
+  whole.row_step = whole.width * whole.point_step;
+  whole.data.assign(whole.row_step, 0);
+  copyPoints(cloud, 0, whole);
+  cloud = std::move(whole);
+}
+
+void
 mergeModels(std::vector<NamedModel>& parts, Model& whole)
 {
   if (parts.size() == 1) {

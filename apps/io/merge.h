@@ -24,4 +24,11 @@ struct NamedModel {
 void
 mergeModels(std::vector<NamedModel>& parts, Model& whole);
 
+/** \brief Give a portion of one part the fields of the whole. \param[in] layout a cloud
+ * that mergeModels() made of parts without points \param[in] viewpoint of the part */
+void
+conformTo(const pcl::PCLPointCloud2& layout,
+          const Viewpoint& viewpoint,
+          pcl::PCLPointCloud2& cloud);
+
 } // namespace app

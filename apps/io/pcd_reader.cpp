@@ -260,6 +260,28 @@ setViewpoint(const std::vector<double>& numbers, Viewpoint& viewpoint)
   viewpoint.known = viewpoint.position.allFinite() && !viewpoint.may_be_origin;
 }
 
+/** All but compressed data, of which \a packed tells. */
+PointRecords
+findRecords(PcdHeader& header,
+            TextScanner scanner,
+            std::vector<SourceColumn>& columns,
+            Packed& packed)
+{
+  PointRecords records;
+  columns = makeColumns(header);
+  records.is_text = header.data == "ascii";
+  if (records.is_text)
+    widenForText(scanner, header.points, columns);
+  records.plan = planTable(columns, Naming::PCL);
+  records.left = header.points;
+  records.rows = scanner;
+  if (header.data == "binary_compressed")
+    packed = checkCompressed(scanner, header.points, records.plan);
+  else
+    checkLength(header, records.plan, scanner);
+  return records;
+}
+
 } // namespace
 
 void
@@ -268,31 +290,37 @@ readPcd(const InputFile& file, Model& model)
   TextScanner scanner(file.bytes());
   PcdHeader header(scanner);
   pcl::PCLPointCloud2& cloud = model.mesh.cloud;
-  std::vector<SourceColumn> columns = makeColumns(header);
-  if (header.data == "ascii")
-    widenForText(scanner, header.points, columns);
-  const TablePlan plan = planTable(columns, Naming::PCL);
-  const bool is_compressed = header.data == "binary_compressed";
+  std::vector<SourceColumn> columns;
   Packed packed;
-  if (is_compressed)
-    packed = checkCompressed(scanner, header.points, plan);
-  else
-    checkLength(header, plan, scanner);
-  allocateCloud(plan, header.points, cloud);
-  if (is_compressed)
-    decodeCompressed(packed, columns, plan, cloud);
-  else if (header.data == "binary")
-    decodeBinary(plan, scanner.position(), false, cloud);
-  else {
-    decodeText(plan, scanner, cloud);
-    if (!scanner.word().empty())
-      model.warnings.push_back("there is more behind the last point (lines with more "
-                               "numbers than fields?); it is left out");
+  PointRecords records = findRecords(header, scanner, columns, packed);
+  if (header.data == "binary_compressed") {
+    allocateCloud(records.plan, header.points, cloud);
+    decodeCompressed(packed, columns, records.plan, cloud);
   }
+  else
+    records.decode(header.points, cloud);
+  if (records.is_text && !records.rows.word().empty())
+    model.warnings.push_back("there is more behind the last point (lines with more "
+                             "numbers than fields?); it is left out");
   cloud.width = static_cast<pcl::uindex_t>(header.width);
   cloud.height = static_cast<pcl::uindex_t>(header.height);
   cloud.row_step = cloud.width * cloud.point_step;
   setViewpoint(header.numbers<double>("VIEWPOINT"), model.viewpoint);
+}
+
+bool
+findPcdRecords(const InputFile& file, PointRecords& records, Model& head)
+{
+  TextScanner scanner(file.bytes());
+  PcdHeader header(scanner);
+  std::vector<SourceColumn> columns;
+  Packed packed;
+  if (header.data == "binary_compressed")
+    return false;
+  records = findRecords(header, scanner, columns, packed);
+  allocateCloud(records.plan, 0, head.mesh.cloud);
+  setViewpoint(header.numbers<double>("VIEWPOINT"), head.viewpoint);
+  return true;
 }
 
 } // namespace app

@@ -87,10 +87,16 @@ isIndexList(const PlyProperty& property)
 
 class PlyParser {
 public:
-  PlyParser(const InputFile& file, Contents contents, Model& model)
+  /** \param[out] found the records of the vertices, which are only stepped over then;
+   * null: they are read */
+  PlyParser(const InputFile& file,
+            Contents contents,
+            Model& model,
+            PointRecords* found = nullptr)
   : scanner_(file.bytes())
   , contents_(contents)
   , model_(model)
+  , found_(found)
   , header_(readPlyHeader(scanner_))
   , values_(scanner_, header_.format)
   {}
@@ -207,24 +213,26 @@ private:
       copy = rowsWithoutLists(element);
       rows = TextScanner(copy);
     }
-    const bool is_text = header_.format == PlyFormat::ASCII;
-    if (is_text)
+    PointRecords records;
+    records.is_text = header_.format == PlyFormat::ASCII;
+    records.swapped = header_.format == PlyFormat::BINARY_BIG;
+    if (records.is_text)
       widenForText(rows, element.rows, columns);
-    const TablePlan plan = planTable(columns, Naming::PLY);
-    const std::size_t most = rows.remaining() / plan.source_stride;
-    check(is_text || element.rows <= most, element, most);
-    allocateCloud(plan, element.rows, model_.mesh.cloud);
-    if (is_text)
-      decodeText(plan, rows, model_.mesh.cloud);
-    else
-      decodeBinary(plan,
-                   rows.position(),
-                   header_.format == PlyFormat::BINARY_BIG,
-                   model_.mesh.cloud);
+    records.plan = planTable(columns, Naming::PLY);
+    records.rows = rows;
+    records.left = element.rows;
+    const std::size_t most = rows.remaining() / records.plan.source_stride;
+    check(records.is_text || element.rows <= most, element, most);
+    if (found_ != nullptr && !has_list) {
+      *found_ = records;
+      allocateCloud(records.plan, 0, model_.mesh.cloud);
+      if (records.is_text)
+        return skipElement(element);
+      return scanner_.skip(element.rows * records.plan.source_stride);
+    }
+    records.decode(element.rows, model_.mesh.cloud);
     if (!has_list)
-      scanner_ = rows;
-    if (!has_list && !is_text)
-      scanner_.skip(element.rows * plan.source_stride);
+      scanner_ = records.rows;
   }
 
   /** PCL writes the sensor's place as an element of its own. */
@@ -298,6 +306,7 @@ private:
   TextScanner scanner_;
   Contents contents_;
   Model& model_;
+  PointRecords* found_;
   PlyHeader header_;
   ValueReader values_;
 };
@@ -308,6 +317,13 @@ void
 readPly(const InputFile& file, Contents contents, Model& model)
 {
   PlyParser(file, contents, model).run();
+}
+
+bool
+findPlyRecords(const InputFile& file, PointRecords& records, Model& head)
+{
+  PlyParser(file, Contents::POINTS, head, &records).run();
+  return !records.plan.slots.empty();
 }
 
 } // namespace app

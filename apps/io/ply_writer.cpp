@@ -6,6 +6,7 @@
 #include "writers.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace app {
 namespace {
@@ -55,71 +56,65 @@ writeRemarks(const Remarks& remarks, OutputFile& file)
     file.text("obj_info " + line + "\n");
 }
 
-void
-writeHeader(const pcl::PolygonMesh& mesh,
-            const std::vector<PointColumn>& columns,
-            const FileExtras& extras,
-            const char* faces, // type of the corner count; null for a cloud
-            OutputFile& file)
+} // namespace
+
+PlyParts::PlyParts(const pcl::PCLPointCloud2& layout,
+                   const PlyCounts& counts,
+                   const FileExtras& extras,
+                   OutputFile& file)
+: columns_(listColumns(layout)), wide_count_(counts.wide), file_(file)
 {
+  // int, as all programs expect it, as long as that is enough.
+  const bool needs_unsigned =
+      counts.vertices > std::size_t{std::numeric_limits<std::int32_t>::max()};
   file.text("ply\nformat binary_little_endian 1.0\n");
   writeRemarks(extras.remarks, file);
-  file.text("element vertex " + std::to_string(pointCount(mesh.cloud)) + "\n");
-  for (const PointColumn& column : columns)
+  file.text("element vertex " + std::to_string(counts.vertices) + "\n");
+  for (const PointColumn& column : columns_)
     file.text("property " + plyTypeName(column.type) + " " + column.name + "\n");
   if (extras.viewpoint.isTold())
     announceCamera(extras.viewpoint, file);
-  if (faces) {
-    file.text("element face " + std::to_string(mesh.polygons.size()) + "\n");
-    file.text("property list " + std::string(faces) + " int vertex_indices\n");
-    for (const FaceProperty& property : extras.properties)
-      file.text("property int " + property.name + "\n");
+  if (!counts.has_faces) {
+    file.text("end_header\n");
+    return;
   }
+  file.text("element face " + std::to_string(counts.faces) + "\n");
+  file.text(std::string("property list ") + (counts.wide ? "int" : "uchar") +
+            (needs_unsigned ? " uint" : " int") + " vertex_indices\n");
+  for (const FaceProperty& property : extras.properties)
+    file.text("property int " + property.name + "\n");
   file.text("end_header\n");
 }
 
 void
-writePoints(const pcl::PCLPointCloud2& cloud,
-            const std::vector<PointColumn>& columns,
-            OutputFile& file)
+PlyParts::points(const pcl::PCLPointCloud2& cloud)
 {
   const std::size_t points = pointCount(cloud);
   for (std::size_t i = 0; i < points; ++i) {
     const std::uint8_t* const point = pointAt(cloud, i);
-    for (const PointColumn& column : columns) {
+    for (const PointColumn& column : columns_) {
       const std::uint8_t* const value = point + column.offset;
       if (isWide(column.type)) {
         const auto real = loadScalarAs<double>(value, column.type, false);
-        file.write(&real, sizeof(real));
+        file_.write(&real, sizeof(real));
       }
       else
-        file.write(value, scalarSize(column.type));
+        file_.write(value, scalarSize(column.type));
     }
   }
 }
 
 void
-writeFaces(const pcl::PolygonMesh& mesh,
-           const std::vector<FaceProperty>& properties,
-           bool wide_count,
-           OutputFile& file)
+PlyParts::faceBytes(const void* corners, std::size_t count)
 {
-  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-    const auto& corners = mesh.polygons[i].vertices;
-    const auto count = static_cast<std::int32_t>(corners.size());
-    const auto byte = static_cast<std::uint8_t>(corners.size());
-    if (wide_count)
-      file.write(&count, sizeof(count));
-    else
-      file.write(&byte, sizeof(byte));
-    static_assert(sizeof(pcl::index_t) == sizeof(std::int32_t), "PLY indices are int");
-    file.write(corners.data(), corners.size() * sizeof(pcl::index_t));
-    for (const FaceProperty& property : properties)
-      file.write(&property.values[i], sizeof(property.values[i]));
-  }
+  const auto wide = static_cast<std::int32_t>(count);
+  const auto byte = static_cast<std::uint8_t>(count);
+  if (wide_count_)
+    file_.write(&wide, sizeof(wide));
+  else
+    file_.write(&byte, sizeof(byte));
+  file_.write(corners, count * sizeof(std::int32_t));
 }
-
-} // namespace
 
 void
 writePly(const pcl::PolygonMesh& mesh,
@@ -127,18 +122,24 @@ writePly(const pcl::PolygonMesh& mesh,
          bool with_faces,
          OutputFile& file)
 {
-  const std::vector<PointColumn> columns = listColumns(mesh.cloud);
-  const bool wide_count =
+  static_assert(sizeof(pcl::index_t) == sizeof(std::int32_t), "PLY indices are int");
+  PlyCounts counts;
+  counts.vertices = pointCount(mesh.cloud);
+  counts.faces = mesh.polygons.size();
+  counts.has_faces = with_faces;
+  counts.wide =
       std::any_of(mesh.polygons.begin(), mesh.polygons.end(), [](const auto& polygon) {
         return polygon.vertices.size() > 255;
       });
-  const char* const count_type = wide_count ? "int" : "uchar";
-  writeHeader(mesh, columns, extras, with_faces ? count_type : nullptr, file);
-  writePoints(mesh.cloud, columns, file);
+  PlyParts parts(mesh.cloud, counts, extras, file);
+  parts.points(mesh.cloud);
   if (extras.viewpoint.isTold())
     writeCamera(extras.viewpoint, mesh.cloud, file);
-  if (with_faces)
-    writeFaces(mesh, extras.properties, wide_count, file);
+  for (std::size_t i = 0; with_faces && i < mesh.polygons.size(); ++i) {
+    parts.faceBytes(mesh.polygons[i].vertices.data(), mesh.polygons[i].vertices.size());
+    for (const FaceProperty& property : extras.properties)
+      file.write(&property.values[i], sizeof(property.values[i]));
+  }
 }
 
 } // namespace app

@@ -333,4 +333,16 @@ decodeText(const TablePlan& plan, TextScanner& scanner, pcl::PCLPointCloud2& clo
     }
 }
 
+void
+PointRecords::decode(std::size_t points, pcl::PCLPointCloud2& cloud)
+{
+  points = std::min(points, left);
+  allocateCloud(plan, points, cloud);
+  left -= points;
+  if (is_text)
+    return decodeText(plan, rows, cloud);
+  decodeBinary(plan, rows.position(), swapped, cloud);
+  rows.skip(points * plan.source_stride);
+}
+
 } // namespace app

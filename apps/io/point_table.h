@@ -82,4 +82,18 @@ decodeWord(std::string_view word, ScalarType type, std::uint8_t* target);
 void
 decodeText(const TablePlan& plan, TextScanner& scanner, pcl::PCLPointCloud2& cloud);
 
+/** \brief The point records of a file that is in memory, to be decoded in portions. */
+struct PointRecords {
+  TablePlan plan;
+  std::size_t left = 0;               /**< records not yet decoded */
+  TextScanner rows = TextScanner({}); /**< at the next of them */
+  bool is_text = false;
+  bool swapped = false; /**< binary, of the other byte order */
+
+  /** \brief Make \a cloud the next \a points points, at most those that are left.
+   * Throws a Failure for words that are no numbers. */
+  void
+  decode(std::size_t points, pcl::PCLPointCloud2& cloud);
+};
+
 } // namespace app

@@ -5,6 +5,7 @@
 
 #include "input_file.h"
 #include "model.h"
+#include "point_table.h"
 
 namespace app {
 
@@ -23,6 +24,14 @@ readPly(const InputFile& file, Contents contents, Model& model);
  * which PCL writes when it knows no better. */
 void
 readPcd(const InputFile& file, Model& model);
+
+/** \brief Where the points of a PLY or PCD file lie, for who reads them in portions.
+ * \param[out] head all but the points: fields, viewpoint, remarks, warnings
+ * \return false where they cannot be: compressed PCD, vertices with lists of numbers */
+bool
+findPlyRecords(const InputFile& file, PointRecords& records, Model& head);
+bool
+findPcdRecords(const InputFile& file, PointRecords& records, Model& head);
 
 /** \brief OBJ: vertices (with colours, if each has one), normals (if each vertex gets
  * one) and faces. Texture coordinates, materials, groups and lines are not taken over.

@@ -4,6 +4,7 @@
 
 #include "model.h"
 #include "output_file.h"
+#include "point_columns.h"
 
 #include <vector>
 
@@ -19,6 +20,38 @@ writePly(const pcl::PolygonMesh& mesh,
          const FileExtras& extras,
          bool with_faces,
          OutputFile& file);
+
+/** \brief How much a PLY file holds. */
+struct PlyCounts {
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  bool has_faces = true;
+  bool wide = false; /**< a face has more than 255 corners */
+};
+
+/** \brief Writes a PLY file from parts that need not be in memory together: the head at
+ * once, then all points, the camera if there is one, then all faces. */
+class PlyParts {
+public:
+  /** \param[in] layout a cloud with the fields of all points; its points do not matter
+   */
+  PlyParts(const pcl::PCLPointCloud2& layout,
+           const PlyCounts& counts,
+           const FileExtras& extras,
+           OutputFile& file);
+
+  void
+  points(const pcl::PCLPointCloud2& cloud);
+
+  /** \brief A face of numbers of 32 bits; its properties follow, each an int. */
+  void
+  faceBytes(const void* corners, std::size_t count);
+
+private:
+  std::vector<PointColumn> columns_;
+  bool wide_count_;
+  OutputFile& file_;
+};
 
 /** \brief Legacy VTK, binary, with all fields; colours as COLOR_SCALARS "RGB". Points
  * of no polygon are cells of their own, with -1 for a property of faces. */

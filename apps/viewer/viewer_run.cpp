@@ -39,7 +39,7 @@ runChain(const ViewerTask& task,
   settings.threads = task.threads;
   settings.sides = task.method.survey.orientation.sides;
   result.model = run.input;
-  runReconstruction(settings, bar, result);
+  runReconstruction(settings, bar.callback(), result);
 }
 
 void

@@ -24,6 +24,8 @@ struct PartialMesh {
   PointView viewpoints; /**< sensor positions, one per vertex, or empty */
   SideHints sides;      /**< what is told for the whole */
   Triangles given;      /**< three different vertices each */
+  std::vector<std::uint8_t> is_cut; /**< one flag per vertex, or empty: the surface goes
+                                         on there outside of what is given */
 };
 
 /** \brief What is wrong with a partial mesh. */
@@ -54,7 +56,7 @@ readGiven(const PartialMesh& mesh,
           const LoopContext& context);
 
 /** \brief Boundary points, free points, and the corners of doubtful triangles,
- * ascending. */
+ * ascending; none at a cut. */
 std::vector<pcl::index_t>
 openVertices(const PartialMesh& mesh, const GivenSurface& given);
 

@@ -77,6 +77,8 @@ private:
   addFreePoints();
   Indices
   withoutUsedPlaces(const Indices& free) const;
+  std::vector<std::uint8_t>
+  cutFlags() const;
   PointArray
   vertexArray() const;
   bool
@@ -113,6 +115,7 @@ PolygonCompletion::run(CompletionReport& report)
     mesh.normals = normals;
   mesh.viewpoints = viewpoints;
   mesh.sides = input_.sides;
+  mesh.is_cut = cutFlags();
   mesh.given = std::move(given_.triangles);
   CompletedMesh completed = completeSurface(
       std::move(mesh),
@@ -191,6 +194,21 @@ PolygonCompletion::withoutUsedPlaces(const Indices& free) const
   return remaining;
 }
 
+/** Of the vertices; empty where no point is cut. */
+std::vector<std::uint8_t>
+PolygonCompletion::cutFlags() const
+{
+  if (input_.cut_points == nullptr)
+    return {};
+  std::vector<std::uint8_t> is_cut_point(input_.points.size, 0);
+  for (const index_t point : *input_.cut_points)
+    is_cut_point[static_cast<std::size_t>(point)] = 1;
+  std::vector<std::uint8_t> flags;
+  for (const index_t point : given_.point_of_vertex)
+    flags.push_back(is_cut_point[static_cast<std::size_t>(point)]);
+  return flags;
+}
+
 PointArray
 PolygonCompletion::vertexArray() const
 {
@@ -254,7 +272,9 @@ faultOf(const CompletionInput& input, const CompletionParameters& parameters)
 {
   if (const char* wrong = outOfRange(parameters))
     return std::string(wrong) + " is out of range";
-  const std::string fault = indexFault(*input.selection, input.points.size);
+  std::string fault = indexFault(*input.selection, input.points.size);
+  if (fault.empty() && input.cut_points != nullptr)
+    fault = indexFault(*input.cut_points, input.points.size);
   if (!fault.empty())
     return fault;
   const std::size_t points =

@@ -2,20 +2,19 @@
 // Part of PclSurfaceRepair: lists of indices as sets.
 #pragma once
 
-#include <pcl/types.h>
-
 #include <algorithm>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
 
-/** \brief Let a list ascend and hold each index once. */
-inline void
-sortUnique(std::vector<index_t>& indices)
+/** \brief Let a list ascend and hold each item once. */
+template <typename T>
+void
+sortUnique(std::vector<T>& items)
 {
-  std::sort(indices.begin(), indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 } // namespace ccaa

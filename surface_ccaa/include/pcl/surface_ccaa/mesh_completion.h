@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/checked_construction.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_ccaa/side_settings.h>
+#include <pcl/pcl_base.h> // for IndicesConstPtr
 #include <pcl/PolygonMesh.h>
 
 #include <vector>
@@ -61,6 +62,22 @@ public:
     return partial_mesh_;
   }
 
+  /** \brief Points at which the surface goes on outside of what is given, such as those
+   * where a cloud was cut into tiles, by their cloud indices: nothing grows from them,
+   * and what is open there is neither closed nor removed as small. Points without
+   * triangles among them stay free. Null (the default) for none. An index outside the
+   * cloud is an error (PCL_ERROR, no polygons). */
+  void
+  setCutPoints(const IndicesConstPtr& points)
+  {
+    cut_points_ = points;
+  }
+  IndicesConstPtr
+  getCutPoints() const
+  {
+    return cut_points_;
+  }
+
   /** \brief After a run: with which triangles of the partial mesh the result begins, by
    * their numbers, ascending. Null (the default): with all of them, as the contract
    * says. For algorithms that were allowed to replace given triangles. */
@@ -72,6 +89,7 @@ public:
 
 protected:
   PolygonMeshConstPtr partial_mesh_;
+  IndicesConstPtr cut_points_;
 };
 
 } // namespace pcl

@@ -44,6 +44,7 @@ public:
   using Ptr = shared_ptr<ProjectionCompletion<PointT>>;
   using ConstPtr = shared_ptr<const ProjectionCompletion<PointT>>;
 
+  using MeshCompletion<PointT>::cut_points_;
   using MeshCompletion<PointT>::indices_;
   using MeshCompletion<PointT>::input_;
   using MeshCompletion<PointT>::partial_mesh_;

@@ -68,6 +68,7 @@ struct CompletionInput : CloudInput {
   PointArray viewpoints; /**< same size, or empty: sensor positions */
   SideHints sides;       /**< what is told for the whole cloud */
   const PolygonMesh* partial_mesh = nullptr; /**< triangles to keep, or null */
+  IndicesConstPtr cut_points;                /**< see MeshCompletion; null: none */
   const TreeSearch* search = nullptr;        /**< null: PointBlocks, the fastest */
 };
 

@@ -37,6 +37,7 @@ ProjectionCompletion<PointT>::performReconstruction(
   input.viewpoints = ccaa::viewpointArrayOf(*input_);
   input.sides = ccaa::sidesOf(*input_, side_hints_);
   input.partial_mesh = partial_mesh_.get();
+  input.cut_points = cut_points_;
   ccaa::TreeSearch search;
   if (tree_)
     search = ccaa::treeSearchOf<PointT>(tree_, input_, threads_);

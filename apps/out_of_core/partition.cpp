@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: cuts clouds of any size into tiles.
+#include "out_of_core/partition.h"
+
+#include <pcl/surface_ccaa/impl/point_blocks.h>
+
+#include "cli/run_facts.h"
+#include "io/point_columns.h"
+#include "mesh/morton_code.h"
+#include "out_of_core/point_stream.h"
+#include "out_of_core/tile_buckets.h"
+#include "out_of_core/tile_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <optional>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+using pcl::ccaa::Position;
+
+/** Halo of a tile in its spacings. With 6, one triangle in 500 near a cut was made
+ * differently by two tiles, with 16 one in 1000, noise of 0.3 spacings ten times as
+ * many; at 32 it was no better: what is left depends on things farther away. */
+constexpr double HALO_SPACINGS = 20.0;
+/** The spacing of a tile: mean distance to so many nearest points, at this quantile. */
+constexpr unsigned int NEAREST = 6;
+constexpr double QUANTILE = 0.9;
+/** Groups of neighboring points in which it is measured. */
+constexpr std::size_t SAMPLES = 48;
+/** Bits of a whole number that floats hold exactly, beside its sign. */
+constexpr int EXACT_BITS = 24;
+
+class Partition {
+public:
+  Partition(const std::vector<std::string>& paths,
+            const std::string& folder,
+            std::uint64_t most_points,
+            const std::string& settings,
+            const std::function<bool(double)>& goes_on)
+  : goes_on_(goes_on), head_(readHeads(paths))
+  {
+    plan_.folder = folder;
+    plan_.settings = settings;
+    plan_.most_points = most_points;
+    plan_.layout = head_.layout;
+    plan_.viewpoint = head_.viewpoint;
+    for (const TileInput& input : head_.inputs)
+      announced_ += input.points;
+  }
+
+  /** The plan that is there already, if it is that of the same run. */
+  std::optional<TilePlan>
+  made() const
+  {
+    std::error_code error;
+    if (!fs::exists(plan_.file(PLAN_FILE), error))
+      return std::nullopt;
+    TilePlan made = readPlan(plan_.folder);
+    const bool is_same =
+        made.settings == plan_.settings && made.most_points == plan_.most_points &&
+        std::is_permutation(made.inputs.begin(),
+                            made.inputs.end(),
+                            head_.inputs.begin(),
+                            head_.inputs.end(),
+                            [](const TileInput& a, const TileInput& b) {
+                              return a.path == b.path && a.bytes == b.bytes;
+                            });
+    if (!is_same)
+      throw Failure("the folder '" + plan_.folder +
+                    "' holds tiles of other inputs or other parameters; use another "
+                    "one, or remove it");
+    return made;
+  }
+
+  TilePlan
+  run()
+  {
+    const fs::path scratch = fs::path(plan_.folder) / "cutting";
+    fs::remove_all(scratch);
+    fs::create_directories(scratch);
+    TileBuckets buckets(scratch.string(),
+                        plan_.layout.point_step,
+                        recordView(plan_),
+                        plan_.most_points);
+    if (!stream(buckets))
+      return {};
+    makeKey();
+    const std::vector<pcl::ccaa::GridCell> cells = buckets.finish();
+    plan_.nowhere = writeNowhere(buckets);
+    plan_.tiling.tiles.resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!goes_on_(0.5 + 0.5 * double(i) / double(cells.size())))
+        return {};
+      plan_.tiling.tiles[i].cell = cells[i];
+      finishTile(buckets, i);
+    }
+    placeTiles();
+    fs::remove_all(scratch);
+    plan_.inputs = head_.inputs;
+    plan_.warnings = head_.warnings;
+    writePlan(plan_);
+    return std::move(plan_);
+  }
+
+private:
+  bool
+  stream(TileBuckets& buckets)
+  {
+    std::uint64_t done = 0;
+    return streamPoints(head_, [&](const auto& portion, PointSource source) {
+      const std::size_t points = pointCount(portion);
+      for (std::size_t i = 0; i < points; ++i, ++source.point)
+        buckets.add(pointAt(portion, i), source);
+      done += points;
+      return goes_on_(0.5 * double(done) /
+                      double(std::max<std::uint64_t>(announced_, 1)));
+    });
+  }
+
+  /** Of what was read, in whatever order. */
+  void
+  makeKey()
+  {
+    std::vector<std::string> hashes;
+    for (const TileInput& input : head_.inputs)
+      hashes.push_back(input.hash);
+    std::sort(hashes.begin(), hashes.end());
+    std::string text = version() + plan_.settings + std::to_string(plan_.most_points);
+    for (const std::string& hash : hashes)
+      text += hash;
+    plan_.key = hashOf("", text.data(), text.size());
+  }
+
+  std::uint64_t
+  writeNowhere(TileBuckets& buckets)
+  {
+    std::vector<char> records;
+    std::vector<PointSource> sources = buckets.takeNowhere(records);
+    StepWriter file(plan_.file(NOWHERE_FILE), plan_.key);
+    file.putAll(sources);
+    file.putAll(records);
+    file.commit();
+    return sources.size();
+  }
+
+  /** Sort the points of a leaf, write them, and measure their spacing. */
+  void
+  finishTile(TileBuckets& buckets, std::size_t tile)
+  {
+    const std::vector<char> entries = buckets.read(plan_.tiling.tiles[tile].cell);
+    const std::size_t step = plan_.layout.point_step, entry = buckets.entryBytes();
+    const std::vector<std::uint32_t> order = orderOf(entries, entry);
+    std::vector<char> records(order.size() * step);
+    std::vector<PointSource> sources(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      std::memcpy(&records[i * step], &entries[order[i] * entry], step);
+      std::memcpy(&sources[i], &entries[order[i] * entry + step], sizeof(PointSource));
+    }
+    TilePoints::write(plan_, plan_.file(tile, POINTS_STEP), records, sources);
+    buckets.drop(plan_.tiling.tiles[tile].cell);
+    plan_.tiling.tiles[tile].count = order.size();
+    plan_.tiling.tiles[tile].halo = HALO_SPACINGS * spacingOf(records, order.size());
+  }
+
+  Position
+  positionAt(const std::vector<char>& bytes, std::size_t at) const
+  {
+    return recordView(plan_).tripleAt(
+        reinterpret_cast<const std::uint8_t*>(&bytes[at]));
+  }
+
+  /** Along a curve, where that does not tell by their bytes: only points that are the
+   * same in everything can change places with the order of the input. */
+  std::vector<std::uint32_t>
+  orderOf(const std::vector<char>& entries, std::size_t entry)
+  {
+    const std::size_t count = entries.size() / entry;
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i < count; ++i)
+      box.extend(positionAt(entries, i * entry));
+    boxes_.push_back(box);
+    const double size = std::max(box.sizes().maxCoeff(), 1e-300);
+    std::vector<std::uint64_t> codes(count);
+    for (std::size_t i = 0; i < count; ++i)
+      codes[i] = pcl::ccaa::mortonCode(
+          Eigen::Vector3d((positionAt(entries, i * entry) - box.min()) / size));
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      if (codes[a] != codes[b])
+        return codes[a] < codes[b];
+      const char *const one = &entries[a * entry], *const other = &entries[b * entry];
+      const std::size_t step = plan_.layout.point_step;
+      if (const int difference = std::memcmp(one, other, step); difference != 0)
+        return difference < 0;
+      PointSource first, second;
+      std::memcpy(&first, one + step, sizeof(first));
+      std::memcpy(&second, other + step, sizeof(second));
+      return first < second;
+    });
+    return order;
+  }
+
+  /** Zero where all points are in one place. */
+  double
+  spacingOf(const std::vector<char>& records, std::size_t count) const
+  {
+    std::vector<double> distances;
+    const std::size_t blocks = (count + TilePoints::BLOCK - 1) / TilePoints::BLOCK;
+    const std::size_t samples = std::min(blocks, SAMPLES);
+    for (std::size_t sample = 0; sample < samples; ++sample) {
+      const std::size_t begin = sample * blocks / samples * TilePoints::BLOCK;
+      const std::size_t end = std::min(begin + TilePoints::BLOCK, count);
+      std::vector<Eigen::Vector3f> points;
+      const Position corner = positionAt(records, begin * plan_.layout.point_step);
+      for (std::size_t i = begin; i < end; ++i)
+        points.push_back(
+            (positionAt(records, i * plan_.layout.point_step) - corner).cast<float>());
+      addDistances(points, distances);
+    }
+    if (distances.empty())
+      return 0.0;
+    const auto place = distances.begin() + static_cast<std::ptrdiff_t>(
+                                               QUANTILE * double(distances.size() - 1));
+    std::nth_element(distances.begin(), place, distances.end());
+    return *place;
+  }
+
+  static void
+  addDistances(const std::vector<Eigen::Vector3f>& points,
+               std::vector<double>& distances)
+  {
+    pcl::ccaa::PointBlocks blocks;
+    blocks.build({points.front().data(), 3, points.size()}, 1);
+    const auto table =
+        blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, 1);
+    for (std::size_t rank = 0; points.size() > NEAREST && rank < points.size();
+         ++rank) {
+      double sum = 0.0;
+      for (unsigned int i = 0; i < NEAREST; ++i)
+        sum += std::sqrt(double(table->sqrDistances(rank)[i]));
+      if (sum > 0.0)
+        distances.push_back(sum / NEAREST);
+    }
+  }
+
+  /** The first point of each tile, and a lattice on which doubles are exact floats. */
+  void
+  placeTiles()
+  {
+    Eigen::AlignedBox3d whole;
+    double extent = 0.0;
+    pcl::ccaa::WideIndex first = 0;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      pcl::ccaa::Tile& tile = plan_.tiling.tiles[i];
+      tile.first = first;
+      first += tile.count;
+      whole.extend(boxes_[i]);
+      extent = std::max(extent, boxes_[i].sizes().maxCoeff() + 2 * tile.halo);
+    }
+    if (!boxes_.empty())
+      plan_.origin = whole.center();
+    if (hasDoublePositions(plan_.layout) && extent > 0.0)
+      plan_.step = std::ldexp(1.0, std::ilogb(extent) - EXACT_BITS); // of half of it
+    for (const Eigen::AlignedBox3d& box : boxes_)
+      plan_.corners.push_back(plan_.step > 0.0
+                                  ? pcl::ccaa::roundedTo(plan_.step, box.center())
+                                  : Position::Zero());
+  }
+
+  const std::function<bool(double)>& goes_on_;
+  StreamHead head_;
+  TilePlan plan_;
+  std::uint64_t announced_ = 0;
+  std::vector<Eigen::AlignedBox3d> boxes_; /**< by tile */
+};
+
+} // namespace
+
+TilePlan
+partition(const std::vector<std::string>& paths,
+          const std::string& folder,
+          std::uint64_t most_points,
+          const std::string& settings,
+          const std::function<bool(double)>& goes_on)
+{
+  fs::create_directories(folder);
+  Partition partition(paths, folder, most_points, settings, goes_on);
+  if (auto made = partition.made())
+    return std::move(*made);
+  return partition.run();
+}
+
+} // namespace app

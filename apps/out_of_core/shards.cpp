@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the mesh of a run tile by tile as files for others.
+#include "out_of_core/shards.h"
+
+#include "io/ply_camera.h"
+#include "io/ply_header.h"
+#include "io/writers.h"
+#include "out_of_core/step_file.h"
+#include "out_of_core/tile_points.h"
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+using pcl::ccaa::WideIndex;
+
+/** Points of the merged file that are put in order at a time. */
+constexpr std::uint64_t WINDOW = std::uint64_t{1} << 22;
+
+/** Calls use(points, number in its tile) for points of other tiles, tile by tile. */
+template <typename Use>
+void
+forForeign(const TilePlan& plan, const std::vector<WideIndex>& foreign, const Use& use)
+{
+  for (std::size_t i = 0; i < foreign.size();) {
+    const std::size_t owner = plan.tiling.ownerOf(foreign[i]);
+    const pcl::ccaa::Tile& tile = plan.tiling.tiles[owner];
+    const TilePoints points(plan, owner);
+    for (; i < foreign.size() && foreign[i] < tile.first + tile.count; ++i)
+      use(points, static_cast<std::size_t>(foreign[i] - tile.first));
+  }
+}
+
+/** Appends records with the number of each. */
+class ShardCloud {
+public:
+  explicit ShardCloud(const TilePlan& plan) : record_bytes_(plan.layout.point_step)
+  {
+    cloud = plan.layout;
+    pcl::PCLPointField field;
+    field.name = "vertex_id";
+    field.offset = cloud.point_step;
+    field.datatype = pcl::PCLPointField::FLOAT64;
+    field.count = 1;
+    cloud.fields.push_back(field);
+    cloud.point_step += sizeof(double);
+  }
+
+  void
+  add(const std::uint8_t* record, WideIndex index)
+  {
+    const auto id = static_cast<double>(index);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&id);
+    cloud.data.insert(cloud.data.end(), record, record + record_bytes_);
+    cloud.data.insert(cloud.data.end(), bytes, bytes + sizeof(id));
+    ++cloud.width;
+    cloud.row_step = cloud.width * cloud.point_step;
+  }
+
+  pcl::PCLPointCloud2 cloud;
+
+private:
+  std::size_t record_bytes_;
+};
+
+/** A shard as writeShard() wrote it. */
+TileSurface
+readShard(const TilePlan& plan, std::size_t tile)
+{
+  const std::string path = plan.file(tile, SHARD_STEP);
+  InputFile file;
+  require(file.open(path));
+  TextScanner scanner(file.bytes());
+  const PlyHeader header = readPlyHeader(scanner);
+  std::size_t record = 0;
+  for (const PlyProperty& property : header.elements.front().properties)
+    record += scalarSize(property.type);
+  const std::size_t own = plan.tiling.tiles[tile].count;
+  TileSurface surface;
+  for (std::size_t i = own; i < header.elements.front().rows; ++i) {
+    double id = 0.0;
+    std::memcpy(&id, scanner.position() + (i + 1) * record - sizeof(id), sizeof(id));
+    surface.foreign.push_back(static_cast<WideIndex>(id));
+  }
+  constexpr std::size_t FACE_BYTES = 1 + sizeof(CoreTriangle);
+  surface.triangles.resize(header.elements.back().rows);
+  const char* face = file.end() - surface.triangles.size() * FACE_BYTES;
+  for (CoreTriangle& triangle : surface.triangles) {
+    std::memcpy(triangle.data(), face + 1, sizeof(triangle));
+    face += FACE_BYTES;
+  }
+  return surface;
+}
+
+/** Puts records into the order of the input, a window of it at a time. */
+class InputOrder {
+public:
+  explicit InputOrder(const TilePlan& plan)
+  : plan_(plan)
+  , scratch_(plan.file("merging"))
+  , entry_bytes_(sizeof(std::uint64_t) + plan.layout.point_step)
+  {
+    std::uint64_t first = 0;
+    for (const TileInput& input : plan.inputs) {
+      first_.push_back(first);
+      first += input.points;
+    }
+    windows_ = (first + WINDOW - 1) / WINDOW;
+    fs::remove_all(scratch_);
+    fs::create_directories(scratch_);
+  }
+  ~InputOrder()
+  {
+    std::error_code error;
+    fs::remove_all(scratch_, error);
+  }
+  InputOrder(const InputOrder&) = delete;
+  InputOrder&
+  operator=(const InputOrder&) = delete;
+
+  std::uint64_t
+  placeOf(PointSource source) const
+  {
+    return first_[source.file] + source.point;
+  }
+
+  /** Sort records into the files of their windows. */
+  template <typename RecordAt, typename SourceAt>
+  void
+  add(std::size_t count, const RecordAt& record_at, const SourceAt& source_at)
+  {
+    std::map<std::uint64_t, std::vector<char>> waiting;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint64_t place = placeOf(source_at(i));
+      const auto* number = reinterpret_cast<const char*>(&place);
+      const auto* record = reinterpret_cast<const char*>(record_at(i));
+      std::vector<char>& bytes = waiting[place / WINDOW];
+      bytes.insert(bytes.end(), number, number + sizeof(place));
+      bytes.insert(bytes.end(), record, record + plan_.layout.point_step);
+    }
+    for (const auto& [window, bytes] : waiting) {
+      std::ofstream file(pathOf(window), std::ios::binary | std::ios::app);
+      if (!file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
+          !file.flush())
+        throw Failure("cannot write '" + pathOf(window) + "': " + std::strerror(errno));
+    }
+  }
+
+  /** Calls use(cloud) for all windows, ascending. */
+  template <typename Use>
+  void
+  forWindows(const Use& use) const
+  {
+    for (std::uint64_t window = 0; window < windows_; ++window) {
+      std::ifstream file(pathOf(window), std::ios::binary);
+      const auto bytes = static_cast<std::size_t>(fs::file_size(pathOf(window)));
+      std::vector<char> entries(bytes);
+      if (!file.read(entries.data(), static_cast<std::streamsize>(bytes)))
+        throw Failure("cannot read '" + pathOf(window) + "': " + std::strerror(errno));
+      pcl::PCLPointCloud2 cloud = plan_.layout;
+      cloud.width = static_cast<pcl::uindex_t>(bytes / entry_bytes_);
+      cloud.data.resize(cloud.width * cloud.point_step);
+      for (std::size_t at = 0; at < bytes; at += entry_bytes_) {
+        std::uint64_t place = 0;
+        std::memcpy(&place, &entries[at], sizeof(place));
+        std::memcpy(&cloud.data[(place - window * WINDOW) * cloud.point_step],
+                    &entries[at + sizeof(place)],
+                    cloud.point_step);
+      }
+      use(cloud);
+    }
+  }
+
+private:
+  std::string
+  pathOf(std::uint64_t window) const
+  {
+    return (scratch_ / std::to_string(window)).string();
+  }
+
+  const TilePlan& plan_;
+  fs::path scratch_;
+  std::size_t entry_bytes_;
+  std::vector<std::uint64_t> first_; /**< place of the first point of each file */
+  std::uint64_t windows_ = 0;
+};
+
+void
+addNowhere(const TilePlan& plan, InputOrder& order)
+{
+  StepReader reader(plan.file(NOWHERE_FILE), plan.key);
+  const auto sources = reader.getAll<PointSource>();
+  const auto records = reader.getAll<char>();
+  order.add(
+      sources.size(),
+      [&](std::size_t i) { return &records[i * plan.layout.point_step]; },
+      [&](std::size_t i) { return sources[i]; });
+}
+
+/** The triangles of a tile in places of the merged file. */
+void
+writeFaces(const TilePlan& plan,
+           std::size_t tile,
+           const InputOrder& order,
+           PlyParts& parts)
+{
+  const TileSurface surface = readShard(plan, tile);
+  std::vector<std::uint32_t> places;
+  {
+    const TilePoints points(plan, tile);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      places.push_back(static_cast<std::uint32_t>(order.placeOf(points.source(i))));
+  }
+  forForeign(plan, surface.foreign, [&](const TilePoints& points, std::size_t i) {
+    places.push_back(static_cast<std::uint32_t>(order.placeOf(points.source(i))));
+  });
+  for (const CoreTriangle& triangle : surface.triangles) {
+    const CoreTriangle corners{
+        places[triangle[0]], places[triangle[1]], places[triangle[2]]};
+    parts.faceBytes(corners.data(), corners.size());
+  }
+}
+
+FileExtras
+extrasOf(const TilePlan& plan)
+{
+  FileExtras extras;
+  extras.viewpoint = plan.viewpoint;
+  return extras;
+}
+
+} // namespace
+
+bool
+hasShard(const TilePlan& plan, std::size_t tile)
+{
+  return fs::exists(plan.file(tile, SHARD_STEP));
+}
+
+void
+writeShard(const TilePlan& plan, std::size_t tile)
+{
+  const std::string path = plan.file(tile, SHARD_STEP);
+  if (hasShard(plan, tile))
+    return;
+  const TileSurface surface = readSurface(plan, tile);
+  ShardCloud shard(plan);
+  const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+  {
+    const TilePoints points(plan, tile);
+    shard.cloud.data.reserve(points.size() * shard.cloud.point_step);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      shard.add(points.record(i), own.first + i);
+  }
+  std::size_t next = 0;
+  forForeign(plan, surface.foreign, [&](const TilePoints& points, std::size_t i) {
+    shard.add(points.record(i), surface.foreign[next++]);
+  });
+  OutputFile file;
+  require(file.open(path));
+  PlyCounts counts;
+  counts.vertices = shard.cloud.width;
+  counts.faces = surface.triangles.size();
+  PlyParts parts(shard.cloud, counts, extrasOf(plan), file);
+  parts.points(shard.cloud);
+  if (plan.viewpoint.isTold())
+    writeCamera(plan.viewpoint, shard.cloud, file);
+  for (const CoreTriangle& triangle : surface.triangles)
+    parts.faceBytes(triangle.data(), triangle.size());
+  require(file.commit());
+}
+
+nlohmann::json
+describeTiles(const TilePlan& plan)
+{
+  const pcl::ccaa::Sides sides = readSides(plan);
+  std::uint64_t triangles = 0, added = 0, failed = 0;
+  nlohmann::json shards = nlohmann::json::array();
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+    const std::size_t count = readShard(plan, tile).triangles.size();
+    const ClosedTile closed = readClosed(plan, tile);
+    triangles += count;
+    added += closed.added.size();
+    failed += closed.failed;
+    shards.push_back({{"file", fs::path(plan.file(tile, SHARD_STEP)).filename()},
+                      {"first_vertex", own.first},
+                      {"vertices", own.count},
+                      {"triangles", count},
+                      {"level", own.cell.level},
+                      {"cell", own.cell.at}});
+  }
+  const AllDisputes disputes = readDisputes(plan);
+  return {{"key", plan.key},
+          {"vertices", plan.points() - plan.nowhere},
+          {"points_without_position", plan.nowhere},
+          {"triangles", triangles},
+          {"components", sides.components},
+          {"open_edges", sides.open_edges},
+          {"torn_edges", sides.torn.size()},
+          {"seams",
+           {{"disputed_points", disputes.disputes.size()},
+            {"places", disputes.groups.size()},
+            {"triangles", added},
+            {"tiles_not_closed", failed}}},
+          {"outer_side", describe(sides.tally)},
+          {"shards", shards}};
+}
+
+void
+writeIndex(const TilePlan& plan)
+{
+  OutputFile file;
+  require(file.open(plan.file(INDEX_FILE)));
+  file.text(describeTiles(plan).dump(1) + "\n");
+  require(file.commit());
+}
+
+void
+mergeShards(const TilePlan& plan, OutputFile& file)
+{
+  if (plan.points() > std::numeric_limits<std::uint32_t>::max())
+    throw Failure("a PLY file numbers 2^32 points at most; the shards in '" +
+                  plan.folder + "' hold the whole");
+  InputOrder order(plan);
+  PlyCounts counts;
+  counts.vertices = plan.points();
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    const TilePoints points(plan, tile);
+    order.add(
+        points.size(),
+        [&](std::size_t i) { return points.record(i); },
+        [&](std::size_t i) { return points.source(i); });
+    counts.faces += readShard(plan, tile).triangles.size();
+  }
+  addNowhere(plan, order);
+  PlyParts parts(plan.layout, counts, extrasOf(plan), file);
+  order.forWindows([&](const pcl::PCLPointCloud2& cloud) { parts.points(cloud); });
+  if (plan.viewpoint.isTold())
+    writeCamera(plan.viewpoint, plan.layout, file);
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
+    writeFaces(plan, tile, order, parts);
+}
+
+} // namespace app

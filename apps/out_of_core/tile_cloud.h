@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the points of a tile and of what lies around it.
+#pragma once
+
+#include "mesh/point_view.h"
+#include "out_of_core/tile_points.h"
+
+#include <vector>
+
+namespace app {
+
+/** \brief The points of a tile and of its halo as one cloud, in their order in the
+ * whole, so that ties are broken alike by all tiles that see them. */
+class TileCloud {
+public:
+  TileCloud(const TilePlan& plan, std::size_t tile);
+
+  /** \brief What the points are in the whole, ascending. */
+  const std::vector<pcl::ccaa::WideIndex>&
+  wide() const
+  {
+    return wide_;
+  }
+
+  /** \brief With all fields; doubles are rounded as all tiles round them. */
+  const pcl::PCLPointCloud2&
+  cloud() const
+  {
+    return cloud_;
+  }
+
+  /** \brief The same without a copy; cloud() is of no use then. */
+  pcl::PCLPointCloud2
+  take()
+  {
+    return std::move(cloud_);
+  }
+
+  /** \brief Place of the first point of the tile itself; the others follow it. */
+  std::size_t
+  firstOwn() const
+  {
+    return first_own_;
+  }
+
+  /** \brief Place of a point of the whole. Throws a Failure where it is not there. */
+  pcl::index_t
+  placeOf(pcl::ccaa::WideIndex index) const;
+
+private:
+  void
+  add(const TilePlan& plan, std::size_t part, const TilePoints& points, std::size_t i);
+
+  pcl::PCLPointCloud2 cloud_;
+  std::vector<pcl::ccaa::WideIndex> wide_;
+  std::size_t first_own_ = 0;
+};
+
+} // namespace app

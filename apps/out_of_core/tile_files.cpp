@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what the steps of a run tile by tile write.
+#include "out_of_core/tile_files.h"
+
+#include "out_of_core/step_file.h"
+
+namespace app {
+namespace {
+
+using pcl::ccaa::WideIndex;
+using pcl::ccaa::WideTriangle;
+
+/** A point as files have it: Eigen's types are not for copying bytes. */
+struct StoredPoint {
+  WideIndex index;
+  std::array<double, 3> position;
+};
+
+/** The sums of a piece as plain numbers. */
+struct StoredSums {
+  std::array<double, 10> votes;
+  std::array<double, 2> scalars;
+  std::array<double, 9> vectors, tensor;
+  std::uint64_t triangles;
+  std::int64_t open_edges;
+};
+
+StoredSums
+stored(const pcl::ccaa::SideSums& sums)
+{
+  StoredSums result{};
+  static_assert(std::tuple_size_v<decltype(sums.given)> == 5);
+  for (std::size_t i = 0; i < sums.given.size(); ++i) {
+    result.votes[2 * i] = sums.given[i].sum;
+    result.votes[2 * i + 1] = sums.given[i].total;
+  }
+  result.scalars = {sums.volume, sums.area};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    result.vectors[i] = sums.moment[axis];
+    result.vectors[3 + i] = sums.normals[axis];
+    result.vectors[6 + i] = sums.projected[axis];
+  }
+  Eigen::Map<Eigen::Matrix3d>(result.tensor.data()) = sums.tensor;
+  result.triangles = sums.triangles;
+  result.open_edges = sums.open_edges;
+  return result;
+}
+
+pcl::ccaa::SideSums
+restored(const StoredSums& from)
+{
+  pcl::ccaa::SideSums sums;
+  for (std::size_t i = 0; i < sums.given.size(); ++i) {
+    sums.given[i].sum = from.votes[2 * i];
+    sums.given[i].total = from.votes[2 * i + 1];
+  }
+  sums.volume = from.scalars[0];
+  sums.area = from.scalars[1];
+  sums.moment = Eigen::Vector3d(from.vectors.data());
+  sums.normals = Eigen::Vector3d(from.vectors.data() + 3);
+  sums.projected = Eigen::Vector3d(from.vectors.data() + 6);
+  sums.tensor = Eigen::Map<const Eigen::Matrix3d>(from.tensor.data());
+  sums.triangles = from.triangles;
+  sums.open_edges = from.open_edges;
+  return sums;
+}
+
+} // namespace
+
+void
+writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh)
+{
+  std::vector<StoredPoint> points;
+  for (const pcl::ccaa::BorderPoint& point : mesh.border.points)
+    points.push_back(
+        {point.index, {point.position.x(), point.position.y(), point.position.z()}});
+  StepWriter file(plan.file(tile, MESH_STEP), plan.key);
+  file.putAll(points);
+  file.putAll(mesh.border.triangles);
+  file.putAll(mesh.inner);
+  file.commit();
+}
+
+TileMesh
+readMesh(const TilePlan& plan, std::size_t tile, bool with_inner)
+{
+  StepReader file(plan.file(tile, MESH_STEP), plan.key);
+  TileMesh mesh;
+  for (const StoredPoint& point : file.getAll<StoredPoint>())
+    mesh.border.points.push_back({point.index, Eigen::Vector3d(point.position.data())});
+  mesh.border.triangles = file.getAll<WideTriangle>();
+  if (with_inner)
+    mesh.inner = file.getAll<CoreTriangle>();
+  return mesh;
+}
+
+void
+writeJoined(const TilePlan& plan, std::size_t tile, const JoinedTile& joined)
+{
+  StepWriter file(plan.file(tile, JOIN_STEP), plan.key);
+  file.putAll(joined.triangles);
+  file.putAll(joined.disputes);
+  file.commit();
+}
+
+JoinedTile
+readJoined(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, JOIN_STEP), plan.key);
+  JoinedTile joined;
+  joined.triangles = file.getAll<WideTriangle>();
+  joined.disputes = file.getAll<PlacedDispute>();
+  return joined;
+}
+
+void
+writeDisputes(const TilePlan& plan, const AllDisputes& disputes)
+{
+  StepWriter file(plan.file(DISPUTES_FILE), plan.key);
+  file.putAll(disputes.groups);
+  file.putAll(disputes.disputes);
+  file.commit();
+}
+
+AllDisputes
+readDisputes(const TilePlan& plan)
+{
+  StepReader file(plan.file(DISPUTES_FILE), plan.key);
+  AllDisputes disputes;
+  disputes.groups = file.getAll<DisputeGroup>();
+  disputes.disputes = file.getAll<PlacedDispute>();
+  return disputes;
+}
+
+void
+writeClosed(const TilePlan& plan, std::size_t tile, const ClosedTile& closed)
+{
+  StepWriter file(plan.file(tile, CLOSE_STEP), plan.key);
+  file.putAll(closed.removed);
+  file.putAll(closed.added);
+  file.put(closed.failed);
+  file.commit();
+}
+
+ClosedTile
+readClosed(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, CLOSE_STEP), plan.key);
+  ClosedTile closed;
+  closed.removed = file.getAll<WideTriangle>();
+  closed.added = file.getAll<WideTriangle>();
+  closed.failed = file.get<std::uint64_t>();
+  return closed;
+}
+
+void
+writePieces(const TilePlan& plan,
+            std::size_t tile,
+            const TileSurface& surface,
+            const pcl::ccaa::TilePieces& pieces)
+{
+  std::vector<StoredSums> sums;
+  for (const pcl::ccaa::SideSums& piece : pieces.sums)
+    sums.push_back(stored(piece));
+  StepWriter file(plan.file(tile, PIECES_STEP), plan.key);
+  file.putAll(sums);
+  file.putAll(pieces.edges);
+  file.putAll(surface.foreign);
+  file.putAll(surface.triangles);
+  file.putAll(surface.piece_ends);
+  file.commit();
+}
+
+TileSurface
+readPiecesSurface(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, PIECES_STEP), plan.key);
+  std::size_t count = 0;
+  file.skipAll<StoredSums>(count);
+  file.skipAll<pcl::ccaa::CutEdge>(count);
+  TileSurface surface;
+  surface.foreign = file.getAll<WideIndex>();
+  surface.triangles = file.getAll<CoreTriangle>();
+  surface.piece_ends = file.getAll<std::uint64_t>();
+  return surface;
+}
+
+pcl::ccaa::TilePieces
+readPiecesSums(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, PIECES_STEP), plan.key);
+  pcl::ccaa::TilePieces pieces;
+  for (const StoredSums& sums : file.getAll<StoredSums>())
+    pieces.sums.push_back(restored(sums));
+  pieces.edges = file.getAll<pcl::ccaa::CutEdge>();
+  return pieces;
+}
+
+void
+writeSides(const TilePlan& plan, const pcl::ccaa::Sides& sides)
+{
+  StepWriter file(plan.file(SIDES_FILE), plan.key);
+  file.put(sides.tally);
+  file.put(sides.components);
+  file.put(sides.open_edges);
+  file.putAll(sides.torn);
+  for (const std::vector<std::uint8_t>& turn : sides.turn)
+    file.putAll(turn);
+  file.commit();
+}
+
+pcl::ccaa::Sides
+readSides(const TilePlan& plan)
+{
+  StepReader file(plan.file(SIDES_FILE), plan.key);
+  pcl::ccaa::Sides sides;
+  sides.tally = file.get<pcl::ccaa::SideTally>();
+  sides.components = file.get<std::uint64_t>();
+  sides.open_edges = file.get<std::uint64_t>();
+  sides.torn = file.getAll<std::array<WideIndex, 2>>();
+  for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i)
+    sides.turn.push_back(file.getAll<std::uint8_t>());
+  return sides;
+}
+
+} // namespace app

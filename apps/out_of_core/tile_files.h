@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what the steps of a run tile by tile write.
+#pragma once
+
+#include "out_of_core/tile_plan.h"
+#include "tiles/agreement.h"
+#include "tiles/seam.h"
+#include "tiles/side_graph.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace app {
+
+/** \brief Endings of the files of a tile, by step. */
+constexpr const char* MESH_STEP = "mesh";
+constexpr const char* JOIN_STEP = "joined";
+constexpr const char* CLOSE_STEP = "closed";
+constexpr const char* PIECES_STEP = "pieces";
+/** \brief Names of the files for all tiles. */
+constexpr const char* DISPUTES_FILE = "disputes";
+constexpr const char* SIDES_FILE = "sides";
+
+/** \brief A triangle of numbers of a tile. */
+using CoreTriangle = std::array<std::uint32_t, 3>;
+
+/** \brief What the chain made of a tile. */
+struct TileMesh {
+  pcl::ccaa::BorderMesh border;
+  std::vector<CoreTriangle> inner; /**< of numbers of the tile's points */
+};
+
+void
+writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh);
+TileMesh
+readMesh(const TilePlan& plan, std::size_t tile, bool with_inner);
+
+/** \brief A point at which tiles did not agree, and where it is. */
+struct PlacedDispute {
+  pcl::ccaa::WideIndex index = 0;
+  std::array<double, 3> position{};
+  double reach = 0.0; /**< of what may be closed around it */
+};
+
+/** \brief What tiles agree about, of the triangles that are the tile's. */
+struct JoinedTile {
+  std::vector<pcl::ccaa::WideTriangle> triangles;
+  std::vector<PlacedDispute> disputes;
+};
+
+void
+writeJoined(const TilePlan& plan, std::size_t tile, const JoinedTile& joined);
+JoinedTile
+readJoined(const TilePlan& plan, std::size_t tile);
+
+/** \brief Disputes that are closed together. */
+struct DisputeGroup {
+  std::uint64_t tile = 0; /**< that closes it */
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
+
+/** \brief The disputes of all tiles, each once, group by group. */
+struct AllDisputes {
+  std::vector<DisputeGroup> groups;
+  std::vector<PlacedDispute> disputes;
+};
+
+void
+writeDisputes(const TilePlan& plan, const AllDisputes& disputes);
+AllDisputes
+readDisputes(const TilePlan& plan);
+
+/** \brief What closes the groups of a tile. */
+struct ClosedTile {
+  std::vector<pcl::ccaa::WideTriangle> removed; /**< corners in order */
+  std::vector<pcl::ccaa::WideTriangle> added;
+  std::uint64_t failed = 0; /**< 1: nothing could be added */
+};
+
+void
+writeClosed(const TilePlan& plan, std::size_t tile, const ClosedTile& closed);
+ClosedTile
+readClosed(const TilePlan& plan, std::size_t tile);
+
+/** \brief The final triangles of a tile. Corners below the number of its points are
+ * these, the others come from a list, in its order. */
+struct TileSurface {
+  std::vector<pcl::ccaa::WideIndex> foreign; /**< ascending */
+  std::vector<CoreTriangle> triangles;
+  std::vector<std::uint64_t> piece_ends; /**< triangles up to the end of each piece */
+};
+
+void
+writePieces(const TilePlan& plan,
+            std::size_t tile,
+            const TileSurface& surface,
+            const pcl::ccaa::TilePieces& pieces);
+TileSurface
+readPiecesSurface(const TilePlan& plan, std::size_t tile);
+pcl::ccaa::TilePieces
+readPiecesSums(const TilePlan& plan, std::size_t tile);
+
+void
+writeSides(const TilePlan& plan, const pcl::ccaa::Sides& sides);
+pcl::ccaa::Sides
+readSides(const TilePlan& plan);
+
+} // namespace app

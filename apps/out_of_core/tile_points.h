@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the points of a tile on disk.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "mesh/cloud_access.h"
+#include "out_of_core/step_file.h"
+#include "out_of_core/tile_plan.h"
+
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/** \brief Ending of the file of a tile's points. */
+constexpr const char* POINTS_STEP = "points";
+
+/** \brief The file is looked at in place: it takes no memory of its own but what is
+ * touched while the object lives. */
+class TilePoints {
+public:
+  /** \brief Points whose box the file tells. */
+  static constexpr std::size_t BLOCK = 4096;
+
+  TilePoints(const TilePlan& plan, std::size_t tile);
+
+  /** \brief Write the points of a tile in their final order. */
+  static void
+  write(const TilePlan& plan,
+        const std::string& path,
+        const std::vector<char>& records,
+        const std::vector<PointSource>& sources);
+
+  std::size_t
+  size() const
+  {
+    return count_;
+  }
+
+  const std::uint8_t*
+  record(std::size_t point) const
+  {
+    return records_ + point * record_bytes_;
+  }
+
+  PointSource
+  source(std::size_t point) const
+  {
+    PointSource source;
+    std::memcpy(&source, sources_ + point * sizeof(PointSource), sizeof(PointSource));
+    return source;
+  }
+
+  /** \brief Where it is, rounded as all tiles round it. */
+  pcl::ccaa::Position
+  position(std::size_t point) const
+  {
+    return pcl::ccaa::roundedTo(step_, layout_.tripleAt(record(point)));
+  }
+
+  /** \brief Calls \a use(point) for those within a box, ascending. */
+  void
+  forEachIn(const Eigen::AlignedBox3d& box,
+            const std::function<void(std::size_t)>& use) const;
+
+private:
+  StepReader reader_;
+  pcl::ccaa::PointView layout_;
+  std::size_t record_bytes_;
+  double step_;
+  std::size_t count_ = 0;
+  const std::uint8_t* records_ = nullptr;
+  const char* sources_ = nullptr;
+  std::vector<std::array<double, 6>> boxes_;
+};
+
+/** \brief A view that tells where positions lie in the records of a plan: for
+ * tripleAt() alone. */
+pcl::ccaa::PointView
+recordView(const TilePlan& plan);
+
+} // namespace app

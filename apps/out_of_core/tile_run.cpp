@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: all steps of a run tile by tile in one process.
+#include "out_of_core/tile_run.h"
+
+#include "cli/cli.h"
+#include "out_of_core/shards.h"
+#include "out_of_core/step_file.h"
+#include "run/threads.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace app {
+namespace {
+
+using Tell = std::function<bool(const char*, double)>;
+
+/** A step of all tiles, and its share of the time, about. */
+struct Phase {
+  const char* name;
+  double weight;
+  std::function<void(std::size_t tile, const StepRun& run)> work; /**< empty: once */
+  std::function<void()> once;
+};
+
+class TileRun {
+public:
+  TileRun(const TilePlan& plan,
+          std::uint64_t memory,
+          unsigned int threads,
+          const Tell& tell)
+  : tiles_(plan.tiling.tiles.size()), tell_(tell)
+  {
+    std::uint64_t most = 1;
+    for (const pcl::ccaa::Tile& tile : plan.tiling.tiles)
+      most = std::max(most, tile.count);
+    const auto all = static_cast<std::uint64_t>(pcl::ccaa::resolveThreads(threads));
+    const std::uint64_t fit = std::max<std::uint64_t>(1, memory / (most * TILE_BYTES));
+    workers_ = std::min({fit, all, std::max<std::uint64_t>(1, tiles_)});
+    threads_each_ = static_cast<unsigned int>(all / workers_);
+  }
+
+  void
+  run(const std::vector<Phase>& phases)
+  {
+    double sum = 0.0, done = 0.0;
+    for (const Phase& phase : phases)
+      sum += phase.weight;
+    for (const Phase& phase : phases) {
+      if (!tell_(phase.name, done / sum))
+        throw Failure(stopped_by_signal);
+      if (phase.once)
+        phase.once();
+      else
+        runAll(phase, done / sum, phase.weight / sum);
+      done += phase.weight;
+    }
+  }
+
+private:
+  void
+  runAll(const Phase& phase, double before, double share)
+  {
+    std::atomic<std::size_t> next{0}, finished{0};
+    std::atomic<bool> stop{false};
+    std::exception_ptr problem;
+    std::mutex mutex;
+    const auto work = [&] {
+      StepRun run;
+      run.threads = threads_each_;
+      run.progress = [&](const std::string&, double) { return !stop.load(); };
+      try {
+        for (std::size_t tile = next++; tile < tiles_ && !stop; tile = next++) {
+          phase.work(tile, run);
+          ++finished;
+        }
+      }
+      catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!problem)
+          problem = std::current_exception();
+        stop = true;
+      }
+    };
+    std::vector<std::thread> workers;
+    for (std::uint64_t i = 0; i < workers_; ++i)
+      workers.emplace_back(work);
+    bool is_stopped = false;
+    while (finished < tiles_ && !stop) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      const double part = double(finished) / double(std::max<std::size_t>(tiles_, 1));
+      if (!tell_(phase.name, before + share * part)) {
+        is_stopped = true;
+        stop = true;
+      }
+    }
+    for (std::thread& worker : workers)
+      worker.join();
+    if (is_stopped)
+      throw Failure(stopped_by_signal);
+    if (problem)
+      std::rethrow_exception(problem);
+  }
+
+  std::size_t tiles_;
+  const Tell& tell_;
+  std::uint64_t workers_ = 1;
+  unsigned int threads_each_ = 1;
+};
+
+/** What later steps have made of it is on disk, too. */
+void
+removeAll(const TilePlan& plan, const char* step)
+{
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
+    std::filesystem::remove(plan.file(tile, step));
+}
+
+} // namespace
+
+void
+runTiles(const TilePlan& plan,
+         std::uint64_t memory,
+         unsigned int threads,
+         const std::function<bool(const char*, double)>& tell)
+{
+  const std::size_t tiles = plan.tiling.tiles.size();
+  const auto forTile = [&](auto step) {
+    return
+        [&plan, step](std::size_t tile, const StepRun& run) { step(plan, tile, run); };
+  };
+  const auto forPart = [&](auto step) {
+    return [&plan, step](std::size_t tile, const StepRun&) { step(plan, tile); };
+  };
+  std::vector<Phase> phases = {{"outer side", 1, {}, [&] { decideAllSides(plan); }},
+                               {"shards", 4, forPart(writeShard), {}},
+                               {"index", 1, {}, [&] {
+                                  removeAll(plan, PIECES_STEP);
+                                  writeIndex(plan);
+                                }}};
+  const std::vector<Phase> before = {
+      {"meshing tiles", 80, forTile(meshTile), {}},
+      {"joining tiles", 2, forPart(joinTile), {}},
+      {"disputes", 1, {}, [&] { groupAllDisputes(plan); }},
+      {"closing seams", 5, forTile(closeTile), {}},
+      {"winding", 6, forTile(windTile), {}},
+      {"winding", 0, {}, [&] { removeAll(plan, MESH_STEP); }}};
+  bool is_wound = tiles > 0;
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+    is_wound = is_wound &&
+               (hasShard(plan, tile) || isDone(plan.file(tile, PIECES_STEP), plan.key));
+  if (!is_wound)
+    phases.insert(phases.begin(), before.begin(), before.end());
+  TileRun(plan, memory, threads, tell).run(phases);
+}
+
+} // namespace app

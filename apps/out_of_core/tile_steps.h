@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the steps of a reconstruction tile by tile.
+#pragma once
+
+#include <pcl/surface_ccaa/run_settings.h>
+
+#include "out_of_core/tile_files.h"
+
+#include <cstddef>
+
+namespace app {
+
+/** \brief How a step runs. The result is the same for any. */
+struct StepRun {
+  unsigned int threads = 1;                  /**< 0: all */
+  pcl::ccaa::ProgressCallback progress = {}; /**< false from it stops the step */
+};
+
+// Each step reads what the steps before it have written for its tile and the tiles
+// around it, and writes one file, whole or not at all; where the file is there already,
+// nothing is done. A step that was stopped throws a Failure. They come in this order,
+// all tiles of a step before the next one.
+
+/** \brief The whole chain on the points of a tile and its halo; triangles that are too
+ * near the end of what it knows are left out. */
+void
+meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
+
+/** \brief Which of the triangles at the border of a tile all tiles made that see them
+ * (pcl::ccaa::agree()), and where some did not. */
+void
+joinTile(const TilePlan& plan, std::size_t tile);
+
+/** \brief Group the places where tiles did not agree; each group belongs to the tile of
+ * its first point. */
+void
+groupAllDisputes(const TilePlan& plan);
+
+/** \brief Close the groups of a tile (pcl::ccaa::closeSeam()). */
+void
+closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
+
+/** \brief The final triangles of a tile, wound alike in each piece, and what the pieces
+ * say about their outer sides. */
+void
+windTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
+
+/** \brief The outer side of all pieces of all tiles. */
+void
+decideAllSides(const TilePlan& plan);
+
+/** \brief The final triangles of a tile, outward. A triangle on an edge over which
+ * windings cannot agree is left out. */
+TileSurface
+readSurface(const TilePlan& plan, std::size_t tile);
+
+} // namespace app

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: pcl_ccaa_reconstruct --tiles.
+#include "out_of_core/tiled_reconstruction.h"
+
+#include "cli/progress.h"
+#include "cli/run_facts.h"
+#include "io/interrupt.h"
+#include "io/output_folder.h"
+#include "io/wording.h"
+#include "out_of_core/partition.h"
+#include "out_of_core/shards.h"
+#include "out_of_core/tile_run.h"
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <ostream>
+
+namespace app {
+namespace {
+
+/** Shares of the time for cutting, and for everything before merging. */
+constexpr double CUTTING = 0.1;
+constexpr double BEFORE_MERGING = 0.95;
+
+/** Removes the folder of a run that is to leave none. */
+class TileFolder {
+public:
+  explicit TileFolder(const ReconstructSettings& settings)
+  : path(settings.tile_folder.empty() ? settings.files.output + ".tiles"
+                                      : settings.tile_folder)
+  , stays_(!settings.tile_folder.empty())
+  {
+    if (!stays_ && std::filesystem::exists(path))
+      throw Failure(
+          "the folder '" + path +
+          "' is in the way; remove it, or name it with --tile-folder to go on "
+          "with what is in it");
+  }
+  ~TileFolder()
+  {
+    std::error_code error;
+    if (!stays_)
+      std::filesystem::remove_all(path, error);
+  }
+  TileFolder(const TileFolder&) = delete;
+  TileFolder&
+  operator=(const TileFolder&) = delete;
+
+  const std::string path;
+
+private:
+  bool stays_;
+};
+
+std::string
+summarize(const nlohmann::json& facts, std::size_t tiles, const std::string& where)
+{
+  const nlohmann::json& seams = facts["seams"];
+  return where + ": " + std::to_string(std::uint64_t{facts["vertices"]}) +
+         " points in " + plural(tiles, "tile") + ", " +
+         std::to_string(std::uint64_t{facts["triangles"]}) + " triangles, " +
+         plural(std::uint64_t{facts["open_edges"]}, "open edge") +
+         "; tiles disagreed at " + plural(std::uint64_t{seams["places"]}, "place") +
+         ", " + plural(std::uint64_t{seams["triangles"]}, "triangle") +
+         " made there; outer side by " + std::string(facts["outer_side"]);
+}
+
+std::string
+tellPieces(const nlohmann::json& facts)
+{
+  const std::uint64_t open = facts["open_edges"];
+  return (open == 0 ? "watertight" : plural(open, "open edge")) + ", " +
+         plural(std::uint64_t{facts["components"]}, "piece");
+}
+
+Outcome
+judge(const nlohmann::json& facts, const TilePlan& plan)
+{
+  Outcome outcome;
+  outcome.notes = plan.warnings;
+  if (plan.nowhere > 0)
+    outcome.notes.push_back(pluralHas(plan.nowhere, "point") +
+                            " no position that is finite, and no triangle");
+  const std::uint64_t failed = facts["seams"]["tiles_not_closed"];
+  if (std::uint64_t{facts["triangles"]} == 0)
+    outcome.reason = "no triangle could be made that is sure to be right";
+  else if (failed > 0)
+    outcome.reason = "the seams of " + plural(failed, "tile") + " could not be closed";
+  else if (std::uint64_t{facts["torn_edges"]} > 0)
+    outcome.reason = "the surface is one-sided and was opened at " +
+                     plural(std::uint64_t{facts["torn_edges"]}, "edge");
+  outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
+  return outcome;
+}
+
+} // namespace
+
+Outcome
+reconstructInTiles(const ReconstructSettings& settings)
+{
+  ProgressBar bar(settings.quiet);
+  const TileFolder folder(settings);
+  const TilePlan plan =
+      partition(settings.files.inputs,
+                folder.path,
+                settings.tiles,
+                settingsText(settings),
+                [&](double share) { return bar.show("cutting", CUTTING * share); });
+  if (interrupted())
+    return {INTERRUPTED, stopped_by_signal, {}};
+  const auto tell = [&](const char* step, double share) {
+    return bar.show(step, CUTTING + (BEFORE_MERGING - CUTTING) * share);
+  };
+  try {
+    runTiles(plan, settings.memory, settings.threads, tell);
+  }
+  catch (const Failure&) {
+    if (interrupted())
+      return {INTERRUPTED, stopped_by_signal, {}};
+    throw;
+  }
+  nlohmann::json facts = describeTiles(plan);
+  Outcome outcome = judge(facts, plan);
+  OutputFolder outputs;
+  if (!settings.files.output.empty() && bar.show("merging", BEFORE_MERGING))
+    mergeShards(plan, outputs.addElsewhere(settings.files.output));
+  if (!settings.files.report.empty())
+    writeReport(facts, outputs.addElsewhere(settings.files.report));
+  if (interrupted())
+    return {INTERRUPTED, stopped_by_signal, {}};
+  require(outputs.commit());
+  bar.clear();
+  std::ostream& people = peopleStream({settings.files.output, settings.files.report});
+  const std::string where =
+      settings.files.output.empty() ? folder.path : settings.files.output;
+  if (!settings.quiet)
+    people << summarize(facts, plan.tiling.tiles.size(), where) << std::endl;
+  outcome.verdict = {tellPieces(facts), &people};
+  return outcome;
+}
+
+} // namespace app

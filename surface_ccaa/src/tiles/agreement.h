@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what tiles that see the same place make of it alike.
+#pragma once
+
+#include "tiles/tiling.h"
+
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief What a tile made of the places where it meets others. */
+struct BorderMesh {
+  BorderPoints points; /**< all that it knows within Tile::BORDER of another tile */
+  std::vector<WideTriangle> triangles; /**< of which a corner is among them */
+};
+
+/** \brief What is certain of the triangles that belong to a tile: those of which it has
+ * the lowest corner. */
+struct Agreed {
+  std::vector<WideTriangle> triangles; /**< of the border; the other ones all stay */
+  std::vector<WideIndex> disputes;     /**< corners of those that were refused, once
+                                          each, ascending */
+};
+
+/** \brief Keep of the triangles of a tile those that every tile has that sees all three
+ * corners, and which the tiles of the three corners see.
+ *
+ * So all kept triangles at a point are in the mesh of the tile to which the point
+ * belongs: where each tile's mesh is manifold, so is the union, up to fans that were
+ * cut. And as no triangle near a cut is longer than Tile::LONGEST of the halo, some
+ * tile has any two that could cross. A tile with nothing but the whole cloud keeps all.
+ *
+ * \param[in] tile number of the tile \param[in] own what it made
+ * \param[in] others what each of its neighbors made (Tiling::neighborsOf()), as far as
+ * the lowest corner is the tile's */
+Agreed
+agree(const Tiling& tiling,
+      std::size_t tile,
+      const BorderMesh& own,
+      const std::vector<std::vector<WideTriangle>>& others);
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: closes what is open where tiles disagreed.
+#include "tiles/seam.h"
+
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/surface_ccaa/impl/cloud_runs.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include "advancing_front/fan_settlement.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/winding.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Distance between disputes of one group, in reaches: what closes one lies within one
+ * and a half reaches of it, and as much again has to be left between two. */
+constexpr float LINK = 4.0F;
+/** Times that a ring of triangles around what could not be closed is taken away. */
+constexpr int RINGS = 2;
+
+/** What one try makes of a seam. */
+struct Attempt {
+  Triangles given;                   /**< that stay */
+  std::vector<pcl::index_t> removed; /**< of the seam's, ascending */
+  std::vector<std::uint8_t> is_open;
+  Triangles added;
+  std::vector<pcl::index_t> flawed; /**< open points that are free or on a boundary */
+  std::size_t flaws = 0;            /**< free ones, and boundary edges */
+  std::string error;
+};
+
+/** One run. */
+class SeamClosing {
+public:
+  SeamClosing(const Seam& seam,
+              const CompletionParameters& parameters,
+              int threads,
+              const ProgressCallback& progress)
+  : seam_(seam), parameters_(parameters), threads_(threads), progress_(progress)
+  {
+    parameters_.keep_given = true;
+  }
+
+  SeamFilling
+  run() const
+  {
+    Attempt best = attempt(std::vector<std::uint8_t>(seam_.given.size(), 0));
+    for (int ring = 0; ring < RINGS && !best.flawed.empty(); ++ring) {
+      Attempt wider = attempt(aroundFlaws(best));
+      if (wider.error.empty() && wider.flaws < best.flaws)
+        best = std::move(wider);
+    }
+    return {std::move(best.added), std::move(best.removed), std::move(best.error)};
+  }
+
+private:
+  /** \param[in] goes flags of given triangles that are to be made anew */
+  Attempt
+  attempt(const std::vector<std::uint8_t>& goes) const
+  {
+    Attempt result;
+    result.is_open = seam_.is_open;
+    settle(goes, result);
+    if (!wind(result.given))
+      result.error = "the surface around is one-sided";
+    else
+      complete(result);
+    findFlaws(result);
+    return result;
+  }
+
+  /** One fan for each point. What goes at an open point goes for good; at the rim of
+   * what was gathered only the rest of a fan is missing. */
+  void
+  settle(const std::vector<std::uint8_t>& goes, Attempt& result) const
+  {
+    TriangleAdjacency adjacency;
+    adjacency.build(seam_.given, seam_.points.size(), threads_);
+    const PointView points(seam_.points);
+    PartialSurface surface(seam_.given, adjacency, points, OrientationHints());
+    std::vector<pcl::index_t> looked_at;
+    for (std::size_t v = 0; v < seam_.points.size(); ++v)
+      if (const Fan fan = adjacency.fans()[v];
+          fan == Fan::SEVERAL || fan == Fan::OVERFULL)
+        looked_at.push_back(static_cast<pcl::index_t>(v));
+    for (std::size_t t = 0; t < goes.size(); ++t)
+      if (goes[t] != 0) {
+        surface.remove(static_cast<pcl::index_t>(t));
+        looked_at.insert(looked_at.end(), seam_.given[t].begin(), seam_.given[t].end());
+        open(seam_.given[t], result);
+      }
+    settleFans(surface, looked_at, false);
+    std::vector<pcl::index_t> gone;
+    for (std::size_t t = 0; t < seam_.given.size(); ++t)
+      if (surface.isAlive(static_cast<pcl::index_t>(t)))
+        result.given.push_back(seam_.given[t]);
+      else
+        gone.push_back(static_cast<pcl::index_t>(t));
+    keepAtRim(gone, result);
+  }
+
+  /** Of triangles that are gone, those connected with open points by others of them go
+   * for good, and their corners are open. */
+  void
+  keepAtRim(std::vector<pcl::index_t> gone, Attempt& result) const
+  {
+    const auto goesForGood = [&](pcl::index_t t) {
+      return isOpen(seam_.given[static_cast<std::size_t>(t)], result);
+    };
+    for (auto more = gone.end(); !gone.empty(); gone.erase(more, gone.end())) {
+      more = std::stable_partition(
+          gone.begin(), gone.end(), [&](pcl::index_t t) { return !goesForGood(t); });
+      if (more == gone.end())
+        break;
+      result.removed.insert(result.removed.end(), more, gone.end());
+      for (auto t = more; t != gone.end(); ++t)
+        open(seam_.given[static_cast<std::size_t>(*t)], result);
+    }
+    std::sort(result.removed.begin(), result.removed.end());
+  }
+
+  static void
+  open(const Triangle& triangle, Attempt& result)
+  {
+    for (const pcl::index_t corner : triangle)
+      result.is_open[static_cast<std::size_t>(corner)] = 1;
+  }
+
+  static bool
+  isOpen(const Triangle& triangle, const Attempt& result)
+  {
+    return std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+      return result.is_open[static_cast<std::size_t>(corner)] != 0;
+    });
+  }
+
+  /** All triangles of a piece alike, whichever way. */
+  bool
+  wind(Triangles& triangles) const
+  {
+    TriangleAdjacency adjacency;
+    adjacency.build(triangles, seam_.points.size(), threads_);
+    Winding winding;
+    RunControl control;
+    winding.find(triangles, adjacency, threads_, control);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      if (winding.isTurned(t))
+        std::swap(triangles[t][1], triangles[t][2]);
+    return std::none_of(winding.components().begin(),
+                        winding.components().end(),
+                        [](const WoundComponent& piece) { return piece.one_sided; });
+  }
+
+  void
+  complete(Attempt& result) const
+  {
+    PolygonMesh frozen;
+    for (const Triangle& triangle : result.given) {
+      frozen.polygons.emplace_back();
+      frozen.polygons.back().vertices.assign(triangle.begin(), triangle.end());
+    }
+    CompletionInput input;
+    input.points = {seam_.points.front().data(), 3, seam_.points.size()};
+    input.selection = std::make_shared<Indices>(seam_.points.size());
+    std::iota(input.selection->begin(), input.selection->end(), 0);
+    input.threads = static_cast<unsigned int>(threads_);
+    input.progress = progress_;
+    input.partial_mesh = &frozen;
+    const auto cut_points = std::make_shared<Indices>();
+    for (std::size_t v = 0; v < result.is_open.size(); ++v)
+      if (result.is_open[v] == 0)
+        cut_points->push_back(static_cast<pcl::index_t>(v));
+    input.cut_points = cut_points;
+    CompletionReport report;
+    const CompletionOutput output = runCompletion(input, parameters_, report);
+    result.error = output.error;
+    for (std::size_t t = result.given.size(); t < output.polygons.size(); ++t) {
+      const Indices& corners = output.polygons[t].vertices;
+      result.added.push_back({corners[0], corners[1], corners[2]});
+    }
+  }
+
+  void
+  findFlaws(Attempt& result) const
+  {
+    Triangles all = result.given;
+    all.insert(all.end(), result.added.begin(), result.added.end());
+    TriangleAdjacency adjacency;
+    adjacency.build(all, seam_.points.size(), threads_);
+    for (std::size_t v = 0; v < seam_.points.size(); ++v)
+      if (result.is_open[v] != 0 && adjacency.fans()[v] != Fan::CLOSED) {
+        result.flawed.push_back(static_cast<pcl::index_t>(v));
+        result.flaws += adjacency.fans()[v] == Fan::NONE ? 1 : 0;
+      }
+    for (std::size_t t = 0; t < all.size(); ++t)
+      for (int corner = 0; corner < 3; ++corner)
+        if (adjacency.across(static_cast<pcl::index_t>(t), corner) < 0)
+          ++result.flaws;
+  }
+
+  /** Given triangles at a flaw, and those that are gone already around it. */
+  std::vector<std::uint8_t>
+  aroundFlaws(const Attempt& result) const
+  {
+    std::vector<std::uint8_t> is_flawed(seam_.points.size(), 0);
+    for (const pcl::index_t v : result.flawed)
+      is_flawed[static_cast<std::size_t>(v)] = 1;
+    std::vector<std::uint8_t> goes(seam_.given.size(), 0);
+    for (const pcl::index_t t : result.removed)
+      goes[static_cast<std::size_t>(t)] = 1;
+    const auto at = [](const std::vector<std::uint8_t>& flags, pcl::index_t v) {
+      return flags[static_cast<std::size_t>(v)] != 0;
+    };
+    for (std::size_t t = 0; t < goes.size(); ++t) {
+      const Triangle& corners = seam_.given[t];
+      if (std::any_of(corners.begin(),
+                      corners.end(),
+                      [&](pcl::index_t v) { return at(is_flawed, v); }) &&
+          std::all_of(corners.begin(), corners.end(), [&](pcl::index_t v) {
+            return at(seam_.is_near, v);
+          }))
+        goes[t] = 1;
+    }
+    return goes;
+  }
+
+  const Seam& seam_;
+  CompletionParameters parameters_;
+  int threads_;
+  const ProgressCallback& progress_;
+};
+
+} // namespace
+
+std::vector<std::size_t>
+groupDisputes(const std::vector<Dispute>& disputes)
+{
+  if (disputes.empty())
+    return {};
+  auto places = std::make_shared<PointCloud<PointXYZ>>();
+  for (const Dispute& dispute : disputes)
+    places->emplace_back(
+        dispute.position.x(), dispute.position.y(), dispute.position.z());
+  KdTreeFLANN<PointXYZ> tree;
+  tree.setInputCloud(places);
+  DisjointSets sets(disputes.size());
+  Indices near;
+  std::vector<float> sqr_distances;
+  for (std::size_t i = 0; i < disputes.size(); ++i) {
+    tree.radiusSearch((*places)[i], LINK * disputes[i].reach, near, sqr_distances);
+    for (const pcl::index_t other : near)
+      sets.join(i, static_cast<std::size_t>(other));
+  }
+  std::vector<std::size_t> groups(disputes.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < disputes.size(); ++i) {
+    const std::size_t root = sets.find(i); // the lowest of its group
+    groups[i] = root == i ? count++ : groups[root];
+  }
+  return groups;
+}
+
+SeamFilling
+closeSeam(const Seam& seam,
+          const CompletionParameters& parameters,
+          int threads,
+          const ProgressCallback& progress)
+{
+  if (seam.points.size() < 3)
+    return {};
+  return SeamClosing(seam, parameters, threads, progress).run();
+}
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: closes what is open where tiles disagreed.
+#pragma once
+
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+#include <pcl/surface_ccaa/run_settings.h>
+
+#include "mesh/triangle.h"
+#include "tiles/tiling.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief A point at which a triangle was refused. */
+struct Dispute {
+  WideIndex index = 0;
+  Eigen::Vector3f position = Eigen::Vector3f::Zero(); /**< relative to any origin */
+  float reach = 0.0F; /**< of what may be closed around it, in units of the cloud */
+};
+
+/** \brief Numbers the groups of disputes that may have to do with each other: those
+ * with a chain of disputes between them, each less than four reaches from the next, so
+ * that what closes two groups never meets. By the first dispute of each group. Cost: n
+ * log n. */
+std::vector<std::size_t>
+groupDisputes(const std::vector<Dispute>& disputes);
+
+/** \brief What surrounds some disputes. */
+struct Seam {
+  std::vector<Eigen::Vector3f> points; /**< one per place */
+  Triangles given;                     /**< of these, wound in any way, no edge with
+                                            more than two */
+  std::vector<std::uint8_t> is_open;   /**< flags of the points that may get triangles:
+                                            the disputes and free points near them */
+  std::vector<std::uint8_t> is_near;   /**< flags of those within one and a half reaches
+                                            of a dispute: others keep their triangles */
+};
+
+/** \brief What closes it. */
+struct SeamFilling {
+  Triangles added;                   /**< wound in any way */
+  std::vector<pcl::index_t> removed; /**< given triangles that have to go, ascending */
+  std::string error;                 /**< why nothing was added */
+};
+
+/** \brief Complete the surface around disputes by the base algorithm: triangles that
+ * cut fans leave in several pieces at a dispute go (all but the largest piece), the
+ * other given ones stay frozen, and all points that are not open count as cut points.
+ * Where that leaves open points free or on a boundary, the triangles around these are
+ * made anew, too, twice at most, and that stays if fewer such points are left.
+ * \param[in] threads at least 1 */
+SeamFilling
+closeSeam(const Seam& seam,
+          const CompletionParameters& parameters,
+          int threads,
+          const ProgressCallback& progress);
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the tiles of a cloud and what each of them sees.
+#pragma once
+
+#include "tiles/world_grid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+
+/** \brief A point of the whole cloud: tile by tile, within a tile in its fixed order.
+ */
+using WideIndex = std::uint64_t;
+
+/** \brief A triangle of these, wound as it came. */
+using WideTriangle = std::array<WideIndex, 3>;
+
+/** \brief The corners of a triangle in ascending order: the same for any winding. */
+WideTriangle
+cornersInOrder(const WideTriangle& triangle);
+
+/** \brief One tile: the points of a cell, and how far around it what is computed of a
+ * part of the cloud counts. */
+struct Tile {
+  GridCell cell;
+  WideIndex first = 0;     /**< its first point */
+  std::uint64_t count = 0; /**< of its points */
+  double halo = 0.0;       /**< units around the cell in which it knows all points */
+
+  /** \brief Share of the halo in which the tile's triangles count: farther out they
+   * may follow from the end of what it knows. */
+  static constexpr double TRUSTED = 0.4;
+  /** \brief Share of the halo for which border points and triangles are kept: what a
+   * seam may touch has what surrounds it with it. */
+  static constexpr double BORDER = 0.8;
+  /** \brief Longest edge of a triangle near a cut, as a share of the halo. */
+  static constexpr double LONGEST = 0.2;
+
+  bool
+  sees(const Position& position) const
+  {
+    return cell.distance(position) <= TRUSTED * halo;
+  }
+};
+
+/** \brief All tiles of a cloud, by ascending cell and first point. */
+struct Tiling {
+  std::vector<Tile> tiles;
+
+  /** \brief The tile whose point it is. */
+  std::size_t
+  ownerOf(WideIndex point) const;
+
+  /** \brief The tiles other than this one of which points or triangles may matter to
+   * it, ascending. */
+  std::vector<std::size_t>
+  neighborsOf(std::size_t tile) const;
+
+  /** \brief Whether a position lies near a tile other than this one, so that it belongs
+   * to the border. \param[in] neighbors of the tile */
+  bool
+  isNearOthers(const Position& position,
+               const std::vector<std::size_t>& neighbors) const;
+};
+
+/** \brief A point at which tiles meet. */
+struct BorderPoint {
+  WideIndex index = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/** \brief The border points of a tile, ascending. */
+using BorderPoints = std::vector<BorderPoint>;
+
+/** \brief Where a point is among them; the end where it is not. */
+BorderPoints::const_iterator
+findPoint(const BorderPoints& points, WideIndex index);
+
+} // namespace ccaa
+} // namespace pcl

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: cubes of the world into which a cloud is cut.
+#include "tiles/world_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace pcl {
+namespace ccaa {
+namespace {
+
+/** Level of the eight octants of the whole space. */
+constexpr int OCTANTS = 50;
+/** Finest level: coordinates near the origin can always be told apart. */
+constexpr int FINEST = -100;
+/** Edges from the origin up to which a double tells halves of a cell apart. */
+constexpr std::int64_t FARTHEST = std::int64_t{1} << 50;
+
+} // namespace
+
+double
+GridCell::distance(const Position& position) const
+{
+  double farthest = 0.0;
+  for (std::size_t axis = 0; axis < 3 && !isWhole(); ++axis) {
+    const double low = std::ldexp(static_cast<double>(at[axis]), level);
+    const double high = std::ldexp(static_cast<double>(at[axis] + 1), level);
+    const double x = position[static_cast<Eigen::Index>(axis)];
+    farthest = std::max({farthest, low - x, x - high});
+  }
+  return farthest;
+}
+
+double
+GridCell::distance(const GridCell& other) const
+{
+  double farthest = 0.0;
+  for (std::size_t axis = 0; axis < 3 && !isWhole() && !other.isWhole(); ++axis) {
+    const auto edge = [&](const GridCell& cell, int side) {
+      return std::ldexp(static_cast<double>(cell.at[axis] + side), cell.level);
+    };
+    farthest = std::max(
+        {farthest, edge(*this, 0) - edge(other, 1), edge(other, 0) - edge(*this, 1)});
+  }
+  return farthest;
+}
+
+bool
+GridCell::canSplit() const
+{
+  return isWhole() || (level > FINEST && std::all_of(at.begin(), at.end(), [](auto x) {
+                         return std::abs(x) < FARTHEST;
+                       }));
+}
+
+GridCell
+cellOf(const Position& position, int level)
+{
+  GridCell cell;
+  cell.level = level;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    cell.at[axis] = static_cast<std::int64_t>(
+        std::floor(std::ldexp(position[static_cast<Eigen::Index>(axis)], -level)));
+  return cell;
+}
+
+GridCell
+childOf(const GridCell& cell, const Position& position)
+{
+  return cellOf(position, cell.isWhole() ? OCTANTS : cell.level - 1);
+}
+
+Position
+roundedTo(double step, const Position& position)
+{
+  return step > 0.0 ? Position((position / step).array().round() * step) : position;
+}
+
+} // namespace ccaa
+} // namespace pcl
