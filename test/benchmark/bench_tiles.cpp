@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: clouds cut into tiles against the same at once.
+//
+// usage: bench_tiles PROGRAMS FOLDER [PART...] [--tiles N] [--large N] [--small N]
+//   PROGRAMS  folder with pcl_ccaa_reconstruct and pcl_mesh_quality
+//   FOLDER    for clouds and meshes; some 200 bytes for each point of --large
+//   scale     us/point and memory of --large points in tiles (10 M), of a tenth of it,
+//             and of --small points at once (5 M), one thread
+//   same      --small points in tiles and at once: what the meshes are
+//   shift     --small points, and these moved by half a tile
+//   workers   --small points in tiles on one and on two threads
+//   city      --small points of a city block, 16 scans
+//   make WHAT POINTS PATH   only write a cloud: bumpy, or city (PATH is a folder)
+#include "streamed_clouds.h"
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Settings {
+  std::string programs, folder;
+  std::vector<std::string> parts;
+  std::uint64_t tiles = 4000000, large = 10000000, small = 5000000;
+};
+
+/** One run of a program. */
+struct Run {
+  double processor_seconds = 0.0, wall_seconds = 0.0;
+  double peak_bytes = 0.0;
+  Json report;
+};
+
+Run
+run(const Settings& settings,
+    const std::string& program,
+    std::vector<std::string> arguments)
+{
+  const std::string report = settings.folder + "/report.json";
+  arguments.insert(arguments.begin(), settings.programs + "/" + program);
+  arguments.insert(arguments.end(), {"--report", report, "--quiet"});
+  std::vector<char*> words;
+  for (std::string& word : arguments)
+    words.push_back(word.data());
+  words.push_back(nullptr);
+  const auto begin = std::chrono::steady_clock::now();
+  const pid_t child = fork();
+  if (child == 0) {
+    execv(words.front(), words.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  Run result;
+  result.wall_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const auto seconds = [](const timeval& time) {
+    return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+  };
+  result.processor_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  result.peak_bytes = 1024.0 * double(usage.ru_maxrss);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) > 2 || WEXITSTATUS(status) == 1)
+    throw std::runtime_error(program + " failed");
+  std::ifstream(report) >> result.report;
+  return result;
+}
+
+/** Of a cloud, in tiles or (tiles 0) at once. */
+Run
+reconstruct(const Settings& settings,
+            const std::vector<std::string>& clouds,
+            const std::string& mesh,
+            std::uint64_t tiles,
+            unsigned int threads)
+{
+  std::vector<std::string> arguments = clouds;
+  arguments.insert(arguments.end(),
+                   {"-o", mesh, "--merge", "--threads", std::to_string(threads)});
+  if (tiles > 0)
+    arguments.push_back("--tiles=" + std::to_string(tiles));
+  return run(settings, "pcl_ccaa_reconstruct", arguments);
+}
+
+std::string
+bumpy(const Settings& settings, std::uint64_t points, double shift = 0.0)
+{
+  std::string path = settings.folder + "/bumpy_" + std::to_string(points) +
+                     (shift > 0.0 ? "_moved" : "") + ".ply";
+  if (!fs::exists(path))
+    bench::writeBumpy(path, points, 1, shift);
+  return path;
+}
+
+void
+tell(const char* what, std::uint64_t points, const Run& made)
+{
+  std::printf("%-28s %10zu points  %6.2f us/point  %7.1f s wall  %5.2f GiB\n",
+              what,
+              std::size_t(points),
+              1e6 * made.processor_seconds / double(points),
+              made.wall_seconds,
+              made.peak_bytes / double(1u << 30));
+  std::fflush(stdout);
+}
+
+/** What pcl_mesh_quality finds. */
+void
+judge(const Settings& settings, const char* what, const std::string& mesh)
+{
+  const Json facts = run(settings, "pcl_mesh_quality", {mesh}).report;
+  std::printf("%s: %s\n", what, facts.dump().substr(0, 1500).c_str());
+}
+
+void
+scale(const Settings& settings)
+{
+  const std::string mesh = settings.folder + "/mesh.ply";
+  const auto in_tiles = [&](std::uint64_t points) {
+    const Run made =
+        reconstruct(settings, {bumpy(settings, points)}, mesh, settings.tiles, 1);
+    tell("in tiles", points, made);
+    return made.processor_seconds / double(points);
+  };
+  const Run at_once =
+      reconstruct(settings, {bumpy(settings, settings.small)}, mesh, 0, 1);
+  tell("at once", settings.small, at_once);
+  const double lower = in_tiles(settings.large / 10);
+  const double upper = in_tiles(settings.large);
+  std::printf("in tiles / at once %.2f, growth %.2f\n",
+              upper * double(settings.small) / at_once.processor_seconds,
+              upper / lower);
+}
+
+void
+same(const Settings& settings)
+{
+  const std::string cloud = bumpy(settings, settings.small);
+  const std::string mesh = settings.folder + "/mesh.ply";
+  tell("at once", settings.small, reconstruct(settings, {cloud}, mesh, 0, 1));
+  judge(settings, "at once", mesh);
+  const Run made = reconstruct(settings, {cloud}, mesh, settings.tiles, 1);
+  tell("in tiles", settings.small, made);
+  std::printf("seams: %s\n", made.report["seams"].dump().c_str());
+  judge(settings, "in tiles", mesh);
+}
+
+void
+shift(const Settings& settings)
+{
+  const std::string mesh = settings.folder + "/mesh.ply";
+  for (const double by : {0.0, 0.25}) {
+    const std::string cloud = bumpy(settings, settings.small, by);
+    const Run made = reconstruct(settings, {cloud}, mesh, settings.tiles, 1);
+    std::printf("moved by %.2f: %zu open edges, %zu triangles, %zu tiles\n",
+                by,
+                std::size_t(made.report["open_edges"]),
+                std::size_t(made.report["triangles"]),
+                made.report["shards"].size());
+  }
+}
+
+void
+workers(const Settings& settings)
+{
+  const std::string cloud = bumpy(settings, settings.small);
+  const std::string mesh = settings.folder + "/mesh.ply";
+  const Run one = reconstruct(settings, {cloud}, mesh, settings.tiles, 1);
+  const Run two = reconstruct(settings, {cloud}, mesh, settings.tiles, 2);
+  tell("one thread", settings.small, one);
+  tell("two threads", settings.small, two);
+  std::printf("two threads %.2f times as fast\n", one.wall_seconds / two.wall_seconds);
+}
+
+void
+city(const Settings& settings)
+{
+  const std::string folder = settings.folder + "/city";
+  fs::create_directories(folder);
+  const auto scans = bench::writeCity(folder, settings.small, 1, 16);
+  const std::string mesh = settings.folder + "/city.ply";
+  tell("at once", settings.small, reconstruct(settings, scans, mesh, 0, 1));
+  judge(settings, "at once", mesh);
+  const Run made = reconstruct(settings, scans, mesh, settings.tiles, 1);
+  tell("in tiles", settings.small, made);
+  std::printf("seams: %s\n", made.report["seams"].dump().c_str());
+  judge(settings, "in tiles", mesh);
+}
+
+Settings
+readSettings(const std::vector<std::string>& words)
+{
+  Settings settings;
+  settings.programs = words.at(0);
+  settings.folder = words.at(1);
+  for (std::size_t i = 2; i < words.size(); ++i)
+    if (words[i] == "--tiles")
+      settings.tiles = std::stoull(words.at(++i));
+    else if (words[i] == "--large")
+      settings.large = std::stoull(words.at(++i));
+    else if (words[i] == "--small")
+      settings.small = std::stoull(words.at(++i));
+    else
+      settings.parts.push_back(words[i]);
+  fs::create_directories(settings.folder);
+  return settings;
+}
+
+void
+runAll(const std::vector<std::string>& words)
+{
+  if (!words.empty() && words.front() == "make") {
+    const std::uint64_t points = std::stoull(words.at(2));
+    if (words.at(1) == "bumpy")
+      bench::writeBumpy(words.at(3), points, 1, 0.0);
+    else
+      bench::writeCity(words.at(3), points, 1, 16);
+    return;
+  }
+  const Settings settings = readSettings(words);
+  const std::vector<std::pair<std::string, void (*)(const Settings&)>> parts = {
+      {"scale", scale},
+      {"same", same},
+      {"shift", shift},
+      {"workers", workers},
+      {"city", city}};
+  for (const auto& [name, part] : parts)
+    if (settings.parts.empty() ||
+        std::count(settings.parts.begin(), settings.parts.end(), name) > 0) {
+      std::printf("%s\n", name.c_str());
+      part(settings);
+    }
+}
+
+} // namespace
+
+int
+main(int argc, char** argv)
+{
+  try {
+    runAll(std::vector<std::string>(argv + 1, argv + argc));
+  }
+  catch (const std::exception& problem) {
+    std::fprintf(stderr, "bench_tiles: %s\n", problem.what());
+    return 1;
+  }
+  return 0;
+}
