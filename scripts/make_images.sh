@@ -87,3 +87,15 @@ if [[ -x $viewer && -f $data/range_maps/lato180.ply ]]; then
   "$viewer" "$data/range_maps/lato180.ply" --stage holes --quiet \
     --screenshot "$images/viewer_scan_holes.png" --size 640x420
 fi
+
+# Sixteen scans of a city block in tiles, each a component of its own.
+bench=build/bench/bin/bench_tiles
+if [[ -x $bench ]]; then
+  mkdir -p build/demo/city
+  "$bench" make city 400000 build/demo/city
+  "$bin/pcl_ccaa_reconstruct" build/demo/city/scan_*.pcd -o build/demo/city/city.ply \
+    --merge --tiles=50000 --tile-folder build/demo/city/tiles --quiet
+  /usr/bin/python3 scripts/join_shards.py build/demo/city/tiles build/demo/city/shards.ply
+  "$render" build/demo/city/shards.ply "$images/tiles_city.png" --color-by component \
+    --no-boundaries --view 0.5,-0.7,0.9 --view-up 0,0,1 --size 900x560
+fi

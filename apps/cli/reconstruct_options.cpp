@@ -101,7 +101,8 @@ addTileOptions(OptionGroup& options, ReconstructSettings& settings)
             "or 4G; the result is the same for any");
   options.text("tile-folder", settings.tile_folder)(
       "with --tiles: keep the tiles as shards, one PLY each with an index, in this "
-      "folder; a run that was stopped goes on there. OUTPUT_MESH may be left out");
+      "folder; a run that was stopped goes on there. With one input OUTPUT_MESH may be "
+      "left out");
 }
 
 void

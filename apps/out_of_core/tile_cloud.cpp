@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: the points of a tile and of what lies around it.
 #include "out_of_core/tile_cloud.h"
 
+#include "mesh/sort_unique.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,14 +28,22 @@ boxAround(const pcl::ccaa::Tile& tile)
 
 } // namespace
 
-TileCloud::TileCloud(const TilePlan& plan, std::size_t tile)
+TileCloud::TileCloud(const TilePlan& plan,
+                     std::size_t tile,
+                     const std::vector<pcl::ccaa::WideIndex>& also)
 {
   cloud_ = plan.layout;
   std::vector<std::size_t> parts = plan.tiling.neighborsOf(tile);
-  parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
+  parts.push_back(tile);
+  for (const pcl::ccaa::WideIndex index : also)
+    parts.push_back(plan.tiling.ownerOf(index));
+  pcl::ccaa::sortUnique(parts);
   const Eigen::AlignedBox3d around = boxAround(plan.tiling.tiles[tile]);
+  auto next = also.begin();
   for (const std::size_t part : parts) {
     const TilePoints points(plan, part);
+    const pcl::ccaa::Tile& own = plan.tiling.tiles[part];
+    std::vector<std::size_t> chosen;
     if (part == tile) {
       first_own_ = wide_.size();
       cloud_.data.reserve(cloud_.data.size() + points.size() * cloud_.point_step);
@@ -41,7 +51,13 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile)
         add(plan, part, points, i);
     }
     else
-      points.forEachIn(around, [&](std::size_t i) { add(plan, part, points, i); });
+      points.forEachIn(around, [&](std::size_t i) { chosen.push_back(i); });
+    for (; next != also.end() && *next < own.first + own.count; ++next)
+      if (part != tile)
+        chosen.push_back(static_cast<std::size_t>(*next - own.first));
+    pcl::ccaa::sortUnique(chosen);
+    for (const std::size_t i : chosen)
+      add(plan, part, points, i);
   }
   cloud_.width = static_cast<pcl::uindex_t>(wide_.size());
   cloud_.row_step = cloud_.width * cloud_.point_step;

@@ -13,7 +13,10 @@ namespace app {
  * whole, so that ties are broken alike by all tiles that see them. */
 class TileCloud {
 public:
-  TileCloud(const TilePlan& plan, std::size_t tile);
+  /** \param[in] also points that are wanted wherever they are, ascending */
+  TileCloud(const TilePlan& plan,
+            std::size_t tile,
+            const std::vector<pcl::ccaa::WideIndex>& also = {});
 
   /** \brief What the points are in the whole, ascending. */
   const std::vector<pcl::ccaa::WideIndex>&

@@ -135,7 +135,10 @@ finalBorder(const TilePlan& plan, std::size_t tile)
 
 /** All triangles of a tile, in places of its cloud. */
 pcl::ccaa::Triangles
-finalTriangles(const TilePlan& plan, std::size_t tile, const TileCloud& cloud)
+finalTriangles(const TilePlan& plan,
+               std::size_t tile,
+               const std::vector<WideTriangle>& border,
+               const TileCloud& cloud)
 {
   pcl::ccaa::Triangles triangles;
   const auto first = static_cast<std::uint32_t>(cloud.firstOwn());
@@ -143,7 +146,7 @@ finalTriangles(const TilePlan& plan, std::size_t tile, const TileCloud& cloud)
     triangles.push_back({static_cast<pcl::index_t>(first + inner[0]),
                          static_cast<pcl::index_t>(first + inner[1]),
                          static_cast<pcl::index_t>(first + inner[2])});
-  for (const WideTriangle& triangle : finalBorder(plan, tile))
+  for (const WideTriangle& triangle : border)
     triangles.push_back({cloud.placeOf(triangle[0]),
                          cloud.placeOf(triangle[1]),
                          cloud.placeOf(triangle[2])});
@@ -323,9 +326,14 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
 {
   if (isDone(plan.file(tile, PIECES_STEP), plan.key))
     return;
-  const TileCloud cloud(plan, tile);
+  const std::vector<WideTriangle> border = finalBorder(plan, tile);
+  std::vector<WideIndex> corners; // a sparse neighbor's may lie beyond the halo
+  for (const WideTriangle& triangle : border)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  pcl::ccaa::sortUnique(corners);
+  const TileCloud cloud(plan, tile, corners);
   const Position corner = plan.corners[tile];
-  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, cloud);
+  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, border, cloud);
   pcl::ccaa::RunControl control(run.progress);
   std::vector<std::uint32_t> piece_of;
   const pcl::ccaa::TilePieces pieces =
