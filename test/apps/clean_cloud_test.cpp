@@ -4,6 +4,7 @@
 #include "clean/two_sheets.h"
 #include "io/point_columns.h"
 #include "mesh/cloud_access.h"
+#include "model_samples.h"
 #include "reconstruct_fixture.h"
 #include "support/clouds.h"
 #include "support/random_source.h"
