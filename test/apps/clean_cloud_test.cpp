@@ -179,7 +179,7 @@ TEST(CleanCloud, MixesColoursAndNumbersOfPlacesNearby)
 TEST(CleanCloud, LeavesOutPointsThatAreNotFinite)
 {
   app::Model model = scannedSphere(0.1);
-  for (const std::size_t i : {0, 77, 1234})
+  for (const unsigned int i : {0U, 77U, 1234U})
     test::setValue(model.mesh.cloud, i, "y", std::numeric_limits<float>::quiet_NaN());
   model.mesh.cloud.is_dense = false;
   EXPECT_EQ(3U, clean(model).skipped_points);
