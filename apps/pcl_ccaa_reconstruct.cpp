@@ -122,6 +122,8 @@ void
 sumUp(const ReconstructSettings& settings, const ReconstructResult& result)
 {
   std::ostream& people = peopleStreamOf(settings.files);
+  if (result.cleaning)
+    people << tellCleaning(*result.cleaning) << std::endl;
   people << (settings.dry_run ? summarizeInput(settings, result.model)
                               : summarizeRun(settings, result))
          << std::endl;
@@ -151,6 +153,8 @@ void
 work(const ReconstructSettings& settings, ProgressBar& bar, ReconstructResult& result)
 {
   result.memory_before = currentMemoryBytes();
+  if (settings.clean)
+    cleanInput(settings, bar, result);
   if (bar.show("start", 0))
     runReconstruction(settings, bar.callback(), result);
   countTopology(settings, result);

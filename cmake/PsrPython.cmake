@@ -28,13 +28,15 @@ set(psr_python_build "${PROJECT_BINARY_DIR}/python/pclsurfacerepair")
 set(psr_options_header "${CMAKE_CURRENT_BINARY_DIR}/python/generated_options.h")
 file(GLOB psr_option_headers CONFIGURE_DEPENDS
      "${PROJECT_SOURCE_DIR}/surface_ccaa/include/pcl/surface_ccaa/*.h"
-     "${PROJECT_SOURCE_DIR}/surface_repair/include/pcl/surface_repair/*.h")
+     "${PROJECT_SOURCE_DIR}/surface_repair/include/pcl/surface_repair/*.h"
+     "${CMAKE_CURRENT_SOURCE_DIR}/clean/*.h")
 add_custom_command(
   OUTPUT "${psr_options_header}" "${psr_python_build}/_options.py"
   COMMAND
     Python::Interpreter "${psr_python_source}/generate_options.py"
     "${PROJECT_SOURCE_DIR}/surface_ccaa/include/pcl/surface_ccaa"
-    "${PROJECT_SOURCE_DIR}/surface_repair/include/pcl/surface_repair" --cpp
+    "${PROJECT_SOURCE_DIR}/surface_repair/include/pcl/surface_repair"
+    "${CMAKE_CURRENT_SOURCE_DIR}/clean" --cpp
     "${psr_options_header}" --python "${psr_python_build}/_options.py"
   DEPENDS "${psr_python_source}/generate_options.py" ${psr_option_headers}
   VERBATIM)

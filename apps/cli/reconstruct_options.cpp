@@ -13,6 +13,9 @@ namespace {
 
 const Word<std::string> STAGES[] = {
     {"start", "start"}, {"filter", "filter"}, {"base", "base"}};
+constexpr double LONGEST = 1e30; // of lengths
+const Word<std::string> STARTS[] = {
+    {"auto", "auto"}, {"greedy", "greedy"}, {"grid", "grid"}};
 /** A number of bytes with K, M, G or T behind it. */
 std::uint64_t
 bytesOf(const std::string& text)
@@ -36,6 +39,22 @@ bytesOf(const std::string& text)
 const Word<std::string> SEARCHES[] = {{"fast", "fast"}, {"kdtree", "kdtree"}};
 
 void
+addCleaning(OptionGroup& options, ReconstructSettings& settings)
+{
+  options.flag("clean", settings.clean)(
+      "first make one even layer of the points, for scans that overlap and disagree: "
+      "grid, outliers away, smoothing; the points are new ones then");
+  options.real("clean-spacing", settings.cleaning.spacing, 0, LONGEST)(
+      "distance that points keep in --clean, in units of the cloud; 0: as dense as the "
+      "cloud");
+  options.real("clean-radius", settings.cleaning.radius, 0, LONGEST)(
+      "radius of the patches that smooth in --clean, in units of the cloud; what is "
+      "smaller goes; 0: by the noise");
+  options.real("clean-outliers", settings.cleaning.outlier_deviations, 1, 1000)(
+      "how many standard deviations farther than usual neighbours of an outlier are");
+}
+
+void
 addOutputs(OptionGroup& options, ReconstructSettings& settings)
 {
   options.flag("repair", settings.repair)(
@@ -43,6 +62,7 @@ addOutputs(OptionGroup& options, ReconstructSettings& settings)
   options.flag("merge", settings.merge)(
       "all inputs are views of one object and become one cloud, in which each point "
       "keeps the viewpoint of its file");
+  addCleaning(options, settings);
   options.flag("labels", settings.labels)(
       "write which stage made each triangle as the face property 'stage': 0 start, 1 "
       "base, 2 repair; PLY only");
@@ -60,6 +80,10 @@ addStageOptions(OptionGroup& options, ReconstructSettings& settings)
   options.choice("until", settings.until, STAGES)(
       "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
       "(correct triangles only) or base (what is missing between them, too)");
+  options.choice("start", settings.start, STARTS)(
+      "which points the first triangles join: greedy (near ones), grid (neighbours in "
+      "rows and columns of an organised cloud) or auto (of these the one that leaves "
+      "fewer islands)");
   options.flag("measure-speedup", settings.measure_speedup)(
       "also run the base stage alone, and print whether the stages before it pay");
   options.choice("search", settings.search, SEARCHES)(
@@ -118,7 +142,8 @@ checkTiles(const ReconstructSettings& settings)
       settings.search != "fast" || files.isBatch() || settings.dry_run)
     throw Failure("--tiles makes the mesh of the stage base and nothing else; it does "
                   "not go with --repair, --labels, --normals, --until, "
-                  "--measure-speedup, --search, --dry-run and --output-folder");
+                  "--measure-speedup, --search, --dry-run, --clean, --start grid and "
+                  "--output-folder");
   if (!files.output.empty() && files.target().format != FileFormat::PLY)
     throw Failure("--tiles writes PLY, not '" + files.output + "'");
 }
@@ -154,9 +179,9 @@ checkStages(const ReconstructSettings& settings)
                   "--until start");
 }
 
-/** What is to be closed matters only where something is closed. */
+/** What belongs to another option matters only with that. */
 void
-checkNeedsRepair(const CommandLine& line, const ReconstructSettings& settings)
+checkNeeds(const CommandLine& line, const ReconstructSettings& settings)
 {
   for (const char* name : {"close",
                            "watertight",
@@ -167,6 +192,9 @@ checkNeedsRepair(const CommandLine& line, const ReconstructSettings& settings)
                            "greatest-bridge"})
     if (!settings.repair && line.given(name))
       throw Failure("--" + std::string(name) + " needs --repair");
+  for (const char* name : {"clean-spacing", "clean-radius", "clean-outliers"})
+    if (!settings.clean && line.given(name))
+      throw Failure("--" + std::string(name) + " needs --clean");
   if (settings.labels && line.given("drop-islands"))
     throw Failure("--labels tells the stage of each triangle that the reconstruction "
                   "made; it does not go with --drop-islands");
@@ -199,6 +227,7 @@ OUTPUT_MESH   )" +
   pcl_ccaa_reconstruct scan.xyz scan.ply --threads 4 --report scan.json
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --repair
   pcl_ccaa_reconstruct front.pcd left.pcd back.pcd --merge -o bust.ply
+  pcl_ccaa_reconstruct front.pcd left.pcd back.pcd --merge --clean -o bust.ply
   pcl_ccaa_reconstruct - - < bunny.pcd | pcl_repair_holes - bunny.ply
   pcl_ccaa_reconstruct bunny.pcd bunny.ply --labels --normals --measure-speedup
 )";
@@ -231,7 +260,7 @@ addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings)
   command_line.then([&] { return checkFiles(settings); });
   command_line.then([&] { return checkTiles(settings); });
   command_line.then([&] { return checkStages(settings); });
-  command_line.then([&] { return checkNeedsRepair(command_line, settings); });
+  command_line.then([&] { return checkNeeds(command_line, settings); });
 }
 
 } // namespace app

@@ -6,8 +6,10 @@
 #include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
 
 #include "consecutive/stage_polygons.h"
+#include "grid_start.h"
 #include "io/cloud_normals.h"
 #include "io/point_columns.h"
+#include "io/wording.h"
 #include "mesh/cloud_access.h"
 #include "repair_run.h"
 
@@ -56,6 +58,8 @@ toTypedCloud(const Model& model)
   for (std::size_t i = 0; i < positions.size(); ++i)
     (*cloud)[i].getVector3fMap() = positions[i].template cast<float>();
   cloud->is_dense = model.mesh.cloud.is_dense;
+  cloud->width = model.mesh.cloud.width;
+  cloud->height = model.mesh.cloud.height;
   setHints(model, *cloud);
   return cloud;
 }
@@ -77,6 +81,53 @@ makeStart(const ReconstructSettings& settings)
   return start;
 }
 
+/** What is known about the outer side, in the frame that is worked in. */
+pcl::ccaa::SideHints
+localHints(const ReconstructSettings& settings, const Model& model)
+{
+  return relativeTo(model.shift.offset(), sidesOf(settings.sides, model.viewpoint));
+}
+
+/** Where the sensor of an organised cloud stood, if that is known or likely. */
+std::optional<Eigen::Vector3d>
+sensorOfGrid(const ReconstructSettings& settings, const Model& model)
+{
+  if (model.mesh.cloud.height < 2 || model.mesh.cloud.width < 2)
+    return std::nullopt;
+  pcl::ccaa::SideHints hints = localHints(settings, model);
+  takeOrigin(
+      hints,
+      pcl::ccaa::positionView(model.mesh.cloud).relativeTo(model.shift.offset()));
+  return hints.told_viewpoint ? hints.told_viewpoint : hints.viewpoint;
+}
+
+/** Begin with the grid of an organised cloud where that is asked for, or leaves at most
+ * half as many islands: cameras whose steps of depth are wider than their pixels make
+ * clouds in which the nearest points lie on strips. */
+template <typename PointT>
+void
+takeGrid(const ReconstructSettings& settings,
+         const pcl::UmbrellaFilter& filter,
+         pcl::ConsecutiveReconstruction<PointT>& chain,
+         ReconstructResult& result)
+{
+  const auto sensor = sensorOfGrid(settings, result.model);
+  if (settings.start == "grid" && !sensor)
+    throw Failure("--start grid needs an organised cloud (PCD with a height, or PLY as "
+                  "PCL writes it) and the place of the sensor (--viewpoint)");
+  if (!sensor || settings.start == "greedy" || !settings.hasFilter())
+    return;
+  const auto greedy = chain.getStartAlgorithms().front();
+  const auto grid = makeGridStart<PointT>(*sensor);
+  if (settings.start != "grid") {
+    const std::size_t by_grid = islandsAfter<PointT>(grid, filter, chain);
+    if (by_grid > islandsAfter<PointT>(greedy, filter, chain) / 2)
+      return; // with the greedy one set
+  }
+  chain.setStartAlgorithm(grid);
+  result.has_grid_start = true;
+}
+
 template <typename PointT>
 void
 reconstruct(const ReconstructSettings& settings,
@@ -91,20 +142,25 @@ reconstruct(const ReconstructSettings& settings,
   chain.setFilter(settings.hasFilter() ? filter : nullptr);
   if (settings.until != "base")
     chain.setBaseAlgorithm(nullptr);
-  pcl::ccaa::SideHints hints = relativeTo(
-      result.model.shift.offset(), sidesOf(settings.sides, result.model.viewpoint));
+  pcl::ccaa::SideHints hints = localHints(settings, result.model);
   hints.guess_plane = true;
   chain.setSideHints(hints);
   chain.setComputeNormals(settings.normals);
   chain.setNumberOfThreads(settings.threads);
   chain.setProgressCallback(progress);
   chain.setInputCloud(toTypedCloud<PointT>(result.model));
+  takeGrid(settings, *filter, chain, result);
   if (settings.measure_speedup)
     result.speedup = chain.measureSpeedup();
   chain.reconstruct(result.model.mesh.polygons);
   result.start = start->getReport();
   result.filter = filter->getReport();
   result.chain = chain.getReport();
+  if (result.has_grid_start) {
+    result.start = {};
+    result.start.points = result.chain.points - result.chain.skipped_points;
+    result.start.greedy_seconds = result.chain.start_seconds;
+  }
   result.labels = chain.getTriangleLabels();
   result.normals = chain.getNormals();
   result.sides = chain.getSideTally();
@@ -171,6 +227,27 @@ stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
 }
 
 void
+cleanInput(const ReconstructSettings& settings,
+           ProgressBar& bar,
+           ReconstructResult& result)
+{
+  Stopwatch watch;
+  result.cleaning = cleanCloud(
+      settings.cleaning,
+      settings.threads,
+      [&](double share) { return bar.show("cleaning", share); },
+      result.model);
+  if (result.cleaning->output_points == 0)
+    result.model.warnings.push_back(
+        "the cloud has too few points to be cleaned; it was taken as it is");
+  if (result.cleaning->in_two_sheets > 0)
+    result.model.warnings.push_back(
+        pluralIs(result.cleaning->in_two_sheets, "point") +
+        " part of two sheets closer than the radius of --clean and not smoothed");
+  result.stages.emplace_back("cleaning", watch.lap());
+}
+
+void
 runReconstruction(const ReconstructSettings& settings,
                   const pcl::ccaa::ProgressCallback& progress,
                   ReconstructResult& result)
@@ -184,7 +261,8 @@ runReconstruction(const ReconstructSettings& settings,
     reconstruct<pcl::PointXYZ>(settings, progress, result);
   if (!result.chain.cancelled && result.chain.points == 0)
     throw Failure("the reconstruction failed, perhaps for lack of memory");
-  result.stages = stageTimes(settings, result);
+  const StageTimes stages = stageTimes(settings, result);
+  result.stages.insert(result.stages.end(), stages.begin(), stages.end());
   noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
 }
 

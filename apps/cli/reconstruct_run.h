@@ -10,6 +10,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "clean/clean_cloud.h"
 #include "file_names.h"
 #include "io/model.h"
 #include "mesh/surface_topology.h"
@@ -32,8 +33,11 @@ constexpr std::uint64_t LEAST_TILE_POINTS = 1000;
 struct ReconstructSettings {
   FileNames files;
   bool merge = false; // all inputs are one cloud
+  bool clean = false; // before anything else
+  CleanParameters cleaning;
   bool dry_run = false;
   std::string until = "base";
+  std::string start = "auto"; // greedy, grid
   std::string search = "fast";
   unsigned int threads = 0;
   unsigned int neighbors = pcl::ccaa::GreedyParameters().neighbors;
@@ -80,10 +84,12 @@ struct ReconstructSettings {
 /** \brief What a run made, and what is to be told about it. */
 struct ReconstructResult {
   Model model; // cloud with all fields, polygons of the last stage
+  std::optional<CleanReport> cleaning; // what became of the cloud that was read
   StageTimes stages;
   std::size_t memory_before = 0; // bytes, cloud loaded
   pcl::ccaa::GreedyReport start;
-  pcl::UmbrellaReport filter; // of the last stage that is there
+  bool has_grid_start = false; // instead of the greedy one
+  pcl::UmbrellaReport filter;  // of the last stage that is there
   pcl::ConsecutiveReport chain;
   pcl::ccaa::SideTally sides; // what told the outer side
   std::optional<pcl::SpeedupReport> speedup;
@@ -96,6 +102,13 @@ struct ReconstructResult {
 /** \brief Seconds of each stage that was run, as they add up to the whole. */
 StageTimes
 stageTimes(const ReconstructSettings& settings, const ReconstructResult& result);
+
+/** \brief Make one even layer of the cloud of \a result. Warns of what was left undone.
+ */
+void
+cleanInput(const ReconstructSettings& settings,
+           ProgressBar& bar,
+           ReconstructResult& result);
 
 /** \brief Mesh the cloud of \a result; its fields stay byte for byte. Fails when the
  * run could not be finished; after a signal the result is of no use. */

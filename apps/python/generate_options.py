@@ -16,6 +16,7 @@ from pathlib import Path
 
 # Of each Python function: the C++ variable, and the class or struct that it is.
 FUNCTIONS = {
+    "clean": [("parameters", "app::CleanParameters")],
     "reconstruct": [("start", "pcl::ccaa::GreedyParameters"), ("filter", "pcl::UmbrellaFilter"),
                     ("base", "pcl::ccaa::CompletionParameters")],
     "umbrella_filter": [("filter", "pcl::UmbrellaFilter")],

@@ -77,6 +77,27 @@ normalsToArray(const pcl::PointCloud<pcl::Normal>::Ptr& normals)
   return std::move(array);
 }
 
+/** \brief (cloud, report); the cloud that was given is empty then. */
+py::tuple
+clean(const CloudPtr& cloud, const py::dict& arguments, const py::dict& options)
+{
+  const Request request{arguments, options};
+  Call call = request.call();
+  CleanParameters parameters;
+  take(options, parameters);
+  Model model;
+  model.mesh.cloud = std::move(*cloud);
+  model.shift = pcl::GlobalShift::of(model.mesh.cloud);
+  CleanReport report;
+  call.run([&] {
+    const auto callback = call.callback();
+    const auto goes_on = [&](double share) { return callback("cleaning", share); };
+    report = cleanCloud(parameters, request.threads(), goes_on, model);
+  });
+  *cloud = std::move(model.mesh.cloud);
+  return py::make_tuple(cloud, describeCleaning(report).dump());
+}
+
 /** \brief (triangles, labels, normals or None, report) */
 py::tuple
 reconstruct(const CloudPtr& cloud, const py::dict& arguments, const py::dict& options)
@@ -268,6 +289,7 @@ PYBIND11_MODULE(_core, module)
     }
   });
   module.def("defaults", &defaults);
+  module.def("clean", &clean);
   module.def("reconstruct", &reconstruct);
   module.def("repair", &repair);
   module.def("propose_decisions", &proposeDecisions);

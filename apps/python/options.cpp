@@ -125,6 +125,12 @@ setter(const py::dict& given)
 } // namespace
 
 void
+take(const py::dict& given, CleanParameters& parameters)
+{
+  visitCleanOptions(parameters, setter(given));
+}
+
+void
 take(const py::dict& given, ReconstructOptions& options)
 {
   visitReconstructOptions(options.start, options.filter, options.base, setter(given));
@@ -181,6 +187,9 @@ defaults()
   const auto store = [&](const char* function) {
     all[function] = std::exchange(of_function, py::dict());
   };
+  CleanParameters cleaning;
+  visitCleanOptions(cleaning, collect);
+  store("clean");
   ReconstructOptions chain;
   visitReconstructOptions(chain.start, chain.filter, chain.base, collect);
   store("reconstruct");

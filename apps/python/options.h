@@ -9,6 +9,7 @@
 #include <pcl/surface_repair/boundary_classifier.h>
 #include <pcl/surface_repair/repair_parameters.h>
 
+#include "clean/clean_cloud.h"
 #include <pybind11/pybind11.h>
 
 namespace app {
@@ -29,6 +30,8 @@ struct ReconstructOptions {
 /** \brief Set the options that a dictionary names.
  * Throws TypeError for a value of another kind, ValueError for a word that is none or a
  * number that is not finite. Names have been looked at. */
+void
+take(const pybind11::dict& given, CleanParameters& parameters);
 void
 take(const pybind11::dict& given, ReconstructOptions& options);
 void

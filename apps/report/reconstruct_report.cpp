@@ -134,6 +134,38 @@ describeFilter(const pcl::UmbrellaReport& filter)
 }
 
 json
+describeCleaning(const CleanReport& cleaning)
+{
+  return {{"input_points", cleaning.input_points},
+          {"skipped_points", cleaning.skipped_points},
+          {"grid_points", cleaning.grid_points},
+          {"outliers", cleaning.outliers},
+          {"in_two_sheets", cleaning.in_two_sheets},
+          {"output_points", cleaning.output_points},
+          {"spacing", cleaning.spacing},
+          {"radius", cleaning.radius},
+          {"moved", cleaning.moved},
+          {"moved_most", cleaning.moved_most}};
+}
+
+std::string
+tellCleaning(const CleanReport& cleaning)
+{
+  if (cleaning.output_points == 0)
+    return "cleaning: nothing done";
+  return "cleaning: " + plural(cleaning.input_points, "point") + ", " +
+         std::to_string(cleaning.grid_points) + " after the grid, " +
+         plural(cleaning.outliers, "outlier") +
+         formatted(" away, the others moved by %.3g (at most %.3g) onto patches of "
+                   "radius %.3g; ",
+                   cleaning.moved,
+                   cleaning.moved_most,
+                   cleaning.radius) +
+         plural(cleaning.output_points, "point") +
+         formatted(" left, at least %.3g apart", cleaning.spacing);
+}
+
+json
 describeRun(const ReconstructSettings& settings,
             const ReconstructResult& result,
             const Warnings& warnings)
@@ -165,6 +197,7 @@ describeRun(const ReconstructSettings& settings,
       {"peak_memory_bytes", peak},
       {"peak_bytes_per_point", shareOf(added, points)},
       {"threads", pcl::ccaa::resolveThreads(settings.threads)},
+      {"start", result.has_grid_start ? "grid" : "greedy"},
       {"search", settings.search},
       {"parameters",
        {{"neighbors", settings.neighbors},
@@ -174,6 +207,8 @@ describeRun(const ReconstructSettings& settings,
         {"plain", settings.plain},
         {"min_region", settings.minimum_internal_points}}},
       {"warnings", warnings}};
+  if (result.cleaning)
+    report["cleaning"] = describeCleaning(*result.cleaning);
   describeLaterStages(settings, result, report);
   return report;
 }
@@ -231,6 +266,8 @@ summarizeRun(const ReconstructSettings& settings, const ReconstructResult& resul
   if (result.topology)
     line += ", " + plural(result.topology->boundary_loops, "boundary loop") + ", " +
             summarizeTopology(*result.topology);
+  if (result.has_grid_start)
+    line += ", begun with the grid of the cloud";
   if (const std::string sides = describe(result.sides); !sides.empty())
     line += "; outer side by " + sides;
   std::string stages;

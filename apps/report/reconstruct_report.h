@@ -11,11 +11,19 @@ namespace app {
 nlohmann::json
 describeFilter(const pcl::UmbrellaReport& filter);
 
+/** \brief What cleaning has made of a cloud. */
+nlohmann::json
+describeCleaning(const CleanReport& cleaning);
+
 /** \brief The JSON report; its keys are explained in doc/apps.md. */
 nlohmann::json
 describeRun(const ReconstructSettings& settings,
             const ReconstructResult& result,
             const Warnings& warnings);
+
+/** \brief What cleaning has made of a cloud, in a sentence. */
+std::string
+tellCleaning(const CleanReport& cleaning);
 
 /** \brief What was read, and what a run would go by. */
 nlohmann::json

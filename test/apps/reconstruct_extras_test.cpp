@@ -9,6 +9,7 @@
 #include "support/shared_data.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -167,6 +168,49 @@ TEST_F(ReconstructApp, CountsTheBoundaryLoopsThatAreLeft)
   const auto facts = nlohmann::json::parse(readFile(folder_.path("quality.json")));
   EXPECT_GT(report().at("boundary_loops"), 1);
   EXPECT_EQ(facts.at("boundary_loops").size(), report().at("boundary_loops"));
+}
+
+/** A frame of 120 by 90 rays to a tilted wall, whose depths have steps; the sensor is
+ * the origin. */
+std::string
+steppedFrame(double step)
+{
+  std::string text = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 120\nHEIGHT 90\n"
+                     "VIEWPOINT 0 0 0 1 0 0 0\nDATA ascii\n";
+  for (int row = 0; row < 90; ++row)
+    for (int column = 0; column < 120; ++column) {
+      const double x = 0.009 * (column - 60), y = 0.009 * (row - 45);
+      const double depth = step * std::round(2.0 / (1.0 - 0.8 * y - 0.2 * x) / step);
+      text += std::to_string(x * depth) + " " + std::to_string(y * depth) + " " +
+              (row == 40 && column < 50 ? "nan" : std::to_string(depth)) + "\n";
+    }
+  return text;
+}
+
+TEST_F(ReconstructApp, BeginsWithTheGridWhereDepthHasCoarseSteps)
+{
+  writeFile(folder_.path("in.pcd"), steppedFrame(0.06));
+  const std::vector<std::string> options{"--report", folder_.path("report.json")};
+  ASSERT_TRUE(hasMeshed(reconstruct("in.pcd", "out.ply", options)));
+  EXPECT_EQ("grid", report().at("start"));
+  EXPECT_EQ(1, report().at("pieces"));
+  EXPECT_EQ(120 * 90 - 50, report().at("usable_points"));
+}
+
+TEST_F(ReconstructApp, BeginsGreedilyWhereTheGridIsNoBetter)
+{
+  writeFile(folder_.path("in.pcd"), steppedFrame(1e-5));
+  const std::vector<std::string> options{"--report", folder_.path("report.json")};
+  ASSERT_TRUE(hasMeshed(reconstruct("in.pcd", "out.ply", options)));
+  EXPECT_EQ("greedy", report().at("start"));
+}
+
+TEST_F(ReconstructApp, RefusesTheGridOfACloudThatHasNone)
+{
+  save(folder_.path("in.pcd"), colouredCloud(500));
+  const RunResult result = reconstruct("in.pcd", "out.ply", {"--start", "grid"});
+  EXPECT_EQ(1, result.exit_code);
+  EXPECT_NE(std::string::npos, result.errors.find("--start grid needs an organised"));
 }
 
 } // namespace

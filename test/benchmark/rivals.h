@@ -24,6 +24,16 @@ hasAdvancingFront();
 Reconstruction
 advancingFront(const Cloud& cloud);
 
+/** \brief The same for hasAdvancingFront(). */
+bool
+hasScaleSpace();
+
+/** \brief CGAL's scale space reconstruction: four steps of smoothing, then triangles
+ * that a ball touches from outside (alpha shape), on the points as they were; all
+ * defaults. No triangles without CGAL. */
+Reconstruction
+scaleSpace(const Cloud& cloud);
+
 /** \brief Whether this program was built with Open3D. */
 bool
 hasBallPivoting();

@@ -63,7 +63,7 @@ def other_than(value):
 @pytest.mark.parametrize("function", _core.defaults())
 def test_every_option_is_taken_by_its_function(function):
     mesh = psr.reconstruct(sphere(400))
-    given = mesh.points if function == "reconstruct" else mesh
+    given = mesh.points if function in ("clean", "reconstruct") else mesh
     for name, (value, about) in psr.options(function).items():
         assert about, f"{function}: {name} has no description"
         getattr(psr, function)(given, **{name: other_than(value)})

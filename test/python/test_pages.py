@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Part of PclSurfaceRepair: the Python of pages and examples runs.
+import json
 import re
 import subprocess
 import sys
@@ -36,3 +37,18 @@ def test_examples_say_what_they_did(scan, example, argument, line):
     done = subprocess.run([sys.executable, DOC / "examples" / f"{example}.py", scan, argument],
                           capture_output=True, text=True)
     assert done.returncode == 0 and line in done.stdout, done
+
+
+def test_the_notebook_is_that_of_the_page():
+    subprocess.run([sys.executable, DOC.parent / "scripts" / "make_notebook.py", "--check"], check=True)
+
+
+def test_the_cells_of_the_notebook_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MPLBACKEND", "agg")
+    notebook = json.loads((DOC / "examples" / "python.ipynb").read_text())
+    names = {}
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            exec("".join(cell["source"]), names)
+    assert names["report"].complete

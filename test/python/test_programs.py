@@ -33,6 +33,16 @@ def test_reconstruct_gives_what_the_program_gives(tmp_path, name, until):
     assert_same(psr.reconstruct(CLOUDS[name], until=until), tmp_path / "mesh.ply")
 
 
+def test_clean_gives_what_the_program_gives(tmp_path):
+    cloud = sphere(9000) + np.random.default_rng(3).normal(0, 0.01, (8775, 3)).astype(np.float32)
+    file = write_ply(tmp_path / "cloud.ply", cloud, normals=normals_of(cloud))
+    run("pcl_ccaa_reconstruct", file, tmp_path / "mesh.ply", "--clean", "--labels", "--report",
+        tmp_path / "report.json")
+    clean, report = psr.clean(cloud, normals_of(cloud))
+    assert report == json.loads((tmp_path / "report.json").read_text())["cleaning"]
+    assert_same(psr.reconstruct(clean), tmp_path / "mesh.ply")
+
+
 def test_reconstruct_asks_normals_as_the_program_does(tmp_path):
     cloud = sphere()
     inward = -normals_of(cloud)

@@ -98,4 +98,27 @@ test_other_meshes() {
   has gp3.ply '"non_manifold_edges": 0' '"consistently_wound": true'
 }
 
+# make_frame POINTS FILE.pcd
+make_frame() {
+  make_cloud "$1" cloud.obj
+  awk -v points="$1" 'BEGIN { print "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1"
+      print "WIDTH", points "\nHEIGHT 1\nPOINTS", points "\nDATA ascii" }
+    /^v / { print $2, $3, $4 }' cloud.obj >"$2"
+}
+
+test_streaming_node() {
+  exits_with 1 streaming_node
+  exits_with 1 streaming_node missing.pcd -o out.ply
+  make_frame 3000 first.pcd
+  make_frame 4000 last.pcd
+  # Time enough: a mesh for each.
+  exits_with 0 streaming_node first.pcd last.pcd -period 5000 -o mesh.ply >slow.txt
+  expect "a mesh for each cloud" [ "$(grep -c '^cloud' slow.txt)" = 2 ]
+  # No time: the last one always gets its mesh, and it is the same.
+  exits_with 0 streaming_node first.pcd first.pcd first.pcd last.pcd -period 0 -o fast.ply >fast.txt
+  expect "the last cloud's mesh" grep -q '^cloud 4:' fast.txt
+  expect "the same mesh" cmp mesh.ply fast.ply
+  has fast.ply '"closed": true' '"vertices": 4000'
+}
+
 "test_$1"

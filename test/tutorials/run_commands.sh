@@ -10,6 +10,11 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tutorial=$(realpath "$1")
 PATH=$(realpath "$2"):$PATH
 
+# A page names the programs of others that it needs; without them it is skipped.
+for needed in $(sed -n 's/^<!-- needs: \(.*\) -->$/\1/p' "$tutorial"); do
+  command -v "$needed" >/dev/null || { echo "no $needed"; exit 77; }
+done
+
 rm -rf "$3"
 mkdir -p "$3"
 cd "$3"

@@ -43,11 +43,11 @@ from ._mesh import Mesh, PointLayout, Report, as_triples
 if TYPE_CHECKING:
     from typing import Unpack
 
-    from ._options import (ClassifyBoundariesOptions, ReconstructOptions, RepairOptions,
-                           UmbrellaFilterOptions)
+    from ._options import (ClassifyBoundariesOptions, CleanOptions, ReconstructOptions,
+                           RepairOptions, UmbrellaFilterOptions)
 
 __all__ = ["Boundary", "Cancelled", "Mesh", "Report", "__version__", "classify_boundaries",
-           "mesh_quality", "options", "propose_decisions", "reconstruct", "repair",
+           "clean", "mesh_quality", "options", "propose_decisions", "reconstruct", "repair",
            "umbrella_filter"]
 
 Tell = Callable[[str, float], bool | None]
@@ -111,6 +111,16 @@ def _cloud(points: NDArray, attributes: dict[str, NDArray]) -> tuple[_core.Cloud
     return layout.pack(), layout
 
 
+def _points(points: ArrayLike | Mesh, normals: ArrayLike | None, colors: ArrayLike | None,
+            viewpoints: ArrayLike | None, attributes: dict[str, ArrayLike] | None) -> Mesh:
+    """A cloud of its own, with all that belongs to it."""
+    given = points if isinstance(points, Mesh) else Mesh(points)
+    told = {"normals": normals, "colors": colors, "viewpoints": viewpoints}
+    return Mesh(given.points, attributes={
+        **given.attributes, **{name: values for name, values in told.items() if values is not None},
+        **(attributes or {})})
+
+
 def _free(points: ArrayLike | Mesh | None) -> _core.Cloud | None:
     if points is None:
         return None
@@ -132,7 +142,27 @@ def _report(text: str) -> Any:
     return json.loads(text, object_hook=Report)
 
 
-def reconstruct(points: ArrayLike, normals: ArrayLike | None = None,
+def clean(points: ArrayLike | Mesh, normals: ArrayLike | None = None,
+          colors: ArrayLike | None = None, threads: int = 0, progress: Progress = None, *,
+          viewpoints: ArrayLike | None = None, attributes: dict[str, ArrayLike] | None = None,
+          **options: Unpack[CleanOptions]) -> tuple[Mesh, Report]:
+    """Make one even layer of points of scans that overlap and disagree.
+
+    Arguments as for reconstruct(). Gives a Mesh without triangles, for reconstruct(), and a report:
+    how many points were `outliers`, how far apart they are now (`spacing`), how far they were
+    `moved` by patches of which `radius`. Numbers with a fraction, normals and colours of a point are
+    mixed from those it is made of; whole numbers and viewpoints are those of the nearest. Fewer than
+    24 points stay as they are. Cost: about 10 us a point.
+    """
+    given = _points(points, normals, colors, viewpoints, attributes)
+    cloud, layout = _cloud(given.points, given.attributes)
+    cloud, text = _core.clean(cloud, _run(threads, progress), _check("clean", dict(options)))
+    arrays = layout.unpack(cloud)
+    report = _report(text)
+    return Mesh(arrays.pop("points"), None, arrays, None, report), report
+
+
+def reconstruct(points: ArrayLike | Mesh, normals: ArrayLike | None = None,
                 colors: ArrayLike | None = None, viewpoint: Place = None, threads: int = 0,
                 progress: Progress = None, *, viewpoints: ArrayLike | None = None,
                 attributes: dict[str, ArrayLike] | None = None, up: Place = None,
@@ -140,7 +170,8 @@ def reconstruct(points: ArrayLike, normals: ArrayLike | None = None,
                 compute_normals: bool = False, **options: Unpack[ReconstructOptions]) -> Mesh:
     """Connect the points of a cloud with triangles; needs neither normals nor options.
 
-    points           (N, 3) float32 or float64, in any unit; map coordinates need float64
+    points           (N, 3) float32 or float64, in any unit; map coordinates need float64; or a
+                     Mesh, whose attributes are taken as well
     normals          (N, 3), outward, of any length, NaN where unknown; they tell the outer side
     colors           (N, 3) or (N, 4) uint8; kept
     viewpoints       (N, 3) where the sensor of each point stood
@@ -154,8 +185,7 @@ def reconstruct(points: ArrayLike, normals: ArrayLike | None = None,
     """
     if until not in ("start", "filter", "base"):
         raise ValueError(f"until must be 'start', 'filter' or 'base', not {until!r}")
-    mesh = Mesh(points, attributes={"normals": normals, "colors": colors,
-                                    "viewpoints": viewpoints, **(attributes or {})})
+    mesh = _points(points, normals, colors, viewpoints, attributes)
     told = {name: np.asarray(mesh.attributes[name], np.float32)
             for name in ("normals", "viewpoints") if name in mesh.attributes}
     if "normals" in told:
@@ -274,7 +304,7 @@ def mesh_quality(mesh: Any, *, self_intersections: bool = True, threads: int = 0
 
 def _list_options() -> None:
     """Put the options into the docstrings, with the C++ headers' words."""
-    for name, function in (("reconstruct", reconstruct), ("repair", repair),
+    for name, function in (("clean", clean), ("reconstruct", reconstruct), ("repair", repair),
                            ("umbrella_filter", umbrella_filter),
                            ("classify_boundaries", classify_boundaries)):
         lines = (f"    {option} = {value!r}: {about}"

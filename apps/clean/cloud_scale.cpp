@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how dense a cloud is, and from how far it is a surface.
+#include "cloud_scale.h"
+
+#include <pcl/common/centroid.h>
+#include <pcl/surface_ccaa/block_search.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr std::size_t SAMPLES = 1000;
+constexpr int SPACING_NEIGHBORS = 6;
+constexpr int FEWEST_NEIGHBORS = 12;
+constexpr int MOST_NEIGHBORS = 3072;
+/** Deviation across the surface over the lesser one along it; a ball has 1. */
+constexpr double FLAT = 0.25;
+
+/** The neighbours of some points of a cloud. */
+class Sample {
+public:
+  explicit Sample(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points)
+  : points_(points), step_((points->size() + SAMPLES - 1) / SAMPLES)
+  {
+    search_.setInputCloud(points);
+  }
+
+  /** The median over the sample of what \a measure says of the \a count nearest and
+   * their squared distances. */
+  template <typename Measure>
+  double
+  median(int count, const Measure& measure) const
+  {
+    std::vector<double> values;
+    pcl::Indices near;
+    std::vector<float> sqr_distances;
+    for (std::size_t i = 0; i < points_->size(); i += step_) {
+      search_.nearestKSearch((*points_)[i], count, near, sqr_distances);
+      values.push_back(measure(near, sqr_distances));
+    }
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
+  double
+  thickness(const pcl::Indices& near) const
+  {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    Eigen::Vector4d center;
+    pcl::computeMeanAndCovarianceMatrix(*points_, near, covariance, center);
+    const Eigen::Vector3d spreads = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+                                        covariance, Eigen::EigenvaluesOnly)
+                                        .eigenvalues()
+                                        .cwiseMax(0.0)
+                                        .cwiseSqrt();
+    return spreads[1] > 0 ? spreads[0] / spreads[1] : 0.0;
+  }
+
+private:
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points_;
+  std::size_t step_;
+  pcl::search::BlockSearch<pcl::PointXYZ> search_;
+};
+
+} // namespace
+
+CloudScale
+measureScale(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points)
+{
+  const Sample sample(points);
+  CloudScale scale;
+  // The point itself is the nearest, at distance 0.
+  scale.spacing = sample.median(
+      SPACING_NEIGHBORS + 1, [](const pcl::Indices&, const std::vector<float>& found) {
+        double sum = 0;
+        for (const float sqr_distance : found)
+          sum += sqr_distance;
+        return std::sqrt(sum / SPACING_NEIGHBORS);
+      });
+  const int most =
+      static_cast<int>(std::min<std::size_t>(MOST_NEIGHBORS, points->size() / 4));
+  for (int count = FEWEST_NEIGHBORS;; count *= 2) {
+    const bool is_last = 2 * count > most;
+    const auto thickness = [&](const pcl::Indices& near, const std::vector<float>&) {
+      return sample.thickness(near);
+    };
+    if (!is_last && sample.median(count, thickness) > FLAT)
+      continue;
+    scale.flat_radius =
+        sample.median(count, [](const pcl::Indices&, const std::vector<float>& found) {
+          return std::sqrt(double{found.back()});
+        });
+    return scale;
+  }
+}
+
+} // namespace app
