@@ -141,6 +141,8 @@ colorOf(pcl::OpenReason reason)
     return {255, 100, 90};
   case pcl::OpenReason::INTERSECTION:
     return {235, 0, 130};
+  case pcl::OpenReason::TOO_COSTLY:
+    return {250, 150, 0};
   case pcl::OpenReason::PIERCED:
     return {150, 0, 95};
   case pcl::OpenReason::NOT_WANTED:

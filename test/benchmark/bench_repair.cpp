@@ -35,6 +35,7 @@ constexpr const char* HELP =
     "  growth  time against the length of all boundaries\n"
     "  large   ten holes in 5 million triangles beside reading the adjacency\n"
     "  scans   range maps, scenes, rooms, terrain: one thread and two\n"
+    "  gaps    the longest time in which these cannot be cancelled\n"
     "  many    100 to 10 000 holes in 4 million triangles, one thread and two\n"
     "  long    one hole of up to 2 000 edges in 2 million triangles\n"
     "  sides   scenes from one side: what of them faces the sensor\n"
@@ -48,7 +49,7 @@ constexpr const char* HELP =
     "\n"
     "Real models are looked for in the folder named by PSR_SHARED_DATA.\n";
 
-const std::array<std::string, 15> PARTS = {"junctions",
+const std::array<std::string, 16> PARTS = {"junctions",
                                            "scans",
                                            "cases",
                                            "thesis",
@@ -57,6 +58,7 @@ const std::array<std::string, 15> PARTS = {"junctions",
                                            "curved",
                                            "growth",
                                            "large",
+                                           "gaps",
                                            "many",
                                            "long",
                                            "sides",
@@ -118,6 +120,8 @@ run(const std::string& part, const Settings& settings)
     bench::printLargeRepair(std::cout, settings.repeats);
   else if (part == "scans")
     bench::printScans(std::cout, settings.repeats);
+  else if (part == "gaps")
+    bench::printGaps(std::cout);
   else if (part == "many")
     bench::printManyHoles(std::cout, settings.repeats);
   else if (part == "long")

@@ -3,6 +3,7 @@
 #include "measuring.h"
 
 #include <malloc.h>
+#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -39,10 +40,24 @@ resetPeak()
 double
 secondsOf(const std::function<void()>& work)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = wallSeconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
+  return wallSeconds() - begin;
+}
+
+double
+wallSeconds()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+double
+ownSeconds()
+{
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double

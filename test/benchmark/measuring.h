@@ -14,6 +14,14 @@ namespace bench {
 double
 secondsOf(const std::function<void()>& work);
 
+/** \brief Seconds since some time in the past. */
+double
+wallSeconds();
+
+/** \brief Seconds of a processor that the calling thread has taken. Needs POSIX. */
+double
+ownSeconds();
+
 /** \brief The middle value, the upper one of two; 0 of none. */
 double
 median(std::vector<double> values);

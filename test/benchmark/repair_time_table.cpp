@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iomanip>
 #include <ostream>
 #include <stdexcept>
@@ -90,6 +91,41 @@ secondsToRepair(const pcl::PolygonMesh::ConstPtr& mesh,
     report = repair.getReport();
   }
   return median(seconds);
+}
+
+/** The longest time in which a repair has not asked whether it is to go on. */
+struct LongestGap {
+  double seconds = 0.0;
+  std::string stages; /**< before and after it */
+};
+
+/** \param[in] now seconds of some clock */
+LongestGap
+longestGap(const pcl::PolygonMesh::ConstPtr& mesh,
+           unsigned int threads,
+           const std::function<double()>& now)
+{
+  LongestGap longest;
+  std::string stage;
+  double last = now();
+  const auto note = [&](const std::string& next) {
+    const double seconds = now() - last;
+    if (seconds > longest.seconds)
+      longest = {seconds, stage == next ? stage : stage + " to " + next};
+    stage = next;
+    last = now();
+  };
+  pcl::ForceLineHoleRepair repair;
+  repair.setInputMesh(mesh);
+  repair.setNumberOfThreads(threads);
+  repair.setProgressCallback([&](const std::string& next, double) {
+    note(next);
+    return true;
+  });
+  pcl::PolygonMesh output;
+  repair.process(output);
+  note("end");
+  return longest;
 }
 
 /** One more row, with the exponent of time against what grows; the first has none. */
@@ -199,18 +235,25 @@ scanOf(const std::string& word)
   return mesh;
 }
 
-void
-printScans(std::ostream& out, std::size_t repeats)
+/** All that printScans() repairs. */
+std::vector<std::string>
+scans()
 {
   std::vector<std::string> words(RANGE_MAPS.begin(), RANGE_MAPS.end());
   for (const std::string& word : cloudList("scenes"))
     if (word.find("range_maps") == std::string::npos)
       words.push_back(word);
   words.insert(words.end(), {"aerial:1", "office:1"});
+  return words;
+}
+
+void
+printScans(std::ostream& out, std::size_t repeats)
+{
   out << "Repair of scans\n"
          "scan                          triangles   edges  closed    open"
          "  s, one thread  s, two threads  ratio\n";
-  for (const std::string& word : words)
+  for (const std::string& word : scans())
     try {
       const pcl::PolygonMesh::Ptr mesh = scanOf(word);
       pcl::RepairReport report;
@@ -226,6 +269,32 @@ printScans(std::ostream& out, std::size_t repeats)
           << std::setw(8) << report.holes.size() - open << std::setw(8) << open
           << std::fixed << std::setprecision(2) << std::setw(15) << one << std::setw(16)
           << two << std::setw(7) << one / two << std::endl;
+    }
+    catch (const std::runtime_error& problem) {
+      out << problem.what() << "\n";
+    }
+}
+
+void
+printGaps(std::ostream& out)
+{
+  out << "Longest time between two calls of the progress callback, ms\n"
+         "scan                          threads      ms  in\n";
+  const auto print = [&](const std::string& name, const pcl::PolygonMesh::Ptr& mesh) {
+    for (const unsigned int threads : {1U, 2U}) {
+      const LongestGap gap =
+          longestGap(mesh, threads, threads == 1 ? ownSeconds : wallSeconds);
+      out << std::left << std::setw(28) << name << std::right << std::setw(9) << threads
+          << std::fixed << std::setprecision(0) << std::setw(8) << 1e3 * gap.seconds
+          << "  " << gap.stages << std::endl;
+    }
+  };
+  print("one hole, 2 M triangles", meshOf(torusWithHoles(1000, 1000, 1, 1, 294.0)));
+  print("10 000 holes, 4 M triangles",
+        meshOf(torusWithHoles(2000, 1000, 100, 100, 3.2)));
+  for (const std::string& word : scans())
+    try {
+      print(shortName(word), scanOf(word));
     }
     catch (const std::runtime_error& problem) {
       out << problem.what() << "\n";

@@ -25,6 +25,11 @@ printLargeRepair(std::ostream& out, std::size_t repeats);
 void
 printScans(std::ostream& out, std::size_t repeats);
 
+/** \brief The longest time in which a repair cannot be cancelled: scans and generated
+ * holes, in one thread and in two. */
+void
+printGaps(std::ostream& out);
+
 /** \brief 100 to 10 000 holes, in one thread and in two. */
 void
 printManyHoles(std::ostream& out, std::size_t repeats);

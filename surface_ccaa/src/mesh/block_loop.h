@@ -6,7 +6,10 @@
 #include "run/threads.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
+#include <thread>
 #include <vector>
 
 namespace pcl {
@@ -37,6 +40,22 @@ struct LoopContext {
   }
 };
 
+/** \brief Wait until other threads have done what is left, and ask meanwhile whether
+ * the run goes on. */
+inline void
+waitForOthers(const std::atomic<std::ptrdiff_t>& left, RunControl& control)
+{
+  constexpr int yields = 64, naps_a_question = 64;
+  for (int round = 0; left.load(std::memory_order_acquire) > 0; ++round)
+    if (round < yields)
+      std::this_thread::yield();
+    else {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      if (round % naps_a_question == 0)
+        control.askAgain();
+    }
+}
+
 /** \brief Call body(block, begin, end) for all blocks of [0, count). Blocks run in any
  * order, so they must not depend on each other; after cancelling the rest is left out.
  * \return false when cancelled */
@@ -45,17 +64,25 @@ bool
 forEachBlock(std::size_t count, const LoopContext& context, const Body& body)
 {
   const auto blocks = static_cast<std::ptrdiff_t>(context.blockCount(count));
-#pragma omp parallel for schedule(dynamic)                                             \
-    num_threads(context.threads) if (context.threads > 1 && blocks > 1)
-  for (std::ptrdiff_t i = 0; i < blocks; ++i) {
-    if (context.cancelled())
-      continue;
+  std::atomic<std::ptrdiff_t> left{blocks};
+  const auto doBlock = [&](std::ptrdiff_t i) {
     const auto block = static_cast<std::size_t>(i);
     const std::size_t begin = block * context.block_size;
     body(block, begin, std::min(begin + context.block_size, count));
     if (context.control != nullptr && threadIndex() == 0)
       context.control->report(context.stage,
                               static_cast<double>(i + 1) / static_cast<double>(blocks));
+  };
+#pragma omp parallel num_threads(context.threads) if (context.threads > 1 && blocks > 1)
+  {
+#pragma omp for schedule(dynamic) nowait
+    for (std::ptrdiff_t i = 0; i < blocks; ++i) {
+      if (!context.cancelled())
+        doBlock(i);
+      left.fetch_sub(1, std::memory_order_release);
+    }
+    if (context.control != nullptr && threadIndex() == 0)
+      waitForOthers(left, *context.control);
   }
   return !context.cancelled();
 }

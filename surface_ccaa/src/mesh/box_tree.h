@@ -70,6 +70,15 @@ public:
       descend(levels_.size() - 1, 0, query, visit);
   }
 
+  /** \brief Whether test(index) holds for a box that meets the query; the others are
+   * not asked any more. */
+  template <typename Test>
+  bool
+  anyMeeting(const Box& query, const Test& test) const
+  {
+    return !levels_.empty() && search(levels_.size() - 1, 0, query, test);
+  }
+
   /** \brief Call visit(index) for boxes that are no further from the query than a
    * squared distance, the near ones first; what visit returns holds from then on. Some
    * that are further by rounding are visited, too. */
@@ -112,6 +121,19 @@ private:
         squared = ROUNDING * visit(items_[children[k].second]);
       else
         approach(level - 1, children[k].second, query, squared, visit);
+  }
+
+  template <typename Test>
+  bool
+  search(std::size_t level, std::size_t node, const Box& query, const Test& test) const
+  {
+    const std::size_t begin = node * FAN_OUT;
+    const std::size_t end = std::min(begin + FAN_OUT, levels_[level].size());
+    for (std::size_t i = begin; i < end; ++i)
+      if (levels_[level][i].intersects(query) &&
+          (level == 0 ? test(items_[i]) : search(level - 1, i, query, test)))
+        return true;
+    return false;
   }
 
   template <typename Visit>

@@ -7,10 +7,18 @@
 #include "mesh/triangle_checks.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace pcl {
 namespace ccaa {
 namespace {
+
+/** Operations of a search in the tree, of a test of two triangles, and so many that are
+ * told together. */
+constexpr std::uint64_t SEARCH_WORK = 50;
+constexpr std::uint64_t TEST_WORK = 5;
+constexpr std::uint64_t MOST_UNTOLD = 10000;
 
 bool
 isTestable(const Triangle& triangle, const PointView& positions)
@@ -55,18 +63,24 @@ findSelfIntersections(const Triangles& triangles,
   context.block_size = 1024;
   std::vector<std::vector<TrianglePair>> found(context.blockCount(tree.size()));
   const auto searchBlock = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    std::uint64_t work = 0;
     for (std::size_t i = begin; i < end; ++i) {
+      if (work > MOST_UNTOLD && !control.spend(std::exchange(work, 0)))
+        return;
+      work += SEARCH_WORK;
       const pcl::index_t own = tree.order()[i];
       const auto index = static_cast<std::size_t>(own);
       const Corners corners = cornersOf(triangles[index], positions);
       tree.forEachMeeting(boxes[index], [&](pcl::index_t other) {
         if (other <= own)
           return;
+        work += TEST_WORK;
         const Triangle& second = triangles[static_cast<std::size_t>(other)];
         if (trianglesMeet(corners, cornersOf(second, positions)))
           found[block].emplace_back(own, other);
       });
     }
+    control.spend(work);
   };
   if (!control.report("self-intersections", 0.0) ||
       !forEachBlock(tree.size(), context, searchBlock)) {

@@ -19,6 +19,9 @@ namespace {
 constexpr double DELAUNAY_SLACK = 1e-6; /**< in cotangents: cocircular corners stay */
 constexpr double LARGEST_FOLD = 0.5;    /**< cosine between the normals of a new pair */
 constexpr std::size_t FLIPS_AN_EDGE = 10;
+/** Operations for an edge that is looked at, and edges after which they are told. */
+constexpr std::size_t EDGE_WORK = 8;
+constexpr std::size_t EDGES_AT_ONCE = 4096;
 
 double
 cotangentAt(const Position& apex, const Position& a, const Position& b)
@@ -63,8 +66,15 @@ struct Corners4 {
 
 class Flipping {
 public:
-  Flipping(const Patch& patch, PatchEdges& edges, bool keeps_shape)
-  : patch_(patch), edges_(edges), keeps_shape_(keeps_shape), queued_(edges.count(), 1)
+  Flipping(const Patch& patch,
+           PatchEdges& edges,
+           bool keeps_shape,
+           ccaa::RunControl* control)
+  : patch_(patch)
+  , edges_(edges)
+  , keeps_shape_(keeps_shape)
+  , control_(control)
+  , queued_(edges.count(), 1)
   {
     for (std::size_t side = 0; side < edges.count(); ++side)
       queue_.push_back(side);
@@ -74,7 +84,10 @@ public:
   run()
   {
     std::size_t left = FLIPS_AN_EDGE * edges_.count();
-    while (!queue_.empty() && left > 0) {
+    for (std::size_t asked = 1; !queue_.empty() && left > 0; ++asked) {
+      if (asked % EDGES_AT_ONCE == 0 &&
+          !ccaa::spend(control_, EDGES_AT_ONCE * EDGE_WORK))
+        return;
       const std::size_t side = queue_.front();
       queue_.pop_front();
       queued_[side] = 0;
@@ -119,6 +132,7 @@ private:
   const Patch& patch_;
   PatchEdges& edges_;
   bool keeps_shape_;
+  ccaa::RunControl* control_;
   std::vector<char> queued_;
   std::deque<std::size_t> queue_;
 };
@@ -126,9 +140,12 @@ private:
 } // namespace
 
 void
-flipToDelaunay(const Patch& patch, PatchEdges& edges, bool keeps_shape)
+flipToDelaunay(const Patch& patch,
+               PatchEdges& edges,
+               bool keeps_shape,
+               ccaa::RunControl* control)
 {
-  Flipping(patch, edges, keeps_shape).run();
+  Flipping(patch, edges, keeps_shape, control).run();
 }
 
 } // namespace repair

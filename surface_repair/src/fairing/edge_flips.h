@@ -4,6 +4,7 @@
 #pragma once
 
 #include "fairing/patch_edges.h"
+#include "run/run_control.h"
 
 namespace pcl {
 namespace repair {
@@ -14,7 +15,10 @@ namespace repair {
  * Ends after at most ten flips an edge; ties by number.
  * \param[in] keeps_shape only edges between triangles of one plane */
 void
-flipToDelaunay(const Patch& patch, PatchEdges& edges, bool keeps_shape = false);
+flipToDelaunay(const Patch& patch,
+               PatchEdges& edges,
+               bool keeps_shape = false,
+               ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

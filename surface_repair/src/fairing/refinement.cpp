@@ -30,18 +30,22 @@ constexpr double FAR_TOO_LONG = 2.0;
 constexpr std::size_t FIRST_SWEEPS = 200;
 constexpr std::size_t SWEEPS_A_PASS = 4;
 constexpr std::size_t SPACING_PASSES = 5;
+/** Operations of a pass for each triangle, but for lengths, flips and spacing. */
+constexpr std::size_t PASS_WORK = 3;
 
 class Refinement {
 public:
   Refinement(const IncompleteModel& model,
              const RefinementParameters& parameters,
              Patch& patch,
-             bool keeps_shape)
+             bool keeps_shape,
+             ccaa::RunControl* control)
   : parameters_(parameters)
   , patch_(patch)
   , keeps_shape_(keeps_shape)
+  , control_(control)
   , edges_(model, patch)
-  , lengths_(sizingField(model, patch, FIRST_SWEEPS))
+  , lengths_(sizingField(model, patch, FIRST_SWEEPS, control))
   , given_(patch.positions.size())
   {}
 
@@ -49,26 +53,39 @@ public:
   run()
   {
     splitChords();
-    for (std::size_t pass = 0; pass < MOST_PASSES; ++pass) {
-      flipToDelaunay(patch_, edges_, keeps_shape_);
+    for (std::size_t pass = 0; pass < MOST_PASSES && spendPass(); ++pass) {
+      flip();
       const std::size_t before = patch_.positions.size();
       splitLongEdges();
       if (patch_.positions.size() == before)
         break;
-      interpolateLengths(patch_, SWEEPS_A_PASS, lengths_);
-      flipToDelaunay(patch_, edges_, keeps_shape_);
-      spaceVertices(given_, lengths_, patch_, keeps_shape_);
+      interpolateLengths(patch_, SWEEPS_A_PASS, lengths_, control_);
+      flip();
+      spaceVertices(given_, lengths_, patch_, keeps_shape_, control_);
       if (static_cast<double>(patch_.positions.size() - before) <
           LAST_SHARE * static_cast<double>(before))
         break;
     }
-    for (std::size_t pass = 0; pass < SPACING_PASSES && hasNewVertices(); ++pass) {
-      spaceVertices(given_, lengths_, patch_, keeps_shape_);
-      flipToDelaunay(patch_, edges_, keeps_shape_);
+    for (std::size_t pass = 0; pass < SPACING_PASSES && hasNewVertices() && spendPass();
+         ++pass) {
+      spaceVertices(given_, lengths_, patch_, keeps_shape_, control_);
+      flip();
     }
   }
 
 private:
+  bool
+  spendPass()
+  {
+    return ccaa::spend(control_, PASS_WORK * patch_.triangles.size());
+  }
+
+  void
+  flip()
+  {
+    flipToDelaunay(patch_, edges_, keeps_shape_, control_);
+  }
+
   bool
   hasNewVertices() const
   {
@@ -161,6 +178,7 @@ private:
   const RefinementParameters& parameters_;
   Patch& patch_;
   bool keeps_shape_;
+  ccaa::RunControl* control_;
   PatchEdges edges_;
   std::vector<double> lengths_;
   std::size_t given_; /**< vertices that were there before */
@@ -172,11 +190,12 @@ void
 refinePatch(const IncompleteModel& model,
             const RefinementParameters& parameters,
             Patch& patch,
-            bool keeps_shape)
+            bool keeps_shape,
+            ccaa::RunControl* control)
 {
   if (patch.triangles.empty() || patch.rim.empty())
     return;
-  Refinement(model, parameters, patch, keeps_shape).run();
+  Refinement(model, parameters, patch, keeps_shape, control).run();
 }
 
 } // namespace repair

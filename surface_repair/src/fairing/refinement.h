@@ -6,6 +6,7 @@
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "filling/patch.h"
+#include "run/run_control.h"
 
 namespace pcl {
 namespace repair {
@@ -19,12 +20,13 @@ namespace repair {
  * those that were there keep their numbers and places; a triangle keeps its hole (one
  * of a flipped pair, either of theirs).
  * \param[in] keeps_shape the surface stays the same set of points: what is free of
- * others stays free */
+ * others stays free \param[in] control once it says stop the patch is worth nothing */
 void
 refinePatch(const IncompleteModel& model,
             const RefinementParameters& parameters,
             Patch& patch,
-            bool keeps_shape = false);
+            bool keeps_shape = false,
+            ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

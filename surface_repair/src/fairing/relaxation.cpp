@@ -25,6 +25,8 @@ constexpr double LARGEST_GROWTH = 4.0;
 /** In mean edge lengths, mean square over the vertices: rounds that move less end it.
  */
 constexpr double SETTLED = 0.05;
+/** Operations of a round for each triangle, the factorisation of usual patches too. */
+constexpr std::size_t ROUND_WORK = 200;
 /** Rounds that are done in any case: the plate, and the first two with curvature. */
 constexpr std::size_t FEWEST_ROUNDS = 3;
 
@@ -100,7 +102,8 @@ RelaxationReport
 relaxPatch(const IncompleteModel& model,
            const Positions& free_points,
            const RelaxationParameters& parameters,
-           Patch& patch)
+           Patch& patch,
+           ccaa::RunControl* control)
 {
   RelaxationReport report;
   JoinedSurface surface = joinSurface(model, patch, RINGS);
@@ -111,6 +114,8 @@ relaxPatch(const IncompleteModel& model,
   FairingSolver solver;
   bool settled = false;
   for (std::size_t round = 0; round < parameters.rounds && !settled; ++round) {
+    if (!ccaa::spend(control, ROUND_WORK * surface.triangles.size()))
+      break;
     if (round > 0) { // the first surface is the thin plate, with normals to go on from
       task.curvatures = harmonicValues(surface, rim);
       task.pulls = pulls.attach(surface);

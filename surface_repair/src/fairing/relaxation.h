@@ -24,12 +24,15 @@ struct RelaxationReport {
  *
  * Nothing else changes. The same for any number of threads; cost n^1.5 in the number of
  * vertices. \param[in] free_points finite, near the patch or elsewhere; a single
- * outlier makes no spike */
+ * outlier makes no spike \param[in] control once it says stop the patch is worth
+ * nothing
+ */
 RelaxationReport
 relaxPatch(const IncompleteModel& model,
            const Positions& free_points,
            const RelaxationParameters& parameters,
-           Patch& patch);
+           Patch& patch,
+           ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

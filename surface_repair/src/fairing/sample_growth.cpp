@@ -28,6 +28,9 @@ constexpr std::size_t MOST_OPENED = 40;
 constexpr std::size_t MOST_FLIPS = 200;
 /** Of a length: what bends less by that is as good. */
 constexpr double LEAST_GAIN = 1e-9;
+/** Operations for a sample besides, and boxes that are looked at in one. */
+constexpr std::size_t TAKING_WORK = 5000;
+constexpr std::size_t BOXES_AT_ONCE = 4;
 
 /** What an edge between two triangles adds to the total absolute mean curvature. */
 double
@@ -43,10 +46,12 @@ class SampleGrowth {
 public:
   SampleGrowth(const IncompleteModel& model,
                const std::function<bool(const ccaa::Corners&)>& obstructed,
-               Patch& patch)
+               Patch& patch,
+               ccaa::RunControl* control)
   : points_(model.free_points)
   , obstructed_(obstructed)
   , patch_(patch)
+  , control_(control)
   , edges_(model, patch)
   {
     noteNew();
@@ -124,6 +129,7 @@ private:
   const Positions& points_;
   const std::function<bool(const ccaa::Corners&)>& obstructed_;
   Patch& patch_;
+  ccaa::RunControl* control_;
   PatchEdges edges_;
   std::vector<ccaa::Box> boxes_; /**< of the triangles */
   Directions normals_;           /**< of the triangles */
@@ -168,6 +174,8 @@ SampleGrowth::noteNew()
 bool
 SampleGrowth::take(std::size_t sample)
 {
+  if (!ccaa::spend(control_, TAKING_WORK + boxes_.size()))
+    return false;
   const Position& point = points_[sample];
   std::vector<Disc> discs;
   for (const std::size_t t : nearestTo(point)) {
@@ -385,6 +393,8 @@ SampleGrowth::hasRoom(std::size_t from,
   const ccaa::Corners corners = {at(from), at(to), apex};
   if (ccaa::isCollinear(corners))
     return false;
+  if (!ccaa::spend(control_, boxes_.size() / BOXES_AT_ONCE))
+    return false;
   const ccaa::Box box = ccaa::boxOf(corners);
   for (std::size_t t = 0; t < boxes_.size(); ++t)
     if (boxes_[t].intersects(box) &&
@@ -400,14 +410,15 @@ void
 growOver(const IncompleteModel& model,
          const std::vector<std::size_t>& samples,
          const std::function<bool(const ccaa::Corners&)>& obstructed,
-         Patch& patch)
+         Patch& patch,
+         ccaa::RunControl* control)
 {
   const std::size_t step = (samples.size() + MOST_SAMPLES - 1) / MOST_SAMPLES;
   std::vector<std::size_t> taken;
   for (std::size_t i = 0; i < samples.size(); i += step)
     taken.push_back(samples[i]);
   if (!patch.triangles.empty() && !taken.empty())
-    SampleGrowth(model, obstructed, patch).run(std::move(taken));
+    SampleGrowth(model, obstructed, patch, control).run(std::move(taken));
 }
 
 } // namespace repair

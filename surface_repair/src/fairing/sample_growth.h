@@ -5,6 +5,7 @@
 
 #include "filling/patch.h"
 #include "mesh/corners.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <functional>
@@ -23,12 +24,14 @@ namespace repair {
  * new triangle runs into the patch or what is obstructed; what finds no room is left
  * out. Cost: quadratic in the samples, some 0.1 us each pair; of more than 4000 only
  * every k-th is taken. \param[in] samples free points, those near the rim first; held
- * afterwards \param[in] obstructed whether a triangle runs into other surface */
+ * afterwards \param[in] obstructed whether a triangle runs into other surface
+ * \param[in] control once it says stop the patch is worth nothing */
 void
 growOver(const IncompleteModel& model,
          const std::vector<std::size_t>& samples,
          const std::function<bool(const ccaa::Corners&)>& obstructed,
-         Patch& patch);
+         Patch& patch,
+         ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

@@ -12,6 +12,9 @@ namespace repair {
 
 namespace {
 
+/** Operations of a sweep for each triangle. */
+constexpr std::size_t SWEEP_WORK = 3;
+
 /** Inner vertices take the mean of the logarithms around, weighted by 1 / length. */
 class LogarithmSweeps {
 public:
@@ -107,7 +110,10 @@ meanEdgeLength(const IncompleteModel& model, pcl::index_t vertex)
 }
 
 void
-interpolateLengths(const Patch& patch, std::size_t sweeps, std::vector<double>& lengths)
+interpolateLengths(const Patch& patch,
+                   std::size_t sweeps,
+                   std::vector<double>& lengths,
+                   ccaa::RunControl* control)
 {
   std::vector<double> logarithms(lengths.size());
   std::transform(lengths.begin(), lengths.end(), logarithms.begin(), [](double length) {
@@ -115,14 +121,18 @@ interpolateLengths(const Patch& patch, std::size_t sweeps, std::vector<double>& 
   });
   LogarithmSweeps averaging(patch, logarithms);
   for (std::size_t i = 0; i < sweeps; ++i)
-    if (averaging.sweep() < 1e-3)
+    if (averaging.sweep() < 1e-3 ||
+        !ccaa::spend(control, SWEEP_WORK * patch.triangles.size()))
       break;
   for (std::size_t v = patch.rim.size(); v < lengths.size(); ++v)
     lengths[v] = std::exp(logarithms[v]);
 }
 
 std::vector<double>
-sizingField(const IncompleteModel& model, const Patch& patch, std::size_t sweeps)
+sizingField(const IncompleteModel& model,
+            const Patch& patch,
+            std::size_t sweeps,
+            ccaa::RunControl* control)
 {
   std::vector<double> lengths(patch.positions.size(), 0.0);
   double logarithm = 0.0, count = 0.0;
@@ -140,7 +150,7 @@ sizingField(const IncompleteModel& model, const Patch& patch, std::size_t sweeps
       length = middle;
   if (count > 0.0) {
     lengths = smoothedAlongRim(patch, lengths);
-    interpolateLengths(patch, sweeps, lengths);
+    interpolateLengths(patch, sweeps, lengths, control);
   }
   return lengths;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "filling/patch.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <vector>
@@ -20,13 +21,18 @@ meanEdgeLength(const IncompleteModel& model, pcl::index_t vertex);
  * scans; within the patch the logarithm is harmonic over its edges. \param[in] sweeps
  * over the inner vertices, at least 1 */
 std::vector<double>
-sizingField(const IncompleteModel& model, const Patch& patch, std::size_t sweeps);
+sizingField(const IncompleteModel& model,
+            const Patch& patch,
+            std::size_t sweeps,
+            ccaa::RunControl* control = nullptr);
 
-/** \brief Average the inner vertices' logarithms over their neighbours once more. */
+/** \brief Average the inner vertices' logarithms over their neighbours once more.
+ * \param[in] control of the work, or null */
 void
 interpolateLengths(const Patch& patch,
                    std::size_t sweeps,
-                   std::vector<double>& lengths);
+                   std::vector<double>& lengths,
+                   ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

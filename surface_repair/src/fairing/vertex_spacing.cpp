@@ -17,6 +17,9 @@ namespace repair {
 namespace {
 
 constexpr double LEAST_TURN = 0.3; /**< cosine between a triangle's normals */
+/** Operations for a vertex, and vertices after which they are told. */
+constexpr std::size_t VERTEX_WORK = 30;
+constexpr std::size_t VERTICES_AT_ONCE = 4096;
 
 class Spacing {
 public:
@@ -107,11 +110,16 @@ void
 spaceVertices(std::size_t first,
               const std::vector<double>& lengths,
               Patch& patch,
-              bool keeps_shape)
+              bool keeps_shape,
+              ccaa::RunControl* control)
 {
   Spacing spacing(lengths, patch, keeps_shape);
-  for (std::size_t vertex = first; vertex < patch.positions.size(); ++vertex)
+  for (std::size_t vertex = first; vertex < patch.positions.size(); ++vertex) {
     spacing.moveVertex(vertex);
+    if (vertex % VERTICES_AT_ONCE == 0 &&
+        !ccaa::spend(control, VERTICES_AT_ONCE * VERTEX_WORK))
+      return;
+  }
 }
 
 } // namespace repair

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "filling/patch.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <vector>
@@ -25,7 +26,8 @@ void
 spaceVertices(std::size_t first,
               const std::vector<double>& lengths,
               Patch& patch,
-              bool keeps_shape = false);
+              bool keeps_shape = false,
+              ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

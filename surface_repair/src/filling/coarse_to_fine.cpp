@@ -104,7 +104,9 @@ triangulateCoarseToFine(const BoundaryCurve& polygon,
   const std::size_t n = polygon.size();
   if (areAllLookedAt(n))
     return {polygon, nullptr, weights, limits};
-  FillingLimits coarse;
+  FillingLimits unlimited;
+  unlimited.control = limits.control;
+  FillingLimits coarse = unlimited;
   if (limits.joined)
     coarse.joined = [&](std::size_t i, std::size_t j) {
       return limits.joined(2 * i, 2 * j);
@@ -123,7 +125,7 @@ triangulateCoarseToFine(const BoundaryCurve& polygon,
   };
   Triangles first = start(coarse);
   if (first.empty()) // what is in the way of the coarse one need not be in ours
-    first = start({});
+    first = start(unlimited);
   const std::vector<Diagonal> near = diagonalsNear(first, n);
   return {polygon, &near, weights, limits};
 }

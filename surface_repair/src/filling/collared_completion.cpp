@@ -22,6 +22,8 @@ namespace {
 
 /** Width of the collar by the length of its edge: that of an equilateral triangle. */
 constexpr double COLLAR_WIDTH = 0.8660254037844386;
+/** Operations of one of its stages for each point. */
+constexpr double STAGE_WORK = 300.0;
 
 /** The rim of the surface around the hole, made up from its normals: on each edge of
  * the polygon a triangle, and one between two of these at each of its points. */
@@ -108,6 +110,17 @@ insideOf(const std::vector<pcl::Vertices>& polygons, pcl::index_t points_of_poly
   return inside;
 }
 
+/** Tells the work of a completion of so many points while that goes on. */
+ccaa::ProgressCallback
+spendingFor(std::size_t points, ccaa::RunControl& control)
+{
+  const double work = STAGE_WORK * static_cast<double>(points);
+  return [work, &control, last = 0.0](const std::string&, double done) mutable {
+    const double more = std::max(0.0, done - std::exchange(last, done));
+    return control.spend(static_cast<std::uint64_t>(work * more));
+  };
+}
+
 } // namespace
 
 Triangles
@@ -130,6 +143,8 @@ completeWithin(const FillingTask& task, const std::vector<std::size_t>& samples)
   input.selection = all;
   input.threads = 1;
   input.partial_mesh = &given;
+  if (task.control != nullptr)
+    input.progress = spendingFor(points.size(), *task.control);
   ccaa::CompletionReport report;
   const ccaa::CompletionOutput output = ccaa::runCompletion(input, {}, report);
   if (output.polygons.size() < given.polygons.size())

@@ -23,6 +23,9 @@ namespace {
  * the rest cannot be closed. */
 constexpr std::size_t ROUNDS = 8;
 
+/** Operations of a round for each triangle: maps of edges and vertices. */
+constexpr std::uint64_t ROUND_WORK = 100;
+
 /** How often it is tried, each time with half of the samples: where noise is as large
  * as their spacing, fewer show the surface better. */
 constexpr std::size_t THINNINGS = 4;
@@ -128,6 +131,8 @@ closeWith(const FillingTask& task, const std::vector<std::size_t>& samples)
     points.push_back(task.free_points[i]);
   Triangles triangles = allowedTriangles(task, samples, points);
   for (std::size_t round = 0; round < ROUNDS && !triangles.empty(); ++round) {
+    if (!ccaa::spend(task.control, ROUND_WORK * (triangles.size() + n)))
+      return failed;
     const PartialFilling partial(task, triangles, points);
     std::set<Corner> bad;
     triangles = finished(partial, bad);

@@ -5,6 +5,7 @@
 
 #include "boundary/boundary_loop.h"
 #include "mesh/corners.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <functional>
@@ -34,6 +35,8 @@ struct FillingTask {
   /** \brief Of a ring that was cut open the place at which its second loop begins, and
    * then two points may be at one place; else 0. See stitchRing(). */
   std::size_t second_loop = 0;
+  ccaa::RunControl* control = nullptr; /**< of the work; once that says stop what comes
+                                            out is worth nothing */
   Positions free_points; /**< trusted samples of the missing area, near the hole */
 };
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <queue>
 #include <utility>
 
 namespace pcl {
@@ -49,7 +50,7 @@ public:
   FillingLimits
   limits(bool all)
   {
-    FillingLimits limits{task_.joined, {}, {}};
+    FillingLimits limits{task_.control, task_.joined, {}, {}};
     if (all && task_.crossed)
       limits.crossed = [this](std::size_t i, std::size_t j) { return isCrossed(i, j); };
     if (all)
@@ -93,26 +94,34 @@ private:
 /** Of triangles that meet each other, some without which no two do: always the one that
  * meets most others. Their points ascend. */
 Triangles
-culprits(const Triangles& triangles, std::vector<ccaa::TrianglePair> pairs)
+culprits(const Triangles& triangles, const std::vector<ccaa::TrianglePair>& pairs)
 {
+  std::vector<std::vector<pcl::index_t>> met(triangles.size());
+  for (const auto& [a, b] : pairs) {
+    met[static_cast<std::size_t>(a)].push_back(b);
+    met[static_cast<std::size_t>(b)].push_back(a);
+  }
+  std::vector<std::size_t> meetings;
+  std::priority_queue<std::pair<std::size_t, pcl::index_t>> worst; // lowest of equals
+  for (std::size_t t = 0; t < met.size(); ++t) {
+    meetings.push_back(met[t].size());
+    worst.emplace(met[t].size(), -static_cast<pcl::index_t>(t));
+  }
   Triangles found;
-  std::vector<std::size_t> meetings(triangles.size());
-  while (!pairs.empty()) {
-    std::fill(meetings.begin(), meetings.end(), 0);
-    for (const auto& [a, b] : pairs) {
-      ++meetings[static_cast<std::size_t>(a)];
-      ++meetings[static_cast<std::size_t>(b)];
+  while (!worst.empty() && worst.top().first > 0) {
+    const auto [count, turned] = worst.top();
+    worst.pop();
+    const auto triangle = static_cast<std::size_t>(-turned);
+    if (count != meetings[triangle]) {
+      worst.emplace(meetings[triangle], turned);
+      continue;
     }
-    const auto worst = static_cast<pcl::index_t>(
-        std::max_element(meetings.begin(), meetings.end()) - meetings.begin());
-    found.push_back(triangles[static_cast<std::size_t>(worst)]);
+    found.push_back(triangles[triangle]);
     std::sort(found.back().begin(), found.back().end());
-    pairs.erase(std::remove_if(pairs.begin(),
-                               pairs.end(),
-                               [&](const ccaa::TrianglePair& pair) {
-                                 return pair.first == worst || pair.second == worst;
-                               }),
-                pairs.end());
+    meetings[triangle] = 0;
+    for (const pcl::index_t other : met[triangle])
+      if (meetings[static_cast<std::size_t>(other)] > 0)
+        --meetings[static_cast<std::size_t>(other)];
   }
   return found;
 }
@@ -147,14 +156,16 @@ search(const FillingTask& task, const FillingWeights& weights, Best& best)
       fill();
       continue;
     }
-    ccaa::RunControl control;
-    auto pairs =
+    ccaa::RunControl control(task.control);
+    const auto pairs =
         ccaa::findSelfIntersections(triangles, task.polygon.points, 1, control).pairs;
+    if (control.cancelled())
+      return false;
     if (best.triangles.empty() || pairs.size() < best.meetings)
       best = {triangles, pairs.size()};
     if (pairs.empty())
       return false;
-    forbidden = culprits(triangles, std::move(pairs));
+    forbidden = culprits(triangles, pairs);
     obstructions.forbid(forbidden);
     if (obstructed) {
       table->avoid(forbidden);

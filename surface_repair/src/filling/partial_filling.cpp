@@ -159,6 +159,7 @@ FillingTask
 PartialFilling::taskFor(const std::vector<pcl::index_t>& loop) const
 {
   FillingTask task;
+  task.control = task_.control;
   for (std::size_t k = 0; k < loop.size(); ++k) {
     task.polygon.points.push_back(points_[static_cast<std::size_t>(loop[k])]);
     task.polygon.normals.push_back(normalAlong({loop[k], loop[(k + 1) % loop.size()]}));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace pcl {
 namespace repair {
@@ -42,8 +43,17 @@ TriangulationTable::TriangulationTable(const BoundaryCurve& polygon,
 {
   makeCells(diagonals);
   columns_.resize(polygon_.size());
-  for (std::size_t i = polygon_.size() - 1; i-- > 0;)
+  fillRows();
+}
+
+void
+TriangulationTable::fillRows()
+{
+  for (std::size_t i = polygon_.size() - 1; i-- > 0;) {
     fillRow(i);
+    if (!ccaa::spend(limits_.control, std::exchange(work_, 0)))
+      return;
+  }
   collect();
 }
 
@@ -89,6 +99,7 @@ TriangulationTable::fillRow(std::size_t i)
 void
 TriangulationTable::avoid(const Triangles& obstructed)
 {
+  triangles_.clear();
   std::vector<std::size_t> first_end(polygon_.size(), NONE); // of those from a point on
   for (const Triangle& triangle : obstructed) {
     std::size_t& end = first_end[static_cast<std::size_t>(triangle.front())];
@@ -104,8 +115,9 @@ TriangulationTable::avoid(const Triangles& obstructed)
       cell.apex = NONE;
       fillCell(i, column_of_[c], cell);
     }
+    if (!ccaa::spend(limits_.control, std::exchange(work_, 0)))
+      return;
   }
-  triangles_.clear();
   collect();
 }
 
@@ -143,6 +155,7 @@ void
 TriangulationTable::fillCell(std::size_t i, std::size_t j, Cell& cell)
 {
   candidates_.clear();
+  work_ += columns_[j].size() + 1;
   std::size_t row = row_begin_[i];
   for (auto entry = columns_[j].rbegin(); entry != columns_[j].rend(); ++entry) {
     const std::size_t m = entry->point;

@@ -6,6 +6,7 @@
 #include "filling/filling_method.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -27,6 +28,8 @@ struct FillingWeights {
 /** \brief What a triangulation must avoid, by points of the polygon, ascending; empty:
  * nothing. All triangles at a diagonal that is crossed are obstructed. */
 struct FillingLimits {
+  ccaa::RunControl* control = nullptr; /**< once it says stop there is no triangulation
+                                        */
   std::function<bool(std::size_t, std::size_t)> joined;
   std::function<bool(std::size_t, std::size_t, std::size_t)> obstructed;
   std::function<bool(std::size_t, std::size_t)> crossed;
@@ -86,6 +89,8 @@ private:
   }
 
   void
+  fillRows();
+  void
   makeCells(const std::vector<Diagonal>* diagonals);
   void
   fillRow(std::size_t i);
@@ -115,6 +120,7 @@ private:
   std::vector<Cell> cells_;
   std::vector<std::vector<Entry>> columns_; /**< of each j, i descending */
   std::vector<Candidate> candidates_;
+  std::uint64_t work_ = 0; /**< that was not told yet */
   Triangles triangles_;
 };
 

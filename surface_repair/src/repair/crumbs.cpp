@@ -18,6 +18,8 @@ namespace {
 
 /** An island of more than this share of the largest one's triangles is no crumb. */
 constexpr double LARGEST_SHARE = 0.03;
+/** Operations for a crumb that is laid, besides what closing takes. */
+constexpr std::size_t CRUMB_WORK = 200000;
 
 /** Of each island: a disc, small enough. */
 std::vector<bool>
@@ -150,7 +152,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
       crumbs[survey.model.island_of[t]].push_back(t);
   GrowingSurface surface(survey.model, course.report.hole_of);
   for (const auto& [island, crumb] : crumbs) {
-    if (course.context.cancelled())
+    if (!ccaa::spend(course.context.control, CRUMB_WORK))
       return;
     if (surface.hole[crumb.front()] != NONE) { // a patch that hangs on bridges alone
       for (const std::size_t triangle : crumb)

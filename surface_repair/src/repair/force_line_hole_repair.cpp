@@ -12,6 +12,7 @@
 #include "repair/new_vertices.h"
 #include "repair/repair_method.h"
 #include "repair/repaired_model.h"
+#include "repair/whole_progress.h"
 #include "run/stage_clock.h"
 #include "run/threads.h"
 #include "survey/survey_stages.h"
@@ -80,10 +81,19 @@ ForceLineHoleRepair::propose() const
              : repair::Decisions();
 }
 
+ccaa::ProgressCallback
+ForceLineHoleRepair::wholeProgress() const
+{
+  return [whole = whole_](const std::string& stage, double share) {
+    return whole->tell(stage, share);
+  };
+}
+
 bool
 ForceLineHoleRepair::read()
 {
-  ccaa::RunControl control(progress_);
+  whole_ = std::make_shared<repair::WholeProgress>(progress_);
+  ccaa::RunControl control(wholeProgress());
   const ccaa::LoopContext context{ccaa::resolveThreads(threads_), &control};
   survey_ = std::make_shared<repair::ModelSurvey>(
       readSurvey(input_mesh_, free_points_.get(), parameters_.survey, context));
@@ -110,7 +120,7 @@ ForceLineHoleRepair::performProcessing(pcl::PolygonMesh& output)
 {
   output.polygons.clear();
   try {
-    ccaa::RunControl control(progress_);
+    ccaa::RunControl control(wholeProgress());
     const ccaa::LoopContext context{ccaa::resolveThreads(threads_), &control};
     repair::RepairedModel repaired;
     if (!report_.cancelled) {
@@ -123,6 +133,8 @@ ForceLineHoleRepair::performProcessing(pcl::PolygonMesh& output)
       return;
     }
     write(repaired, output);
+    if (report_.finished)
+      whole_->tell("writing", 1.0);
   }
   catch (const std::bad_alloc&) {
     reportOutOfMemory("performProcessing");
@@ -167,6 +179,7 @@ void
 ForceLineHoleRepair::deinitCompute()
 {
   survey_.reset();
+  whole_.reset();
   MeshProcessing::deinitCompute();
 }
 

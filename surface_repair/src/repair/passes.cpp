@@ -167,6 +167,8 @@ closeRounds(const Course& course, bool over_samples)
   for (const RepairParameters& round : course.rounds) {
     if (last.parameters != nullptr)
       takeClosed(last, course);
+    if (course.context.cancelled())
+      break;
     last = closeRound(round, over_samples, course);
     if (course.context.cancelled() || !isOpen(last.holes, last.closed))
       break;

@@ -30,6 +30,10 @@ constexpr int MOST_PARTS = 32;
  * is more, the patch as a whole is wrong. */
 constexpr double MOST_OBSTRUCTED = 0.05;
 constexpr double FEW_OBSTRUCTED = 8.0;
+/** Triangles of the model that are looked at in an operation, and operations for one
+ * that is made part of something. */
+constexpr std::size_t TRIANGLES_AT_ONCE = 4;
+constexpr std::size_t PART_WORK = 100;
 
 std::size_t
 mostObstructed(const Patch& patch)
@@ -167,7 +171,7 @@ PatchMending::obstructedNow() const
 {
   std::vector<std::size_t> triangles;
   std::vector<std::size_t> obstructed =
-      obstructedTriangles(patch(&triangles), obstacle_);
+      obstructedTriangles(patch(&triangles), obstacle_, context_.control);
   for (std::size_t& triangle : obstructed)
     triangle = triangles[triangle];
   return obstructed;
@@ -178,6 +182,7 @@ bool
 PatchMending::mend(const std::vector<std::size_t>& obstructed)
 {
   const ModelPart whole = surface_.part(surface_.near(box_));
+  ccaa::spend(context_.control, PART_WORK * whole.triangles.size());
   std::vector<bool> some(whole.triangles.size(), false);
   for (std::size_t i = 0; i < some.size(); ++i)
     some[i] =
@@ -190,7 +195,8 @@ PatchMending::mend(const std::vector<std::size_t>& obstructed)
     const Opening opening = openFrom(whole, first, ringsAround(whole, some, rings));
     const auto now = static_cast<std::size_t>(
         std::count(opening.is_open.begin(), opening.is_open.end(), true));
-    if (now == opened || opening.border.size() > LONGEST_MENDED || context_.cancelled())
+    if (now == opened || opening.border.size() > LONGEST_MENDED ||
+        !ccaa::spend(context_.control, PART_WORK * opening.is_open.size()))
       break;
     opened = now;
     const HoleOutcome outcome = closeOpening(opening,
@@ -216,7 +222,10 @@ mendPatch(const ClosingPlace& place,
           Patch& patch)
 {
   // The surroundings are looked for in the whole model: not for nothing.
-  if (obstructedTriangles(patch, obstacle).size() > mostObstructed(patch))
+  ccaa::RunControl* const control = context.control;
+  if (obstructedTriangles(patch, obstacle, control).size() > mostObstructed(patch))
+    return false;
+  if (!ccaa::spend(control, place.model.triangles.size() / TRIANGLES_AT_ONCE))
     return false;
   PatchMending mending(place, obstacle, context, patch);
   if (!mending.run())

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -31,6 +33,10 @@ constexpr std::array<std::size_t, 4> CALMED_RINGS = {0, 2, 4, 8};
 /** Triangles of a fill that run into something before it is refined: with more, none
  * has come out free. */
 constexpr std::size_t MOST_IN_THE_WAY = 64;
+/** Operations of a region: at least, and for each of its edges and samples by their
+ * logarithm. The dearest of the scans' holes take a fifth of that. */
+constexpr std::uint64_t LEAST_WORK = 100000000;
+constexpr double WORK = 100000.0;
 
 class RegionClosing {
 public:
@@ -41,7 +47,8 @@ public:
   : place_(place)
   , region_(region)
   , obstacle_(obstacle)
-  , context_(context)
+  , control_(context.control, workFor(region))
+  , context_{context.threads, &control_}
   , strategy_(region.holes.size(), 0)
   , completed_(region.holes.size(), false)
   , flat_(isToBeFlat())
@@ -81,6 +88,8 @@ private:
   keepForMending();
   void
   mend();
+  void
+  leaveCostly(bool is_settled);
   bool
   any(bool FillStrategy::*wanted) const;
   void
@@ -89,7 +98,8 @@ private:
   const ClosingPlace& place_;
   const Region& region_;
   const SurfaceObstacle& obstacle_;
-  const ccaa::LoopContext& context_;
+  ccaa::RunControl control_;
+  const ccaa::LoopContext context_;
   std::vector<std::size_t> strategy_; /**< of each hole: place in FILL_STRATEGIES */
   std::vector<FilledPart> parts_; /**< of all holes, whether they are filled or not */
   std::vector<bool> completed_;   /**< of each hole: free points are vertices */
@@ -135,7 +145,7 @@ RegionClosing::hasSamples(const HolePolygon& hole) const
   if (has_given || near.empty())
     return has_given;
   const TakenEdges taken(place_.model);
-  return fillHole(fillingTask(hole, taken, nullptr),
+  return fillHole(fillingTask(hole, taken, nullptr, context_.control),
                   place_.parameters.filling.choice,
                   free_points)
              .method == CompletionFilling().name();
@@ -208,11 +218,14 @@ RegionClosing::fillsOf(const FillStrategy& strategy)
     fillings.emplace_back();
     if (strategy_[part.hole] == GIVEN_UP)
       continue;
-    fillings.back() = fillHole(
-        fillingTask(part.polygon, taken, strategy.avoids ? &obstacle_ : nullptr),
-        strategy.without_free || flat_ ? FillingChoice::MINIMUM_WEIGHT
-                                       : place_.parameters.filling.choice,
-        place_.guides.free_points.get());
+    fillings.back() =
+        fillHole(fillingTask(part.polygon,
+                             taken,
+                             strategy.avoids ? &obstacle_ : nullptr,
+                             context_.control),
+                 strategy.without_free || flat_ ? FillingChoice::MINIMUM_WEIGHT
+                                                : place_.parameters.filling.choice,
+                 place_.guides.free_points.get());
     if (fillings.back().filling.closed())
       taken.addFilling(part.polygon, fillings.back().filling);
   }
@@ -296,9 +309,10 @@ RegionClosing::assemble()
   if (!grows)
     return;
   const auto is_obstructed = [&](const ccaa::Corners& corners) {
-    return obstacle_.meets(corners);
+    return obstacle_.meets(corners, context_.control);
   };
-  growOver(place_.model, region_.samples, is_obstructed, result_.patch);
+  growOver(
+      place_.model, region_.samples, is_obstructed, result_.patch, context_.control);
   grown_ = result_.patch;
   grown_fills_ = std::move(fills);
 }
@@ -316,7 +330,11 @@ RegionClosing::fair()
   const std::size_t most_in_the_way = keeps_shape ? 0 : MOST_IN_THE_WAY;
   if (!parameters.refine || (is_looked_at && obstructed_.size() > most_in_the_way))
     return;
-  refinePatch(place_.model, parameters.refinement, result_.patch, keeps_shape);
+  refinePatch(place_.model,
+              parameters.refinement,
+              result_.patch,
+              keeps_shape,
+              context_.control);
   if (parameters.relax)
     relax();
   else
@@ -335,10 +353,11 @@ RegionClosing::relax()
   if (flat_)
     flattenPatch(place_.model, patch);
   else
-    relaxPatch(place_.model, place_.model.free_points, relaxation, patch);
+    relaxPatch(
+        place_.model, place_.model.free_points, relaxation, patch, context_.control);
   findCollisions();
   for (const std::size_t rings : CALMED_RINGS) {
-    if (obstructed_.empty())
+    if (obstructed_.empty() || context_.cancelled())
       return;
     rollBackRelaxation(before, obstructed_, rings, patch);
     findCollisions();
@@ -355,7 +374,7 @@ RegionClosing::findCollisions()
 {
   if (place_.frame.float_positions)
     roundToFloats(place_.frame.origin, result_.patch);
-  obstructed_ = obstructedTriangles(result_.patch, obstacle_);
+  obstructed_ = obstructedTriangles(result_.patch, obstacle_, context_.control);
 }
 
 void
@@ -428,19 +447,36 @@ RegionClosing::mend()
     }
 }
 
+/** What has taken more work than it may stays open; nothing that is not verified is
+ * kept. */
+void
+RegionClosing::leaveCostly(bool is_settled)
+{
+  if (!is_settled)
+    result_.patch = {};
+  for (HoleOutcome& hole : result_.holes)
+    if (hole.open == OpenReason::INTERSECTION ||
+        (!is_settled &&
+         (hole.open == OpenReason::NONE || hole.open == OpenReason::NO_FILLING)))
+      hole.open = OpenReason::TOO_COSTLY;
+}
+
 ClosedRegion
 RegionClosing::run()
 {
   leavePierced();
   subdivide();
-  do {
+  bool is_settled = false;
+  while (!is_settled && !context_.cancelled()) {
     fill();
     leaveDepthJumps();
     fair();
+    is_settled = !context_.cancelled() && verify();
   }
-  while (!context_.cancelled() && !verify());
-  if (result_.holes.front().open == OpenReason::INTERSECTION)
+  if (is_settled && result_.holes.front().open == OpenReason::INTERSECTION)
     mend();
+  if (context_.cancelled())
+    leaveCostly(is_settled);
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)
       hole.filling.clear();
@@ -456,6 +492,16 @@ withinPart(const IncompleteModel& model,
 {
   static const SurveyGuides none{};
   return {model, none, parameters, frame, false};
+}
+
+std::uint64_t
+workFor(const Region& region)
+{
+  std::size_t size = region.samples.size();
+  for (const HolePolygon& hole : region.holes)
+    size += hole.size();
+  const auto n = static_cast<double>(size);
+  return LEAST_WORK + static_cast<std::uint64_t>(WORK * n * std::log2(n + 2.0));
 }
 
 ClosedRegion

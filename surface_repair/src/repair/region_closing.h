@@ -11,6 +11,7 @@
 #include "subdivision/hole_subdivision.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
@@ -60,6 +61,11 @@ struct ClosedRegion {
   Patch patch; /**< its holes are numbered as in the region */
   std::vector<HoleOutcome> holes;
 };
+
+/** \brief Operations that closing a region may take (see ccaa::RunControl): n log n in
+ * its edges and samples. What exceeds them is left for TOO_COSTLY. */
+std::uint64_t
+workFor(const Region& region);
 
 /** \brief Divide, fill, refine and relax, and try again in other ways where the result
  * would run through something; what cannot be closed is left out. Nothing is kept that

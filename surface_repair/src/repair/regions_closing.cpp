@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <utility>
 
@@ -72,12 +73,16 @@ public:
   run(const std::function<void(double)>& tell)
   {
     SurfaceObstacle obstacle(place_.model, places_, context_.threads);
-    std::size_t done = 0;
+    std::uint64_t all = 0;
+    for (const Region& region : regions_)
+      all += workFor(region);
+    std::uint64_t done = 0;
+    const auto tell_work = [&](std::uint64_t more) {
+      done += more;
+      tell(static_cast<double>(done) / static_cast<double>(all));
+    };
     for (const std::vector<std::size_t>& together : closableTogether(places_)) {
-      closeTogether(together, obstacle, [&](std::size_t more) {
-        tell(static_cast<double>(done + more) / static_cast<double>(regions_.size()));
-      });
-      done += together.size();
+      closeTogether(together, obstacle, tell_work);
       for (const std::size_t r : together)
         commit(r, obstacle);
     }
@@ -88,28 +93,29 @@ private:
   void
   closeTogether(const std::vector<std::size_t>& together,
                 const SurfaceObstacle& obstacle,
-                const std::function<void(std::size_t)>& tell)
+                const std::function<void(std::uint64_t)>& tell)
   {
     ccaa::LoopContext within = context_;
     if (together.size() > 1)
       within.threads = 1;
-    std::atomic<std::size_t> done{0};
+    std::atomic<std::uint64_t> untold{0};
     std::vector<std::exception_ptr> thrown(together.size()); // none may leave a thread
     const auto close_one = [&](std::size_t, std::size_t i, std::size_t) {
       try {
-        if (!context_.cancelled())
-          closed_[together[i]] = close(together[i], obstacle, within);
+        closed_[together[i]] = close(together[i], obstacle, within);
       }
       catch (...) {
         thrown[i] = std::current_exception();
       }
-      ++done;
+      untold += workFor(regions_[together[i]]);
       if (ccaa::threadIndex() == 0)
-        tell(done);
+        tell(untold.exchange(0));
     };
-    ccaa::forEachBlock(together.size(),
-                       ccaa::LoopContext{context_.threads, nullptr, "", 1},
-                       close_one);
+    ccaa::RunControl part(context_.control);
+    ccaa::forEachBlock(
+        together.size(), ccaa::LoopContext{context_.threads, &part, "", 1}, close_one);
+    if (untold > 0)
+      tell(untold);
     for (const std::exception_ptr& exception : thrown)
       if (exception)
         std::rethrow_exception(exception);

@@ -156,8 +156,12 @@ afterCrumbs(const Crumbs& crumbs,
   if (course.context.cancelled())
     return last;
   takeClosed(last, course);
+  if (course.context.cancelled())
+    return last;
   if (!crumbs.empty())
     putCrumbsBack(crumbs, course);
+  if (course.context.cancelled())
+    return last;
   layCrumbs(LAID_CRUMBS * crumb_triangles, course);
   course.log.countSeconds("crumbs", clock.seconds());
   return closeRounds(course);
@@ -194,6 +198,8 @@ afterReopening(Pass last, const Course& course)
   if (course.context.cancelled())
     return last;
   takeClosed(last, course);
+  if (course.context.cancelled())
+    return last;
   reopenHoles(last.closed.failed, course);
   course.log.countSeconds("reopening", clock.seconds());
   return closeRounds(course);

@@ -35,6 +35,8 @@ describe(OpenReason reason)
     return "closing it would give an edge three triangles";
   case OpenReason::INTERSECTION:
     return "closing it would run through the surface";
+  case OpenReason::TOO_COSTLY:
+    return "closing it would take more work than its size is worth";
   case OpenReason::PIERCED:
     return "the surface runs through its boundary";
   case OpenReason::NOT_WANTED:
@@ -103,6 +105,8 @@ nameOf(OpenReason reason)
     return "NOT_MANIFOLD";
   case OpenReason::INTERSECTION:
     return "INTERSECTION";
+  case OpenReason::TOO_COSTLY:
+    return "TOO_COSTLY";
   case OpenReason::PIERCED:
     return "PIERCED";
   case OpenReason::NOT_WANTED:

@@ -14,6 +14,9 @@ namespace repair {
 
 namespace {
 
+/** Operations for a ring that is filled. */
+constexpr std::size_t RING_WORK = 1000000;
+
 /** Two loops. */
 using Ring = std::pair<std::size_t, std::size_t>;
 
@@ -86,8 +89,8 @@ joinRings(const Failures& failed, const Course& course)
   for (const auto& [first, second] : ringsOf(survey.joined)) {
     const BoundaryLoop& one = survey.loops[first];
     const BoundaryLoop& other = survey.loops[second];
-    if (!course.context.cancelled() && ranIntoSomething(one, failed) &&
-        ranIntoSomething(other, failed))
+    if (ranIntoSomething(one, failed) && ranIntoSomething(other, failed) &&
+        ccaa::spend(course.context.control, RING_WORK))
       has_joined = join(one, other, course, surface) || has_joined;
   }
   if (has_joined)

@@ -15,6 +15,13 @@ namespace repair {
 
 namespace {
 
+/** Operations of a search in a tree, and of a test of two triangles whose boxes meet.
+ */
+constexpr std::uint64_t SEARCH_WORK = 50;
+constexpr std::uint64_t TEST_WORK = 5;
+/** Operations that are told together. */
+constexpr std::uint64_t MOST_UNTOLD = 10000;
+
 ccaa::BoxTree
 treeOver(const std::vector<ccaa::Corners>& triangles)
 {
@@ -137,41 +144,51 @@ SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles)
 
 template <typename Test>
 bool
-SurfaceObstacle::holdsForAny(const ccaa::Box& box, const Test& test) const
+SurfaceObstacle::holdsForAny(const ccaa::Box& box,
+                             const Test& test,
+                             ccaa::RunControl* control) const
 {
+  std::uint64_t work = SEARCH_WORK;
+  const auto goesOn = [&] { return ccaa::spend(control, std::exchange(work, 0)); };
   bool found = false;
   for (const Layer& layer : layers_)
     if (!found && layer.box.intersects(box))
-      layer.tree.forEachMeeting(box, [&](pcl::index_t i) {
-        found = found || test(layer.triangles[static_cast<std::size_t>(i)]);
+      found = layer.tree.anyMeeting(box, [&](pcl::index_t i) {
+        work += TEST_WORK;
+        return (work > MOST_UNTOLD && !goesOn()) ||
+               test(layer.triangles[static_cast<std::size_t>(i)]);
       });
-  return found;
+  return !goesOn() || found;
 }
 
 bool
-SurfaceObstacle::meets(const ccaa::Corners& corners) const
+SurfaceObstacle::meets(const ccaa::Corners& corners, ccaa::RunControl* control) const
 {
+  const auto test = [&](const ccaa::Corners& there) {
+    return ccaa::trianglesMeet(corners, there);
+  };
   return !ccaa::isCollinear(corners) &&
-         holdsForAny(ccaa::boxOf(corners), [&](const ccaa::Corners& there) {
-           return ccaa::trianglesMeet(corners, there);
-         });
+         holdsForAny(ccaa::boxOf(corners), test, control);
 }
 
 bool
-SurfaceObstacle::isCrossedBy(const Position& p, const Position& q) const
+SurfaceObstacle::isCrossedBy(const Position& p,
+                             const Position& q,
+                             ccaa::RunControl* control) const
 {
-  return holdsForAny({p.cwiseMin(q), p.cwiseMax(q)},
-                     [&](const ccaa::Corners& there) { return crosses(p, q, there); });
+  const auto test = [&](const ccaa::Corners& there) { return crosses(p, q, there); };
+  return holdsForAny({p.cwiseMin(q), p.cwiseMax(q)}, test, control);
 }
 
 void
 avoid(const SurfaceObstacle& obstacle, FillingTask& task)
 {
-  task.obstructed = [&obstacle](const ccaa::Corners& corners) {
-    return obstacle.meets(corners);
+  task.obstructed = [&obstacle, control = task.control](const ccaa::Corners& corners) {
+    return obstacle.meets(corners, control);
   };
-  task.crossed = [&obstacle](const Position& p, const Position& q) {
-    return obstacle.isCrossedBy(p, q);
+  task.crossed = [&obstacle, control = task.control](const Position& p,
+                                                     const Position& q) {
+    return obstacle.isCrossedBy(p, q, control);
   };
   task.has_failed = true;
 }
@@ -194,7 +211,9 @@ crossedEdges(const BoundaryCurve& polygon,
 }
 
 std::vector<std::size_t>
-obstructedTriangles(const Patch& patch, const SurfaceObstacle& obstacle)
+obstructedTriangles(const Patch& patch,
+                    const SurfaceObstacle& obstacle,
+                    ccaa::RunControl* control)
 {
   std::vector<ccaa::Corners> triangles;
   for (const Triangle& triangle : patch.triangles)
@@ -205,15 +224,18 @@ obstructedTriangles(const Patch& patch, const SurfaceObstacle& obstacle)
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (ccaa::isCollinear(triangles[t]))
       continue;
-    if (obstacle.meets(triangles[t]))
+    if (obstacle.meets(triangles[t], control))
       obstructed[t] = true;
+    std::uint64_t work = SEARCH_WORK;
     tree.forEachMeeting(ccaa::boxOf(triangles[t]), [&](pcl::index_t i) {
       const auto other = static_cast<std::size_t>(i);
+      work += TEST_WORK;
       if (other > t && !(obstructed[t] && obstructed[other]) &&
           !ccaa::isCollinear(triangles[other]) &&
           ccaa::trianglesMeet(triangles[t], triangles[other]))
         obstructed[t] = obstructed[other] = true;
     });
+    ccaa::spend(control, work);
   }
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (obstructed[t])

@@ -8,6 +8,7 @@
 #include "filling/filling_method.h"
 #include "filling/patch.h"
 #include "mesh/box_tree.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <deque>
@@ -33,21 +34,24 @@ public:
   add(const Positions& positions, const Triangles& triangles);
 
   /** \brief Whether a triangle meets one that is there where it should not (see
-   * ccaa::trianglesMeet()). Exact. One without an area meets nothing. */
+   * ccaa::trianglesMeet()). Exact. One without an area meets nothing; all others do
+   * once the control says stop. */
   bool
-  meets(const ccaa::Corners& corners) const;
+  meets(const ccaa::Corners& corners, ccaa::RunControl* control = nullptr) const;
 
   /** \brief Whether the way between two points meets one that is there, but for corners
    * that they have in common: then any triangle with an area that has this way as an
-   * edge meets it. Exact. */
+   * edge meets it. Exact; all are once the control says stop. */
   bool
-  isCrossedBy(const Position& p, const Position& q) const;
+  isCrossedBy(const Position& p,
+              const Position& q,
+              ccaa::RunControl* control = nullptr) const;
 
 private:
   /** Whether a test holds for any triangle whose box meets one. */
   template <typename Test>
   bool
-  holdsForAny(const ccaa::Box& box, const Test& test) const;
+  holdsForAny(const ccaa::Box& box, const Test& test, ccaa::RunControl* control) const;
 
   /** Triangles that came together. */
   struct Layer {
@@ -63,7 +67,8 @@ private:
 };
 
 /** \brief Let a filling avoid a surface after the one that does not look at it has run
- * into something. \param[in] obstacle must outlive the task */
+ * into something. \param[in] obstacle must outlive the task; its questions count for
+ * the task's control */
 void
 avoid(const SurfaceObstacle& obstacle, FillingTask& task);
 
@@ -78,7 +83,9 @@ crossedEdges(const BoundaryCurve& polygon,
 /** \brief Triangles of a patch that run through the surface or through each other,
  * ascending. */
 std::vector<std::size_t>
-obstructedTriangles(const Patch& patch, const SurfaceObstacle& obstacle);
+obstructedTriangles(const Patch& patch,
+                    const SurfaceObstacle& obstacle,
+                    ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

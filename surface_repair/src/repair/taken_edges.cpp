@@ -47,9 +47,11 @@ TakenEdges::contain(pcl::index_t a, pcl::index_t b) const
 FillingTask
 fillingTask(const HolePolygon& polygon,
             const TakenEdges& taken,
-            const SurfaceObstacle* obstacle)
+            const SurfaceObstacle* obstacle,
+            ccaa::RunControl* control)
 {
   FillingTask task;
+  task.control = control;
   task.polygon = polygon.curve;
   task.second_loop = polygon.second_loop;
   task.joined = [&polygon, &taken](std::size_t a, std::size_t b) {

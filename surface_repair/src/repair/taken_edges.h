@@ -38,7 +38,8 @@ private:
 FillingTask
 fillingTask(const HolePolygon& polygon,
             const TakenEdges& taken,
-            const SurfaceObstacle* obstacle);
+            const SurfaceObstacle* obstacle,
+            ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

@@ -217,7 +217,8 @@ putInOrder(ModelSurvey before,
   survey.wishes = std::move(before.wishes);
   IncompleteModel& old = before.model;
   IncompleteModel& model = survey.model;
-  model = assembleModel(std::move(old.triangles), std::move(old.positions), context);
+  model = assembleModel(
+      std::move(old.triangles), std::move(old.positions), named(context, "assembly"));
   model.point_of_vertex = std::move(old.point_of_vertex);
   model.viewpoints = std::move(old.viewpoints);
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -225,7 +226,8 @@ putInOrder(ModelSurvey before,
       model.free_points.push_back(old.free_points[i]);
       model.point_of_free_point.push_back(old.point_of_free_point[i]);
     }
-  survey.loops = extractBoundaries(model);
+  if (!context.cancelled()) // else the model is not whole
+    survey.loops = extractBoundaries(model);
   survey.seconds.emplace_back("assembly", clock.seconds());
   return survey;
 }

@@ -32,6 +32,47 @@ TEST(RunControl, AnotherThreadHearsThatItIsToStop)
   std::thread([&] { EXPECT_FALSE(control.report("work", 0.6)); }).join();
 }
 
+TEST(RunControl, AsksAgainAfterMuchWorkThatReportsNothing)
+{
+  int told = 0;
+  RunControl control([&](const std::string& stage, double) {
+    EXPECT_EQ("work", stage);
+    return ++told < 3;
+  });
+  control.report("work", 0.5);
+  EXPECT_TRUE(control.spend(RunControl::PATIENCE - 1));
+  EXPECT_EQ(1, told);
+  EXPECT_TRUE(control.spend(1));
+  EXPECT_EQ(2, told);
+  EXPECT_FALSE(control.spend(RunControl::PATIENCE));
+  EXPECT_EQ(RunControl::PATIENCE, control.longestUnasked());
+}
+
+TEST(RunControl, PartStopsWhenItHasSpentWhatItMay)
+{
+  RunControl whole;
+  RunControl part(&whole, 100), other(&whole, 100);
+  EXPECT_TRUE(part.spend(100));
+  EXPECT_FALSE(part.spend(1));
+  EXPECT_TRUE(part.cancelled());
+  EXPECT_FALSE(other.cancelled());
+  EXPECT_FALSE(whole.cancelled());
+  EXPECT_EQ(101U, whole.work());
+}
+
+TEST(RunControl, PartStopsWithTheWholeAndTellsNoStages)
+{
+  int told = 0;
+  RunControl whole([&](const std::string&, double) { return ++told < 2; });
+  RunControl part(&whole);
+  EXPECT_TRUE(part.report("of the part", 0.5));
+  EXPECT_EQ(0, told);
+  EXPECT_TRUE(part.askAgain());
+  EXPECT_FALSE(part.spend(RunControl::PATIENCE));
+  EXPECT_TRUE(whole.cancelled());
+  EXPECT_FALSE(part.report("of the part", 0.6));
+}
+
 } // namespace
 } // namespace ccaa
 } // namespace pcl

@@ -56,10 +56,11 @@ struct Site {
   }
 
   ClosedRegion
-  close(const Region& region) const
+  close(const Region& region, ccaa::RunControl* control = nullptr) const
   {
     const SurveyGuides none;
-    return closeRegion({survey.model, none, parameters, {}}, region, obstacle, {});
+    return closeRegion(
+        {survey.model, none, parameters, {}}, region, obstacle, {1, control});
   }
 
   ClosedRegion
@@ -365,6 +366,39 @@ TEST(RegionClosing, TellsTheShareThatIsDone)
   ASSERT_EQ(6U, shares.size());
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_DOUBLE_EQ(1.0, shares.back());
+}
+
+TEST(CloseRegion, LeavesOpenWhatWouldTakeTooMuchWork)
+{
+  const Site site(holedSphere());
+  ccaa::RunControl whole;
+  site.close(site.regions.at(0), &whole);
+  const std::uint64_t work = whole.work();
+  for (const std::uint64_t part : {1000, 10, 2}) {
+    ccaa::RunControl little(&whole, work / part);
+    const ClosedRegion closed = site.close(site.regions.at(0), &little);
+    expectSound(site, closed);
+    EXPECT_EQ(OpenReason::TOO_COSTLY, closed.holes[0].open);
+  }
+}
+
+TEST(CloseRegion, TakesNoMoreWorkThanItMayInACrowd)
+{
+  Site site(holedSheet(20.0));
+  ccaa::test::RandomSource random(1);
+  const auto place = [&] {
+    return Position(random.uniform(-10.0, 10.0),
+                    random.uniform(-10.0, 10.0),
+                    random.uniform(-1.0, 1.0));
+  };
+  for (int i = 0; i < 400; ++i)
+    site.obstacle.add({place(), place(), place()}, {{0, 1, 2}});
+  ccaa::RunControl control;
+  const ClosedRegion closed = site.close(site.regions.at(0), &control);
+  expectSound(site, closed);
+  EXPECT_NE(OpenReason::NONE, closed.holes[0].open);
+  const std::uint64_t most = workFor(site.regions.at(0));
+  EXPECT_LE(control.work(), most + most / 10);
 }
 
 } // namespace

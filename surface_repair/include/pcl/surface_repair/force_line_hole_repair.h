@@ -21,6 +21,7 @@ namespace repair {
 struct Decisions;
 struct ModelSurvey;
 struct RepairedModel;
+class WholeProgress;
 } // namespace repair
 
 /** \brief Repairs an incomplete model: joins its islands by bridges along force lines
@@ -54,6 +55,9 @@ struct RepairedModel;
  * A cloud in map coordinates, with x, y and z as doubles (FLOAT64), is worked on near
  * the origin (pcl::GlobalShift; getReport().reading.global_shift tells the offset);
  * new points are doubles at the original place. Free points are in the same frame.
+ *
+ * The progress callback gets the share of the whole repair that is done, which never
+ * falls, instead of that of a stage.
  *
  * The result is never worse than the input: a patch that would run through the surface
  * or through another one, or give an edge a third triangle, is made in another way or
@@ -300,6 +304,8 @@ private:
   isSound(const repair::ReadingReport& reading, const char* method) const;
   repair::Decisions
   propose() const;
+  ccaa::ProgressCallback
+  wholeProgress() const;
   void
   write(repair::RepairedModel& repaired, pcl::PolygonMesh& output);
   void
@@ -310,6 +316,7 @@ private:
   RepairReport report_;
   std::shared_ptr<repair::ModelSurvey>
       survey_; /**< only between initCompute() and its end */
+  std::shared_ptr<repair::WholeProgress> whole_; /**< likewise */
 };
 
 } // namespace pcl

@@ -74,6 +74,7 @@ enum class OpenReason : std::uint8_t {
   NO_FILLING,   /**< no filling method closes it */
   NOT_MANIFOLD, /**< closing it would make an edge of three triangles */
   INTERSECTION, /**< closing it would run through the surface or another patch */
+  TOO_COSTLY,   /**< nothing was found within the work that its size is worth */
   PIERCED,      /**< the given surface runs through its boundary: nothing closes it */
   NOT_WANTED    /**< the user's word: leave open, or do not join */
 };
