@@ -34,6 +34,9 @@ struct FillingTask {
   /** \brief Of a ring that was cut open the place at which its second loop begins, and
    * then two points may be at one place; else 0. See stitchRing(). */
   std::size_t second_loop = 0;
+  /** \brief Where the polygon passes points twice: the number of each of its points. No
+   * edge between two of these numbers comes twice then. Else empty. */
+  std::vector<pcl::index_t> vertices;
   Positions free_points; /**< trusted samples of the missing area, near the hole */
 };
 
