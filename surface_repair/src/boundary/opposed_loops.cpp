@@ -29,6 +29,8 @@ constexpr double WIDEST = 0.4;
  * cosine of half the opening of that view. */
 constexpr double AHEAD = 1.2;
 constexpr double AHEAD_VIEW = 0.8;
+/** Cosine from which two loops look the same way. */
+constexpr double SAME_WAY = 0.5;
 
 /** Some points of a loop and where they look. */
 struct LookingLoop {
@@ -80,6 +82,17 @@ nearestSeen(const Position& from, const Direction& conormal, const LookingLoop& 
       nearest = distance;
   }
   return nearest;
+}
+
+/** Normal of what would close a curve, as long as twice its area. */
+Eigen::Vector3d
+vectorArea(const BoundaryCurve& curve)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const Position& origin = curve.points.front();
+  for (std::size_t k = 0; k < curve.size(); ++k)
+    sum += (curve.points[k] - origin).cross(curve.points[curve.next(k)] - origin);
+  return sum;
 }
 
 class Opposition {
@@ -175,6 +188,13 @@ opposedLoops(const BoundaryLoops& loops)
     if (seen[loop] != NONE && seen[seen[loop]] == loop)
       opposed[loop] = seen[loop];
   return opposed;
+}
+
+bool
+lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second)
+{
+  const Eigen::Vector3d one = vectorArea(first), other = vectorArea(second);
+  return one.dot(other) > SAME_WAY * one.norm() * other.norm();
 }
 
 } // namespace repair

@@ -28,5 +28,10 @@ opposedLoops(const BoundaryLoops& loops);
 std::size_t
 loopAhead(const BoundaryLoops& loops, std::size_t mouth);
 
+/** \brief Whether what would close two curves alone looks into about one direction:
+ * they are no ends of one gap, but those of two limbs side by side, such as fingers. */
+bool
+lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second);
+
 } // namespace repair
 } // namespace pcl

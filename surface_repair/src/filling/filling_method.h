@@ -37,6 +37,9 @@ struct FillingTask {
   std::size_t second_loop = 0;
   ccaa::RunControl* control = nullptr; /**< of the work; once that says stop what comes
                                             out is worth nothing */
+  /** \brief Where the polygon passes points twice: the number of each of its points. No
+   * edge between two of these numbers comes twice then. Else empty. */
+  std::vector<pcl::index_t> vertices;
   Positions free_points; /**< trusted samples of the missing area, near the hole */
 };
 

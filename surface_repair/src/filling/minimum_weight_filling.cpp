@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace pcl {
@@ -22,6 +23,8 @@ namespace {
 constexpr std::array<FillingWeights, 2> TRIED_WEIGHTS{{{0.3, 1.0}, {0.02, 1.0}}};
 /** How often triangles that meet others are forbidden, for each of these. */
 constexpr std::size_t MENDING_ROUNDS = 8;
+/** Fillings, each without the edges that the ones before had twice. */
+constexpr int REPEATING_ROUNDS = 8;
 
 /** What stands in the way of triangles of one polygon: asked once a triangle, and only
  * from when some triangle that would be taken is not free. */
@@ -177,11 +180,57 @@ search(const FillingTask& task, const FillingWeights& weights, Best& best)
   return true;
 }
 
+/** Of a polygon that passes vertices twice: diagonals that are the same edge as others
+ * of the filling. */
+std::vector<Diagonal>
+repeatedDiagonals(const Triangles& triangles, const std::vector<pcl::index_t>& vertices)
+{
+  std::map<std::pair<pcl::index_t, pcl::index_t>, Diagonal> first_of;
+  std::vector<Diagonal> repeated;
+  for (const Triangle& triangle : triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Diagonal places =
+          std::minmax(static_cast<std::size_t>(triangle[c]),
+                      static_cast<std::size_t>(triangle[(c + 1) % 3]));
+      const auto edge = std::minmax(vertices[places.first], vertices[places.second]);
+      const Diagonal first = first_of.emplace(edge, places).first->second;
+      const auto is_diagonal = [&](const Diagonal& d) {
+        return d.second - d.first > 1 && d.second - d.first + 1 < vertices.size();
+      };
+      if (first != places && (is_diagonal(places) || is_diagonal(first)))
+        repeated.push_back(is_diagonal(places) ? places : first);
+    }
+  return repeated;
+}
+
+/** With no edge twice: each time without those that came twice before. */
+Filling
+closeWithoutRepeating(FillingTask task)
+{
+  const std::vector<pcl::index_t> vertices = std::move(task.vertices);
+  task.vertices.clear();
+  std::set<Diagonal> repeated;
+  task.joined = [&repeated, are_joined = task.joined](std::size_t a, std::size_t b) {
+    return repeated.count(std::minmax(a, b)) > 0 || (are_joined && are_joined(a, b));
+  };
+  Filling filling;
+  for (int round = 0; round < REPEATING_ROUNDS; ++round) {
+    filling = MinimumWeightFilling().close(task);
+    const std::vector<Diagonal> more = repeatedDiagonals(filling.triangles, vertices);
+    if (more.empty())
+      break;
+    repeated.insert(more.begin(), more.end());
+  }
+  return filling;
+}
+
 } // namespace
 
 Filling
 MinimumWeightFilling::close(const FillingTask& task) const
 {
+  if (!task.vertices.empty())
+    return closeWithoutRepeating(task);
   Filling filling;
   if (task.polygon.size() < 3) {
     filling.problem = "the hole has fewer than three edges";

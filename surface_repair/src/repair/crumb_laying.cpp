@@ -104,8 +104,7 @@ CrumbLaying::run()
   for (const double reach : REACHES)
     if (tryWithin(reach))
       return true;
-  return crumb_.size() < course_.parameters.crumb_triangles && !touchesInput() &&
-         tryWithin(FARTHEST);
+  return !touchesInput() && tryWithin(FARTHEST);
 }
 
 /** Whether it is further away from the patch than a hole of that length is deep. */

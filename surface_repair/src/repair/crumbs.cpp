@@ -16,14 +16,16 @@ namespace repair {
 
 namespace {
 
-/** An island of more than this share of the largest one's triangles is no crumb. */
+/** Share of the largest island's triangles up to which one is a crumb, and up to which
+ * it is laid where bridges have not joined it. */
 constexpr double LARGEST_SHARE = 0.03;
 /** Operations for a crumb that is laid, besides what closing takes. */
 constexpr std::size_t CRUMB_WORK = 200000;
+constexpr double LARGEST_LAID = 0.1;
 
 /** Of each island: a disc, small enough. */
 std::vector<bool>
-areCrumbs(const IncompleteModel& model, std::size_t fewer_than)
+areCrumbs(const IncompleteModel& model, std::size_t fewer_than, double largest_share)
 {
   std::size_t largest = 0;
   for (const Island& island : model.islands)
@@ -44,7 +46,7 @@ areCrumbs(const IncompleteModel& model, std::size_t fewer_than)
     // A disc of n triangles and a rim of b edges has (n + b) / 2 + 1 vertices.
     are_crumbs[i] =
         triangles < fewer_than && !model.islands[i].one_sided &&
-        static_cast<double>(triangles) < LARGEST_SHARE * static_cast<double>(largest) &&
+        static_cast<double>(triangles) < largest_share * static_cast<double>(largest) &&
         2 * vertices[i] == triangles + rim_edges[i] + 2;
   }
   return are_crumbs;
@@ -78,16 +80,14 @@ insertAt(std::size_t place, const std::vector<T>& more, std::vector<T>& list)
       list.begin() + static_cast<std::ptrdiff_t>(place), more.begin(), more.end());
 }
 
-} // namespace
-
+/** \param[in] are_crumbs of each island */
 Crumbs
-setCrumbsAside(std::size_t fewer_than,
-               const ccaa::LoopContext& context,
-               ModelSurvey& survey)
+takeOut(const std::vector<bool>& are_crumbs,
+        const ccaa::LoopContext& context,
+        ModelSurvey& survey)
 {
   Crumbs crumbs;
   IncompleteModel& model = survey.model;
-  const std::vector<bool> are_crumbs = areCrumbs(model, fewer_than);
   std::vector<bool> is_taken(model.triangles.size(), false);
   std::vector<bool> is_moved(model.positions.size(), false);
   for (std::size_t t = 0; t < model.triangles.size(); ++t)
@@ -107,6 +107,39 @@ setCrumbsAside(std::size_t fewer_than,
   if (!model.viewpoints.empty())
     crumbs.viewpoints = takeMarked(is_moved, model.viewpoints);
   keepInOrder(context, survey);
+  return crumbs;
+}
+
+} // namespace
+
+Crumbs
+setCrumbsAside(std::size_t fewer_than,
+               const ccaa::LoopContext& context,
+               ModelSurvey& survey)
+{
+  return takeOut(areCrumbs(survey.model, fewer_than, LARGEST_SHARE), context, survey);
+}
+
+Crumbs
+setUnjoinedAside(std::size_t fewer_than,
+                 const std::set<pcl::index_t>& unjoined,
+                 const Course& course)
+{
+  const IncompleteModel& model = course.survey.model;
+  const std::vector<bool> are_small = areCrumbs(model, fewer_than, LARGEST_LAID);
+  std::vector<bool> are_new(model.islands.size(), false);
+  for (std::size_t t = 0; t < model.triangles.size(); ++t)
+    if (course.report.hole_of[t] != NONE)
+      are_new[model.island_of[t]] = true;
+  std::vector<bool> wait(model.islands.size(), false);
+  for (const pcl::index_t vertex : unjoined) {
+    const auto triangle = static_cast<std::size_t>(*model.adjacency.begin(vertex));
+    const std::size_t island = model.island_of[triangle];
+    wait[island] = are_small[island] && !are_new[island];
+  }
+  Crumbs crumbs = takeOut(wait, course.context, course.survey);
+  course.log.leaveOut(crumbs.triangles.size());
+  course.input_vertices -= crumbs.positions.size();
   return crumbs;
 }
 
@@ -145,7 +178,8 @@ void
 layCrumbs(std::size_t fewer_than, const Course& course)
 {
   ModelSurvey& survey = course.survey;
-  const std::vector<bool> are_crumbs = areCrumbs(survey.model, fewer_than);
+  const std::vector<bool> are_crumbs =
+      areCrumbs(survey.model, fewer_than, LARGEST_LAID);
   std::map<std::size_t, std::vector<std::size_t>> crumbs; // triangles, by island
   for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
     if (are_crumbs[survey.model.island_of[t]])

@@ -10,6 +10,7 @@
 #include "survey/model_survey.h"
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace pcl {
@@ -40,6 +41,14 @@ Crumbs
 setCrumbsAside(std::size_t fewer_than,
                const ccaa::LoopContext& context,
                ModelSurvey& survey);
+
+/** \brief The same once bridges have failed: discs of few triangles, larger than
+ * crumbs, that could not be joined. \param[in] unjoined vertices at boundaries that
+ * could not */
+Crumbs
+setUnjoinedAside(std::size_t fewer_than,
+                 const std::set<pcl::index_t>& unjoined,
+                 const Course& course);
 
 /** \brief Make crumbs islands of the model again; input vertices and triangles come in
  * the input's order then. */

@@ -3,11 +3,10 @@
 
 #include "repair/doubts.h"
 
-#include <pcl/surface_repair/decisions.h>
-
 #include "boundary/classification.h"
 #include "field/float_tree.h"
 #include "mesh/corners.h"
+#include "repair/junction_doubts.h"
 
 #include <algorithm>
 #include <array>
@@ -30,8 +29,6 @@ constexpr double OPPOSITE = 0.8;
 constexpr double FLAT = 0.999;
 /** Measured vertices that support what is new. */
 constexpr std::size_t FEWEST_SAMPLES = 4;
-/** Log odds above those from which junctions are joined that leave no doubt. */
-constexpr double MARGIN = 0.2;
 /** Part of the limit that holds for a surface with handles: it may have lost more. */
 constexpr double LIMIT_WITH_HANDLES = 0.25;
 /** Confidence of a junction up to which it supports nothing, and from which all. */
@@ -49,26 +46,6 @@ struct NewPart {
   double unsupported = 0.0;                      /**< area */
   bool is_disc = false;
 };
-
-/** Lowest points of two loops, ascending. */
-using PointPair = std::array<pcl::index_t, 2>;
-
-/** The loops of which the user says that they are to be joined, or are not. */
-std::set<PointPair>
-decidedLoops(const Decisions* decisions, bool join)
-{
-  std::set<PointPair> pairs;
-  if (decisions == nullptr)
-    return pairs;
-  for (const JunctionDecision& junction : decisions->junctions)
-    if (junction.join == join) {
-      const auto [low, high] =
-          std::minmax(decisions->loops[junction.first_loop].key.point,
-                      decisions->loops[junction.second_loop].key.point);
-      pairs.insert({low, high});
-    }
-  return pairs;
-}
 
 /** How little the junctions tell of what lies between loops, 0 to 1. */
 double
@@ -183,7 +160,7 @@ private:
     if (report_.origins[triangle] == TriangleOrigin::COMPLETION ||
         (joins && hole.bridges.empty() && hole.free_points >= FEWEST_SAMPLES))
       return 0.0;
-    return joins ? doubt_of_junctions_ : 1.0;
+    return joins && !hole.bridges.empty() ? doubt_of_junctions_ : 1.0;
   }
 
   NewPart
@@ -279,27 +256,6 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
   return tunnels;
 }
 
-/** Junctions that are joined on evidence that hardly decides, or only because there is
- * no better one: by their points, ascending. */
-std::vector<RepairDoubt>
-weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
-{
-  const std::set<PointPair> wanted = decidedLoops(parameters.decisions.get(), true);
-  std::map<PointPair, double> gaps;
-  for (const RepairJunction& junction : report.junctions) {
-    const PointPair points = {std::min(junction.points[0], junction.points[1]),
-                              std::max(junction.points[0], junction.points[1])};
-    if (parameters.junction.judge && junction.verdict == JunctionVerdict::JOINED &&
-        junction.evidence.logOdds() < parameters.junction.joined_from + MARGIN &&
-        wanted.count(points) == 0)
-      gaps[points] = junction.evidence.gap_share;
-  }
-  std::vector<RepairDoubt> weak;
-  for (const auto& [points, gap] : gaps)
-    weak.push_back({DoubtReason::LONG_GAP, points, gap});
-  return weak;
-}
-
 } // namespace
 
 std::vector<RepairDoubt>
@@ -319,11 +275,15 @@ doubtsAbout(const RepairedModel& repaired,
       tunnelsOf(caps, decidedLoops(parameters.survey.decisions.get(), false));
   const std::vector<RepairDoubt> weak = weakJunctions(report, parameters.survey);
   doubts.insert(doubts.end(), weak.begin(), weak.end());
+  const std::vector<RepairDoubt> parted =
+      partedJunctions(repaired.model, report, parameters.survey);
+  doubts.insert(doubts.end(), parted.begin(), parted.end());
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =
       parameters.watertight || parameters.filling.close == CloseChoice::ALL;
   const auto is_body = [&] {
-    return isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
+    return report.after.boundary_loops == 0 ||
+           isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
   };
   const double limit =
       parameters.greatest_unsupported >= 1.0 || report.after.genus.value_or(0) <= 0

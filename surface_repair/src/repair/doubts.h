@@ -24,20 +24,24 @@ namespace repair {
  * tube has no other partner (joinLoneStumps()), or are at most 0.2 above what joins.
  * None where the user wants the two joined.
  *
- * UNSUPPORTED, of a body (isSeenFromAllSides()): those of COMPLETION have measured
- * corners, samples support what joins stumps over them, and a flat patch is where
- * something stood. Nothing supports the others within one loop, and those between loops
- * are supported by the junctions: w = (0.75 - c) / 0.25, at least 0 and at most 1, of
- * their area counts as unsupported, where c is the confidence of the weakest
- * junction that is joined. The doubt: it is more than
- * RepairParameters::greatest_unsupported of the whole area, or than a quarter of that
- * where the surface has handles: it may have lost another. CloseChoice::ALL asks for
- * it, and gives none.
+ * PARTED: a junction is joined by its evidence, but its two boundaries are in different
+ * pieces. None where the user decides about junctions, or limits bridges.
+ *
+ * UNSUPPORTED, of a body (isSeenFromAllSides()) or what is closed now: those of
+ * COMPLETION have measured corners, samples support what joins stumps over them, and a
+ * flat patch is where something stood. Nothing supports the others within one loop, nor
+ * rings over lost bridges, and those between loops are supported by the junctions: w =
+ * (0.75 - c) / 0.25, at least 0 and at most 1, of their area counts as unsupported,
+ * where c is the confidence of the weakest junction that is joined. The doubt: it is
+ * more than RepairParameters::greatest_unsupported of the whole area, or than a quarter
+ * of that where the surface has handles: it may have lost another. CloseChoice::ALL
+ * asks for it, and gives none.
  *
  * Cost: n log n in the new triangles and linear in all.
  * \param[in] repaired with its adjacency
  * \param[in] report of its holes and junctions
- * \return tunnels by their points, ascending, long gaps by theirs, UNSUPPORTED */
+ * \return tunnels by their points, ascending, long gaps and parted junctions by
+ * theirs, UNSUPPORTED */
 std::vector<RepairDoubt>
 doubtsAbout(const RepairedModel& repaired,
             const RepairReport& report,

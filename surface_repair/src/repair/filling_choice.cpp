@@ -3,6 +3,7 @@
 
 #include "repair/filling_choice.h"
 
+#include "filling/avoiding_fans.h"
 #include "filling/completion_filling.h"
 #include "filling/fan_filling.h"
 #include "filling/minimum_weight_filling.h"
@@ -147,6 +148,12 @@ fillHole(FillingTask task, FillingChoice choice, const FreePointField* free_poin
       return {std::move(made), fan.name()};
   }
   Filling made = basic.close(task);
+  if (!made.closed() && task.obstructed && task.second_loop == 0) {
+    const AvoidingFans fans;
+    Filling around = fans.close(task);
+    if (around.closed())
+      return {std::move(around), fans.name()};
+  }
   if (choice == FillingChoice::FAN || choice == FillingChoice::MINIMUM_WEIGHT ||
       free_points == nullptr || !made.closed())
     return {std::move(made), basic.name()};

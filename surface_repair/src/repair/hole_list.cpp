@@ -6,6 +6,7 @@
 #include "boundary/extraction.h"
 #include "boundary/loop_evidence.h"
 #include "mesh/disjoint_sets.h"
+#include "repair/junction_rings.h"
 #include "repair/loop_reasons.h"
 #include "repair/sampled_rings.h"
 
@@ -233,7 +234,10 @@ Listing::addContours()
 void
 Listing::addRings(double longest_join)
 {
-  for (OpenHole& ring : ringsOverSamples(survey_, longest_join)) {
+  std::vector<OpenHole> rings = ringsOverSamples(survey_, longest_join);
+  if (rings.empty())
+    rings = ringsOverJunctions(survey_);
+  for (OpenHole& ring : rings) {
     is_listed_[ring.loop] = is_listed_[ring.other_loop] = true;
     add(std::move(ring));
   }

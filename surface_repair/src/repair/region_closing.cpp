@@ -180,7 +180,8 @@ RegionClosing::subdivide()
   std::size_t next = place_.model.positions.size() + region_.bridge_vertices;
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
     // Bridges would follow the surface around: out of the plane, or past the samples.
-    if (flat_ || !region_.samples.empty() || strategy_[h] == GIVEN_UP) {
+    if (flat_ || !region_.samples.empty() || strategy_[h] == GIVEN_UP ||
+        region_.holes[h].second_loop > 0) {
       parts_.push_back({region_.holes[h], {}, h});
       continue;
     }

@@ -15,6 +15,7 @@
 #include "survey/survey_stages.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace pcl {
@@ -123,7 +124,7 @@ hasUnjoined(const Pass& last)
 {
   const std::vector<OpenHole>& holes = last.holes.holes;
   return std::any_of(holes.begin(), holes.end(), [](const OpenHole& hole) {
-    return hole.open == OpenReason::NOT_JOINED;
+    return couldBeJoined(hole.open);
   });
 }
 
@@ -205,12 +206,42 @@ afterReopening(Pass last, const Course& course)
   return closeRounds(course);
 }
 
+/** Vertices at boundaries that could not be closed, or not be joined. */
+std::set<pcl::index_t>
+unjoinedVertices(const Pass& last)
+{
+  std::set<pcl::index_t> vertices;
+  for (const auto& [vertex, failure] : last.closed.failed)
+    vertices.insert(vertex);
+  for (const OpenHole& hole : last.holes.holes)
+    if (couldBeJoined(hole.open) && hole.loop != NONE)
+      vertices.insert(hole.polygon.vertices.begin(), hole.polygon.vertices.end());
+  return vertices;
+}
+
+/** The last pass after small islands that could not be joined have waited like crumbs.
+ */
+Pass
+afterWaiting(std::size_t crumb_triangles, Pass last, const Course& course)
+{
+  if (course.context.cancelled() || !last.closed.triangles.empty())
+    return last;
+  const std::set<pcl::index_t> unjoined = unjoinedVertices(last);
+  takeClosed(last, course);
+  const Crumbs waiting =
+      setUnjoinedAside(LAID_CRUMBS * crumb_triangles, unjoined, course);
+  last = closeRounds(course);
+  if (waiting.empty())
+    return last;
+  return afterCrumbs(waiting, crumb_triangles, std::move(last), course);
+}
+
 /** Passes, and then what these could not close, in other ways. */
 Pass
 closeAll(const Crumbs& crumbs, std::size_t crumb_triangles, const Course& course)
 {
   Pass last = closeRounds(course);
-  if (hasObstructed(last.closed))
+  if (!last.closed.failed.empty())
     last = afterRings(std::move(last), course);
   if (!crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last)))
     last = afterCrumbs(crumbs, crumb_triangles, std::move(last), course);
@@ -218,6 +249,8 @@ closeAll(const Crumbs& crumbs, std::size_t crumb_triangles, const Course& course
     last = afterSamples(std::move(last), course);
   if (hasObstructed(last.closed))
     last = afterReopening(std::move(last), course);
+  if (crumb_triangles > 0 && last.holes.islands > 1 && !last.finished)
+    last = afterWaiting(crumb_triangles, std::move(last), course);
   return last;
 }
 

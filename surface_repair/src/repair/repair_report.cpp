@@ -55,6 +55,8 @@ describe(DoubtReason reason)
     return "two boundaries were joined over a long gap on evidence that hardly "
            "decides, "
            "or since there is no better partner";
+  case DoubtReason::PARTED:
+    return "two boundaries that belong together by evidence came out in two pieces";
   case DoubtReason::UNSUPPORTED:
     return "so much of the surface is new that more may be lost than can be told";
   }
@@ -69,6 +71,8 @@ nameOf(DoubtReason reason)
     return "TUNNEL";
   case DoubtReason::LONG_GAP:
     return "LONG_GAP";
+  case DoubtReason::PARTED:
+    return "PARTED";
   case DoubtReason::UNSUPPORTED:
     return "UNSUPPORTED";
   }

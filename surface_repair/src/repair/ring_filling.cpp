@@ -168,6 +168,7 @@ fillRings(const std::vector<RingPolygon>& rings,
     };
     FillingTask task;
     task.polygon = ring.curve;
+    task.vertices = ring.vertices;
     const std::size_t last = ring.vertices.size() - 1;
     task.joined = [&](std::size_t a, std::size_t b) {
       const std::pair<pcl::index_t, pcl::index_t> edge =

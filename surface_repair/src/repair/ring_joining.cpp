@@ -3,10 +3,13 @@
 
 #include "repair/ring_joining.h"
 
+#include "boundary/opposed_loops.h"
 #include "filling/minimum_weight_filling.h"
+#include "repair/junction_rings.h"
 #include "repair/ring_filling.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace pcl {
@@ -17,30 +20,13 @@ namespace {
 /** Operations for a ring that is filled. */
 constexpr std::size_t RING_WORK = 1000000;
 
-/** Two loops. */
-using Ring = std::pair<std::size_t, std::size_t>;
-
-/** Loops that bridges connect with each other and with no other one, ascending. */
-std::vector<Ring>
-ringsOf(const SurveyedBridges& joined)
-{
-  const auto partners = partnersOver(joined, true);
-  std::vector<Ring> rings;
-  for (const auto& [loop, others] : partners) {
-    const std::size_t other = *others.begin();
-    if (loop < other && others.size() == 1 && partners.at(other).size() == 1)
-      rings.emplace_back(loop, other);
-  }
-  return rings;
-}
-
 /** All around: what bounds joined sheets from outside has not been tried. */
 bool
-ranIntoSomething(const BoundaryLoop& loop, const Failures& failed)
+hasFailed(const BoundaryLoop& loop, const Failures& failed)
 {
   return std::all_of(loop.vertices.begin(),
                      loop.vertices.end(),
-                     [&](pcl::index_t vertex) { return isObstructed(failed, vertex); });
+                     [&](pcl::index_t vertex) { return failed.count(vertex) > 0; });
 }
 
 /** The ring as one hole, for the report. */
@@ -85,14 +71,17 @@ joinRings(const Failures& failed, const Course& course)
 {
   ModelSurvey& survey = course.survey;
   GrowingSurface surface(survey.model, course.report.hole_of);
-  bool has_joined = false;
-  for (const auto& [first, second] : ringsOf(survey.joined)) {
+  std::set<std::size_t> closed;
+  for (const auto& [first, second] : bridgedPairs(survey.joined)) {
     const BoundaryLoop& one = survey.loops[first];
     const BoundaryLoop& other = survey.loops[second];
-    if (ranIntoSomething(one, failed) && ranIntoSomething(other, failed) &&
-        ccaa::spend(course.context.control, RING_WORK))
-      has_joined = join(one, other, course, surface) || has_joined;
+    if (closed.count(first) + closed.count(second) == 0 &&
+        !lookTheSameWay(one.curve, other.curve) && hasFailed(one, failed) &&
+        hasFailed(other, failed) && ccaa::spend(course.context.control, RING_WORK) &&
+        join(one, other, course, surface))
+      closed.insert({first, second});
   }
+  const bool has_joined = !closed.empty();
   if (has_joined)
     takeOver(std::move(surface), course);
   return has_joined;

@@ -54,6 +54,8 @@ fillingTask(const HolePolygon& polygon,
   task.control = control;
   task.polygon = polygon.curve;
   task.second_loop = polygon.second_loop;
+  if (polygon.second_loop > 0)
+    task.vertices = polygon.vertices;
   task.joined = [&polygon, &taken](std::size_t a, std::size_t b) {
     return polygon.curve.points[a] == polygon.curve.points[b] ||
            taken.contain(polygon.vertices[a], polygon.vertices[b]);

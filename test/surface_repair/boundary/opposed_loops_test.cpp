@@ -161,6 +161,29 @@ lowerMouth(const BoundaryLoops& loops)
   return mouth;
 }
 
+/** Curves of loops, by their height. */
+std::vector<BoundaryCurve>
+curvesOf(const Shape& shape)
+{
+  std::vector<BoundaryCurve> curves;
+  for (const BoundaryLoop& loop : extractBoundaries(modelOf(shape)))
+    curves.push_back(loop.curve);
+  std::stable_sort(curves.begin(), curves.end(), [](const auto& a, const auto& b) {
+    return a.points.front().z() < b.points.front().z();
+  });
+  return curves;
+}
+
+TEST(LookTheSameWay, OnlyMouthsOfTubesSideBySideDo)
+{
+  const auto one_above = curvesOf(twoTubes(0.5));
+  EXPECT_FALSE(lookTheSameWay(one_above[1], one_above[2]));
+  const auto beside = curvesOf(
+      joined(cylinder(32, 16), translated(cylinder(32, 16), {2.5, 0.0, 0.01})));
+  EXPECT_TRUE(lookTheSameWay(beside[0], beside[1]));
+  EXPECT_TRUE(lookTheSameWay(beside[2], beside[3]));
+}
+
 TEST(LoopAhead, IsTheHoleThatAMouthLooksInto)
 {
   const BoundaryLoops loops = tubeOverHole(2.0);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -255,6 +256,44 @@ TEST(MinimumWeightFilling, DoesNotDependOnScaleOrPlace)
   for (Position& p : moved.polygon.points)
     p = 1024.0 * p;
   EXPECT_EQ(fillingOf(task).triangles, fillingOf(moved).triangles);
+}
+
+/** Two loops of different size side by side, cut open between two of their points. */
+TEST(MinimumWeightFilling, NoEdgeBetweenVerticesOfARingComesTwice)
+{
+  for (const std::size_t inner : {3, 5, 9})
+    for (const double aside : {0.0, 0.7, 3.0}) {
+      FillingTask task;
+      const auto add = [&](std::size_t count, double radius, double x, double turns) {
+        const auto first = static_cast<pcl::index_t>(task.vertices.size());
+        for (std::size_t k = 0; k <= count; ++k) {
+          const double angle =
+              turns * 2.0 * M_PI * static_cast<double>(k) / static_cast<double>(count);
+          task.polygon.points.emplace_back(
+              x + radius * std::cos(angle), radius * std::sin(angle), 0.1 * x);
+          task.vertices.push_back(first +
+                                  static_cast<pcl::index_t>(k == count ? 0 : k));
+        }
+        task.polygon.points.back() =
+            task.polygon.points[task.polygon.size() - 1 - count];
+      };
+      add(12, 1.0, 0.0, -1.0);
+      add(inner, 0.2, aside, 1.0);
+      task.polygon.normals.assign(task.polygon.size(), Direction::UnitZ());
+      task.joined = [&task](std::size_t a, std::size_t b) {
+        return task.vertices[a] == task.vertices[b];
+      };
+      const Filling filling = fillingOf(task);
+      ASSERT_TRUE(filling.closed());
+      std::map<std::pair<pcl::index_t, pcl::index_t>, int> triangles_at;
+      for (const Triangle& triangle : filling.triangles)
+        for (std::size_t c = 0; c < 3; ++c)
+          ++triangles_at[std::minmax(
+              task.vertices[static_cast<std::size_t>(triangle[c])],
+              task.vertices[static_cast<std::size_t>(triangle[(c + 1) % 3])])];
+      for (const auto& [edge, count] : triangles_at)
+        EXPECT_LE(count, 2) << edge.first << "-" << edge.second;
+    }
 }
 
 TEST(MinimumWeightFilling, DegenerateHolesGiveADisc)

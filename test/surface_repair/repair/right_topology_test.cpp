@@ -202,6 +202,55 @@ TEST(RightTopology, AHoleBesideAnotherBodyIsCapped)
       4);
 }
 
+/** A ball with two to four fingers side by side, all cut off by a slanting slice. */
+Shape
+cutFingers(std::uint64_t seed)
+{
+  RandomSource random(seed);
+  const std::size_t fingers = 2 + random.below(3);
+  const double apart = random.uniform(0.28, 0.4);
+  const double width = random.uniform(0.13, 0.16);
+  const double height = random.uniform(1.0, 2.0);
+  const double from = 1.0 + height * random.uniform(0.15, 0.3);
+  const double gap = height * random.uniform(0.2, 0.5);
+  const double tilt = random.uniform(-0.8, 0.8);
+  Shape hand = icosphere(4);
+  for (Position& p : hand.vertices) {
+    double radius = 1.0;
+    for (std::size_t i = 0; i < fingers; ++i) {
+      const double turn =
+          apart * (static_cast<double>(i) - 0.5 * static_cast<double>(fingers - 1));
+      const double cosine = p.dot(Position(std::sin(turn), 0.0, std::cos(turn)));
+      const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / width;
+      radius = std::max(radius, 1.0 + height * std::exp(-std::pow(angle, 4.0)));
+    }
+    p *= radius;
+  }
+  return withoutFreeVertices(without(hand, [=](const Position& p) {
+    const double distance = p.norm() - tilt * p.x();
+    return distance > from && distance < from + gap;
+  }));
+}
+
+/** Some have a single bridge, others twisted ones, and neighbours are nearer to each
+ * other than to the stumps that they were cut off. */
+TEST(RightTopology, FingersCutOffTogetherComeBackEachByItself)
+{
+  constexpr std::size_t SEEDS = 40;
+  std::size_t right = 0;
+  for (std::uint64_t seed = 0; seed < SEEDS; ++seed) {
+    SCOPED_TRACE(seed);
+    const Repaired result = repaired(cutFingers(seed));
+    expectNothingLost(result);
+    const Topology after = topologyOf(result.triangles());
+    const bool is_right =
+        after.components == 1 && after.borders == 0 && after.characteristic == 2;
+    right += is_right ? 1 : 0;
+    EXPECT_TRUE(is_right || !result.report.complete());
+  }
+  EXPECT_GE(right, SEEDS * 95 / 100);
+}
+
 TEST(RightTopology, AHandleThatWasCutThroughComesBack)
 {
   for (const int cuts : {2, 3, 4}) {

@@ -128,6 +128,8 @@ enum class DoubtReason : std::uint8_t {
                   them would take about as little area */
   LONG_GAP,   /**< a limb was joined to another one over a gap on evidence that hardly
                   decides, or since there is no better partner for either */
+  PARTED,     /**< two boundaries belong together by evidence, but came out in two
+                  pieces */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
 };
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what junctions leave in doubt.
+
+#include "repair/junction_doubts.h"
+
+#include <pcl/surface_repair/decisions.h>
+
+#include "boundary/boundary_loop.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pcl {
+namespace repair {
+
+namespace {
+
+/** Log odds above those from which junctions are joined that leave no doubt. */
+constexpr double MARGIN = 0.2;
+
+} // namespace
+
+std::set<PointPair>
+decidedLoops(const Decisions* decisions, bool join)
+{
+  std::set<PointPair> pairs;
+  if (decisions == nullptr)
+    return pairs;
+  for (const JunctionDecision& junction : decisions->junctions)
+    if (junction.join == join) {
+      const auto [low, high] =
+          std::minmax(decisions->loops[junction.first_loop].key.point,
+                      decisions->loops[junction.second_loop].key.point);
+      pairs.insert({low, high});
+    }
+  return pairs;
+}
+
+std::vector<RepairDoubt>
+weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
+{
+  const std::set<PointPair> wanted = decidedLoops(parameters.decisions.get(), true);
+  std::map<PointPair, double> gaps;
+  for (const RepairJunction& junction : report.junctions) {
+    const PointPair points = {std::min(junction.points[0], junction.points[1]),
+                              std::max(junction.points[0], junction.points[1])};
+    if (parameters.junction.judge && junction.verdict == JunctionVerdict::JOINED &&
+        junction.evidence.logOdds() < parameters.junction.joined_from + MARGIN &&
+        wanted.count(points) == 0)
+      gaps[points] = junction.evidence.gap_share;
+  }
+  std::vector<RepairDoubt> weak;
+  for (const auto& [points, gap] : gaps)
+    weak.push_back({DoubtReason::LONG_GAP, points, gap});
+  return weak;
+}
+
+std::vector<RepairDoubt>
+partedJunctions(const IncompleteModel& model,
+                const RepairReport& report,
+                const SurveyParameters& parameters)
+{
+  if (report.after.pieces < 2 || !parameters.junction.judge ||
+      parameters.decisions != nullptr || parameters.greatest_bridge.limits())
+    return {};
+  std::map<PointPair, double> gaps;
+  std::map<pcl::index_t, std::size_t> piece_at; // a point
+  for (const RepairJunction& junction : report.junctions)
+    if (junction.verdict == JunctionVerdict::JOINED) {
+      const auto [low, high] = std::minmax(junction.points[0], junction.points[1]);
+      gaps[{low, high}] = junction.evidence.gap_share;
+      piece_at[low] = piece_at[high] = NONE;
+    }
+  const ccaa::Islands pieces = ccaa::labelIslands(model.adjacency);
+  for (std::size_t v = 0; v < model.point_of_vertex.size(); ++v) {
+    const auto found = piece_at.find(model.point_of_vertex[v]);
+    const pcl::index_t* triangle = model.adjacency.begin(static_cast<pcl::index_t>(v));
+    if (found != piece_at.end() &&
+        triangle != model.adjacency.end(static_cast<pcl::index_t>(v)))
+      found->second = pieces[static_cast<std::size_t>(*triangle)];
+  }
+  std::vector<RepairDoubt> parted;
+  for (const auto& [points, gap] : gaps) {
+    const std::size_t low = piece_at.at(points[0]), high = piece_at.at(points[1]);
+    if (low != NONE && high != NONE && low != high)
+      parted.push_back({DoubtReason::PARTED, points, gap});
+  }
+  return parted;
+}
+
+} // namespace repair
+} // namespace pcl

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what junctions leave in doubt.
+
+#pragma once
+
+#include <pcl/surface_repair/repair_parameters.h>
+#include <pcl/surface_repair/repair_report.h>
+
+#include "icadm/incomplete_model.h"
+
+#include <array>
+#include <set>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+
+/** \brief Lowest points of two loops, ascending. */
+using PointPair = std::array<pcl::index_t, 2>;
+
+/** \brief The loops of which the user says that they are to be joined, or are not.
+ * \param[in] decisions or null */
+std::set<PointPair>
+decidedLoops(const Decisions* decisions, bool join);
+
+/** \brief Junctions that are joined on evidence that hardly decides, or only because
+ * there is no better one: by their points, ascending. */
+std::vector<RepairDoubt>
+weakJunctions(const RepairReport& report, const SurveyParameters& parameters);
+
+/** \brief Junctions that are joined by what they are, but not in the model: by their
+ * points, ascending. \param[in] model as it is written */
+std::vector<RepairDoubt>
+partedJunctions(const IncompleteModel& model,
+                const RepairReport& report,
+                const SurveyParameters& parameters);
+
+} // namespace repair
+} // namespace pcl
