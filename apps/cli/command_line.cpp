@@ -98,11 +98,10 @@ OptionGroup::wholeNumber(const std::string& name,
       set(number);
   };
   auto* const type = po::value<long long>();
-  return {
-      *this,
-      name,
-      is_optional ? type->implicit_value(value) : type->default_value(value),
-      take};
+  return {*this,
+          name,
+          is_optional ? type->implicit_value(value) : type->default_value(value),
+          take};
 }
 
 OptionGroup::Waiting

@@ -112,15 +112,17 @@ readHeads(const std::vector<std::string>& paths)
   for (const std::string& path : paths) {
     if (isStandardStream(path))
       throw Failure("standard input cannot be read tile by tile; give it a file name");
-    if (std::count(paths.begin(), paths.end(), path) > 1)
-      throw Failure("'" + path + "' is given twice");
     PointFile file(path);
+    for (const TileInput& other : head.inputs)
+      if (std::filesystem::equivalent(other.path, path))
+        throw Failure("'" + path + "' is given twice");
     if (file.points() > std::numeric_limits<std::uint32_t>::max())
       throw Failure("'" + path + "' has more than 2^32 points; split it");
     TileInput input;
     input.path = path;
     input.bytes = file.bytes();
     input.points = file.points();
+    input.changed = std::filesystem::last_write_time(path).time_since_epoch().count();
     head.inputs.push_back(input);
     parts.push_back({path, std::move(file.head())});
     head.viewpoints.push_back(parts.back().model.viewpoint);

@@ -4,11 +4,13 @@
 
 #include "io/ply_camera.h"
 #include "io/ply_header.h"
+#include "io/point_columns.h"
 #include "io/writers.h"
 #include "out_of_core/step_file.h"
 #include "out_of_core/tile_points.h"
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -45,6 +47,8 @@ public:
     cloud = plan.layout;
     pcl::PCLPointField field;
     field.name = "vertex_id";
+    while (findField(cloud, field.name))
+      field.name += '_'; // the points have one of their own
     field.offset = cloud.point_step;
     field.datatype = pcl::PCLPointField::FLOAT64;
     field.count = 1;
@@ -69,6 +73,43 @@ private:
   std::size_t record_bytes_;
 };
 
+constexpr std::size_t FACE_BYTES = 1 + sizeof(CoreTriangle);
+
+/** The remark of a shard that tells its run. */
+std::string
+keyRemark(const TilePlan& plan)
+{
+  return "run " + plan.key;
+}
+
+/** The head of a shard, which has to be whole and of this run.
+ * \param[in,out] scanner stands behind it then */
+PlyHeader
+readShardHead(const TilePlan& plan,
+              const std::string& path,
+              const InputFile& file,
+              TextScanner& scanner)
+{
+  PlyHeader header;
+  try {
+    header = readPlyHeader(scanner);
+  }
+  catch (const Failure& failure) {
+    throw Failure("'" + path + "' is damaged: " + failure.what());
+  }
+  const std::vector<std::string>& infos = header.remarks.infos;
+  if (std::find(infos.begin(), infos.end(), keyRemark(plan)) == infos.end())
+    failAsForeign(path);
+  std::size_t bytes = 0;
+  for (const PlyElement& element : header.elements)
+    for (const PlyProperty& property : element.properties)
+      bytes +=
+          element.rows * (property.isList() ? FACE_BYTES : scalarSize(property.type));
+  if (bytes != static_cast<std::size_t>(file.end() - scanner.position()))
+    throw Failure("'" + path + "' is cut off");
+  return header;
+}
+
 /** A shard as writeShard() wrote it. */
 TileSurface
 readShard(const TilePlan& plan, std::size_t tile)
@@ -77,7 +118,7 @@ readShard(const TilePlan& plan, std::size_t tile)
   InputFile file;
   require(file.open(path));
   TextScanner scanner(file.bytes());
-  const PlyHeader header = readPlyHeader(scanner);
+  const PlyHeader header = readShardHead(plan, path, file, scanner);
   std::size_t record = 0;
   for (const PlyProperty& property : header.elements.front().properties)
     record += scalarSize(property.type);
@@ -88,7 +129,6 @@ readShard(const TilePlan& plan, std::size_t tile)
     std::memcpy(&id, scanner.position() + (i + 1) * record - sizeof(id), sizeof(id));
     surface.foreign.push_back(static_cast<WideIndex>(id));
   }
-  constexpr std::size_t FACE_BYTES = 1 + sizeof(CoreTriangle);
   surface.triangles.resize(header.elements.back().rows);
   const char* face = file.end() - surface.triangles.size() * FACE_BYTES;
   for (CoreTriangle& triangle : surface.triangles) {
@@ -106,12 +146,7 @@ public:
   , scratch_(plan.file("merging"))
   , entry_bytes_(sizeof(std::uint64_t) + plan.layout.point_step)
   {
-    std::uint64_t first = 0;
-    for (const TileInput& input : plan.inputs) {
-      first_.push_back(first);
-      first += input.points;
-    }
-    windows_ = (first + WINDOW - 1) / WINDOW;
+    windows_ = (plan.points() + WINDOW - 1) / WINDOW;
     fs::remove_all(scratch_);
     fs::create_directories(scratch_);
   }
@@ -127,7 +162,7 @@ public:
   std::uint64_t
   placeOf(PointSource source) const
   {
-    return first_[source.file] + source.point;
+    return plan_.inputs[source.file].first + source.point;
   }
 
   /** Sort records into the files of their windows. */
@@ -187,7 +222,6 @@ private:
   const TilePlan& plan_;
   fs::path scratch_;
   std::size_t entry_bytes_;
-  std::vector<std::uint64_t> first_; /**< place of the first point of each file */
   std::uint64_t windows_ = 0;
 };
 
@@ -240,7 +274,14 @@ extrasOf(const TilePlan& plan)
 bool
 hasShard(const TilePlan& plan, std::size_t tile)
 {
-  return fs::exists(plan.file(tile, SHARD_STEP));
+  const std::string path = plan.file(tile, SHARD_STEP);
+  if (!fs::exists(path))
+    return false;
+  InputFile file;
+  require(file.open(path));
+  TextScanner scanner(file.bytes());
+  readShardHead(plan, path, file, scanner);
+  return true;
 }
 
 void
@@ -267,7 +308,9 @@ writeShard(const TilePlan& plan, std::size_t tile)
   PlyCounts counts;
   counts.vertices = shard.cloud.width;
   counts.faces = surface.triangles.size();
-  PlyParts parts(shard.cloud, counts, extrasOf(plan), file);
+  FileExtras extras = extrasOf(plan);
+  extras.remarks.infos.push_back(keyRemark(plan));
+  PlyParts parts(shard.cloud, counts, extras, file);
   parts.points(shard.cloud);
   if (plan.viewpoint.isTold())
     writeCamera(plan.viewpoint, shard.cloud, file);

@@ -33,16 +33,51 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile)
   parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
   const Eigen::AlignedBox3d around = boxAround(plan.tiling.tiles[tile]);
   for (const std::size_t part : parts) {
-    const TilePoints points(plan, part);
     if (part == tile) {
-      first_own_ = wide_.size();
-      cloud_.data.reserve(cloud_.data.size() + points.size() * cloud_.point_step);
-      for (std::size_t i = 0; i < points.size(); ++i)
-        add(plan, part, points, i);
+      addOwn(plan, tile);
+      continue;
     }
-    else
-      points.forEachIn(around, [&](std::size_t i) { add(plan, part, points, i); });
+    const TilePoints points(plan, part);
+    points.forEachIn(around, [&](std::size_t i) { add(plan, part, points, i); });
   }
+  finish();
+}
+
+TileCloud::TileCloud(const TilePlan& plan,
+                     std::size_t tile,
+                     const std::vector<pcl::ccaa::WideIndex>& foreign)
+{
+  cloud_ = plan.layout;
+  const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+  const auto behind = std::lower_bound(foreign.begin(), foreign.end(), own.first);
+  const auto addAll = [&](auto next, auto end) {
+    while (next != end) {
+      const std::size_t part = plan.tiling.ownerOf(*next);
+      const pcl::ccaa::Tile& owner = plan.tiling.tiles[part];
+      const TilePoints points(plan, part);
+      for (; next != end && *next < owner.first + owner.count; ++next)
+        add(plan, part, points, static_cast<std::size_t>(*next - owner.first));
+    }
+  };
+  addAll(foreign.begin(), behind);
+  addOwn(plan, tile);
+  addAll(behind, foreign.end());
+  finish();
+}
+
+void
+TileCloud::addOwn(const TilePlan& plan, std::size_t tile)
+{
+  const TilePoints points(plan, tile);
+  first_own_ = wide_.size();
+  cloud_.data.reserve(cloud_.data.size() + points.size() * cloud_.point_step);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    add(plan, tile, points, i);
+}
+
+void
+TileCloud::finish()
+{
   cloud_.width = static_cast<pcl::uindex_t>(wide_.size());
   cloud_.row_step = cloud_.width * cloud_.point_step;
   cloud_.is_dense = 1;

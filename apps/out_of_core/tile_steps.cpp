@@ -133,9 +133,25 @@ finalBorder(const TilePlan& plan, std::size_t tile)
   return triangles;
 }
 
+/** The corners that other tiles have. */
+std::vector<WideIndex>
+foreignCorners(const Tile& own, const std::vector<WideTriangle>& triangles)
+{
+  std::vector<WideIndex> foreign;
+  for (const WideTriangle& triangle : triangles)
+    for (const WideIndex corner : triangle)
+      if (!isOwn(own, corner))
+        foreign.push_back(corner);
+  pcl::ccaa::sortUnique(foreign);
+  return foreign;
+}
+
 /** All triangles of a tile, in places of its cloud. */
 pcl::ccaa::Triangles
-finalTriangles(const TilePlan& plan, std::size_t tile, const TileCloud& cloud)
+finalTriangles(const TilePlan& plan,
+               std::size_t tile,
+               const TileCloud& cloud,
+               const std::vector<WideTriangle>& border)
 {
   pcl::ccaa::Triangles triangles;
   const auto first = static_cast<std::uint32_t>(cloud.firstOwn());
@@ -143,7 +159,7 @@ finalTriangles(const TilePlan& plan, std::size_t tile, const TileCloud& cloud)
     triangles.push_back({static_cast<pcl::index_t>(first + inner[0]),
                          static_cast<pcl::index_t>(first + inner[1]),
                          static_cast<pcl::index_t>(first + inner[2])});
-  for (const WideTriangle& triangle : finalBorder(plan, tile))
+  for (const WideTriangle& triangle : border)
     triangles.push_back({cloud.placeOf(triangle[0]),
                          cloud.placeOf(triangle[1]),
                          cloud.placeOf(triangle[2])});
@@ -323,9 +339,10 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
 {
   if (isDone(plan.file(tile, PIECES_STEP), plan.key))
     return;
-  const TileCloud cloud(plan, tile);
+  const std::vector<WideTriangle> border = finalBorder(plan, tile);
+  const TileCloud cloud(plan, tile, foreignCorners(plan.tiling.tiles[tile], border));
   const Position corner = plan.corners[tile];
-  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, cloud);
+  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, cloud, border);
   pcl::ccaa::RunControl control(run.progress);
   std::vector<std::uint32_t> piece_of;
   const pcl::ccaa::TilePieces pieces =
