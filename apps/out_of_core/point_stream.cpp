@@ -102,6 +102,16 @@ private:
   std::size_t dropped_ = 0;
 };
 
+/** Names and types of the fields, one after the other. */
+std::string
+fieldsOf(const pcl::PCLPointCloud2& cloud)
+{
+  std::string text;
+  for (const pcl::PCLPointField& field : cloud.fields)
+    text += field.name + " " + std::to_string(field.datatype) + "\n";
+  return text;
+}
+
 } // namespace
 
 StreamHead
@@ -127,6 +137,10 @@ readHeads(const std::vector<std::string>& paths)
     parts.push_back({path, std::move(file.head())});
     head.viewpoints.push_back(parts.back().model.viewpoint);
   }
+  // The first one gives the order of the fields: not that of the first file.
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return fieldsOf(a.model.mesh.cloud) < fieldsOf(b.model.mesh.cloud);
+  });
   Model whole;
   mergeModels(parts, whole);
   head.layout = std::move(whole.mesh.cloud);

@@ -56,13 +56,14 @@ std::string
 summarize(const nlohmann::json& facts, std::size_t tiles, const std::string& where)
 {
   const nlohmann::json& seams = facts["seams"];
+  const std::string side = facts["outer_side"];
   return where + ": " + plural(std::uint64_t{facts["vertices"]}, "point") + " in " +
          plural(tiles, "tile") + ", " +
          std::to_string(std::uint64_t{facts["triangles"]}) + " triangles, " +
          plural(std::uint64_t{facts["open_edges"]}, "open edge") +
          "; tiles disagreed at " + plural(std::uint64_t{seams["places"]}, "place") +
-         ", " + plural(std::uint64_t{seams["triangles"]}, "triangle") +
-         " made there; outer side by " + std::string(facts["outer_side"]);
+         ", " + plural(std::uint64_t{seams["triangles"]}, "triangle") + " made there" +
+         (side.empty() ? "" : "; outer side by " + side);
 }
 
 std::string

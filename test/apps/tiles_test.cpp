@@ -88,6 +88,36 @@ TEST_F(TiledApp, ShardsAreTheSameForAnyOrderOfTheInputs)
   EXPECT_TRUE(shardsIn("abc") == shardsIn("cab"));
 }
 
+/** A cloud with two fields behind x, y and z. */
+pcl::PCLPointCloud2
+withTwoFields(const pcl::ccaa::Positions& points,
+              const std::string& first,
+              const std::string& second)
+{
+  test::FieldList fields = test::xyzFields();
+  fields.emplace_back(first, pcl::PCLPointField::FLOAT32);
+  fields.emplace_back(second, pcl::PCLPointField::FLOAT32);
+  pcl::PCLPointCloud2 cloud = test::rawCloud(fields, points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    test::setPosition(cloud, i * cloud.point_step, points[i]);
+    test::setValue(cloud, i, "intensity", 0.5F * static_cast<float>(i));
+    test::setValue(cloud, i, "ring", static_cast<float>(i % 7));
+  }
+  return cloud;
+}
+
+TEST_F(TiledApp, ShardsAreTheSameForAnyOrderOfInputsWithFieldsInAnotherOrder)
+{
+  pcl::ccaa::Positions points = test::bumpySphere(3000, 3);
+  const pcl::ccaa::Positions last(points.begin() + 2000, points.end());
+  points.resize(2000);
+  save(folder_.path("a.ply"), withTwoFields(points, "ring", "intensity"));
+  save(folder_.path("b.ply"), withTwoFields(last, "intensity", "ring"));
+  ASSERT_TRUE(hasMeshed(intoFolder({"a.ply", "b.ply"}, "ab")));
+  ASSERT_TRUE(hasMeshed(intoFolder({"b.ply", "a.ply"}, "ba")));
+  EXPECT_TRUE(shardsIn("ab") == shardsIn("ba"));
+}
+
 TEST_F(TiledApp, PointsComeOutInTheOrderOfTheInputsThatWereGivenNow)
 {
   const pcl::PCLPointCloud2 cloud = colouredCloud(3000, 3);

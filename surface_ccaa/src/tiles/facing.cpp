@@ -21,7 +21,7 @@ namespace ccaa {
 namespace {
 
 /** Nearest triangles among which that across a gap is looked for. */
-constexpr int ACROSS = 24;
+constexpr unsigned int ACROSS = 24;
 
 /** Numbers of two pieces, the lower first. */
 using Pair = std::array<std::size_t, 2>;
@@ -62,7 +62,7 @@ vote(const Seam& seam, const Winding& pieces, const Triangles& given)
   Indices near;
   std::vector<float> sqr_distances;
   for (std::size_t i = 0; i < rim.size(); ++i) {
-    const int count = std::min(ACROSS, static_cast<int>(rim.size()));
+    const auto count = std::min(ACROSS, static_cast<unsigned int>(rim.size()));
     tree.nearestKSearch((*places)[i], count, near, sqr_distances);
     const std::size_t own = pieces.componentOf(rim[i]);
     for (const pcl::index_t k : near) {
