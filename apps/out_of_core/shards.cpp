@@ -6,24 +6,20 @@
 #include "io/ply_header.h"
 #include "io/point_columns.h"
 #include "io/writers.h"
+#include "out_of_core/input_order.h"
 #include "out_of_core/step_file.h"
 #include "out_of_core/tile_points.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <map>
 
 namespace app {
 namespace {
 
 namespace fs = std::filesystem;
 using pcl::ccaa::WideIndex;
-
-/** Points of the merged file that are put in order at a time. */
-constexpr std::uint64_t WINDOW = std::uint64_t{1} << 22;
 
 /** Calls use(points, number in its tile) for points of other tiles, tile by tile. */
 template <typename Use>
@@ -137,93 +133,6 @@ readShard(const TilePlan& plan, std::size_t tile)
   }
   return surface;
 }
-
-/** Puts records into the order of the input, a window of it at a time. */
-class InputOrder {
-public:
-  explicit InputOrder(const TilePlan& plan)
-  : plan_(plan)
-  , scratch_(plan.file("merging"))
-  , entry_bytes_(sizeof(std::uint64_t) + plan.layout.point_step)
-  {
-    windows_ = (plan.points() + WINDOW - 1) / WINDOW;
-    fs::remove_all(scratch_);
-    fs::create_directories(scratch_);
-  }
-  ~InputOrder()
-  {
-    std::error_code error;
-    fs::remove_all(scratch_, error);
-  }
-  InputOrder(const InputOrder&) = delete;
-  InputOrder&
-  operator=(const InputOrder&) = delete;
-
-  std::uint64_t
-  placeOf(PointSource source) const
-  {
-    return plan_.inputs[source.file].first + source.point;
-  }
-
-  /** Sort records into the files of their windows. */
-  template <typename RecordAt, typename SourceAt>
-  void
-  add(std::size_t count, const RecordAt& record_at, const SourceAt& source_at)
-  {
-    std::map<std::uint64_t, std::vector<char>> waiting;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t place = placeOf(source_at(i));
-      const auto* number = reinterpret_cast<const char*>(&place);
-      const auto* record = reinterpret_cast<const char*>(record_at(i));
-      std::vector<char>& bytes = waiting[place / WINDOW];
-      bytes.insert(bytes.end(), number, number + sizeof(place));
-      bytes.insert(bytes.end(), record, record + plan_.layout.point_step);
-    }
-    for (const auto& [window, bytes] : waiting) {
-      std::ofstream file(pathOf(window), std::ios::binary | std::ios::app);
-      if (!file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
-          !file.flush())
-        throw Failure("cannot write '" + pathOf(window) + "': " + std::strerror(errno));
-    }
-  }
-
-  /** Calls use(cloud) for all windows, ascending. */
-  template <typename Use>
-  void
-  forWindows(const Use& use) const
-  {
-    for (std::uint64_t window = 0; window < windows_; ++window) {
-      std::ifstream file(pathOf(window), std::ios::binary);
-      const auto bytes = static_cast<std::size_t>(fs::file_size(pathOf(window)));
-      std::vector<char> entries(bytes);
-      if (!file.read(entries.data(), static_cast<std::streamsize>(bytes)))
-        throw Failure("cannot read '" + pathOf(window) + "': " + std::strerror(errno));
-      pcl::PCLPointCloud2 cloud = plan_.layout;
-      cloud.width = static_cast<pcl::uindex_t>(bytes / entry_bytes_);
-      cloud.data.resize(cloud.width * cloud.point_step);
-      for (std::size_t at = 0; at < bytes; at += entry_bytes_) {
-        std::uint64_t place = 0;
-        std::memcpy(&place, &entries[at], sizeof(place));
-        std::memcpy(&cloud.data[(place - window * WINDOW) * cloud.point_step],
-                    &entries[at + sizeof(place)],
-                    cloud.point_step);
-      }
-      use(cloud);
-    }
-  }
-
-private:
-  std::string
-  pathOf(std::uint64_t window) const
-  {
-    return (scratch_ / std::to_string(window)).string();
-  }
-
-  const TilePlan& plan_;
-  fs::path scratch_;
-  std::size_t entry_bytes_;
-  std::uint64_t windows_ = 0;
-};
 
 void
 addNowhere(const TilePlan& plan, InputOrder& order)

@@ -114,7 +114,7 @@ TEST_F(TiledApp, EmptySpaceBetweenTilesMakesNoDifference)
 /** The tip of a closed body reaches into the next cell of the grid. */
 TEST_F(TiledApp, ATileOfAFewPointsIsNoHole)
 {
-  for (const std::size_t count : {1, 2, 5, 9}) {
+  for (const std::size_t count : {1U, 2U, 5U, 9U}) {
     SCOPED_TRACE(count);
     auto points = test::fibonacciSphere(3000, 0.9);
     std::vector<double> heights;
