@@ -16,7 +16,9 @@ sortNames(const FileRules& rules, FileNames& names)
                   "input; they do not go together");
   const bool merges = rules.merges != nullptr && *rules.merges;
   const std::size_t count = names.inputs.size();
-  if (names.isBatch() || count == 1 || (merges && !names.output.empty()))
+  const bool has_place =
+      !names.output.empty() || (rules.instead != nullptr && !rules.instead->empty());
+  if (names.isBatch() || count == 1 || (merges && has_place))
     return;
   if (merges || count > 2 || !names.output.empty())
     throw Failure(std::string("several inputs need ") + rules.remedy + " (try --help)");

@@ -44,6 +44,7 @@ struct FileRules {
   const char* output; /**< the same */
   const char* remedy; /**< what several inputs need */
   const bool* merges; /**< whether several inputs make one output; null: never */
+  const std::string* instead = nullptr; /**< unless empty, they need none */
 };
 
 /** \brief Add --output and --output-folder, the arguments of \a rules, and any number

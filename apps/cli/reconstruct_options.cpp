@@ -248,7 +248,8 @@ addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings)
                {"INPUT_CLOUD",
                 "OUTPUT_MESH",
                 "--merge and -o/--output OUTPUT_MESH, or --output-folder DIR",
-                &settings.merge},
+                &settings.merge,
+                &settings.tile_folder},
                settings.files);
   addOutputs(command_line.options(), settings);
   addThreads(command_line, settings.threads);

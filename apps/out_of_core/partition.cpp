@@ -68,12 +68,14 @@ public:
                             head_.inputs.begin(),
                             head_.inputs.end(),
                             [](const TileInput& a, const TileInput& b) {
-                              return a.path == b.path && a.bytes == b.bytes;
+                              return a.path == b.path && a.bytes == b.bytes &&
+                                     a.changed == b.changed;
                             });
     if (!is_same)
       throw Failure("the folder '" + plan_.folder +
                     "' holds tiles of other inputs or other parameters; use another "
                     "one, or remove it");
+    placeInputs(made, head_.inputs);
     return made;
   }
 
@@ -99,9 +101,11 @@ public:
       plan_.tiling.tiles[i].cell = cells[i];
       finishTile(buckets, i);
     }
+    lendHalos();
     placeTiles();
     fs::remove_all(scratch);
     plan_.inputs = head_.inputs;
+    placeInputs(plan_, plan_.inputs);
     plan_.warnings = head_.warnings;
     writePlan(plan_);
     return std::move(plan_);
@@ -165,6 +169,26 @@ private:
     buckets.drop(plan_.tiling.tiles[tile].cell);
     plan_.tiling.tiles[tile].count = order.size();
     plan_.tiling.tiles[tile].halo = HALO_SPACINGS * spacingOf(records, order.size());
+  }
+
+  /** A tile with too few points to measure takes the halo of the nearest one that has
+   * any, the first of several. */
+  void
+  lendHalos()
+  {
+    std::vector<pcl::ccaa::Tile> measured;
+    for (const pcl::ccaa::Tile& tile : plan_.tiling.tiles)
+      if (tile.halo > 0.0)
+        measured.push_back(tile);
+    for (pcl::ccaa::Tile& tile : plan_.tiling.tiles)
+      if (tile.halo == 0.0 && !measured.empty())
+        tile.halo = std::min_element(measured.begin(),
+                                     measured.end(),
+                                     [&](const auto& a, const auto& b) {
+                                       return tile.cell.distance(a.cell) <
+                                              tile.cell.distance(b.cell);
+                                     })
+                        ->halo;
   }
 
   Position
@@ -289,7 +313,6 @@ partition(const std::vector<std::string>& paths,
           const std::string& settings,
           const std::function<bool(double)>& goes_on)
 {
-  fs::create_directories(folder);
   Partition partition(paths, folder, most_points, settings, goes_on);
   if (auto made = partition.made())
     return std::move(*made);

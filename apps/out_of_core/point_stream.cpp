@@ -102,6 +102,16 @@ private:
   std::size_t dropped_ = 0;
 };
 
+/** Names and types of the fields, one after the other. */
+std::string
+fieldsOf(const pcl::PCLPointCloud2& cloud)
+{
+  std::string text;
+  for (const pcl::PCLPointField& field : cloud.fields)
+    text += field.name + " " + std::to_string(field.datatype) + "\n";
+  return text;
+}
+
 } // namespace
 
 StreamHead
@@ -112,19 +122,25 @@ readHeads(const std::vector<std::string>& paths)
   for (const std::string& path : paths) {
     if (isStandardStream(path))
       throw Failure("standard input cannot be read tile by tile; give it a file name");
-    if (std::count(paths.begin(), paths.end(), path) > 1)
-      throw Failure("'" + path + "' is given twice");
     PointFile file(path);
+    for (const TileInput& other : head.inputs)
+      if (std::filesystem::equivalent(other.path, path))
+        throw Failure("'" + path + "' is given twice");
     if (file.points() > std::numeric_limits<std::uint32_t>::max())
       throw Failure("'" + path + "' has more than 2^32 points; split it");
     TileInput input;
     input.path = path;
     input.bytes = file.bytes();
     input.points = file.points();
+    input.changed = std::filesystem::last_write_time(path).time_since_epoch().count();
     head.inputs.push_back(input);
     parts.push_back({path, std::move(file.head())});
     head.viewpoints.push_back(parts.back().model.viewpoint);
   }
+  // The first one gives the order of the fields: not that of the first file.
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return fieldsOf(a.model.mesh.cloud) < fieldsOf(b.model.mesh.cloud);
+  });
   Model whole;
   mergeModels(parts, whole);
   head.layout = std::move(whole.mesh.cloud);

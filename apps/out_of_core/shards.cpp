@@ -4,24 +4,22 @@
 
 #include "io/ply_camera.h"
 #include "io/ply_header.h"
+#include "io/point_columns.h"
 #include "io/writers.h"
+#include "out_of_core/input_order.h"
 #include "out_of_core/step_file.h"
 #include "out_of_core/tile_points.h"
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <map>
 
 namespace app {
 namespace {
 
 namespace fs = std::filesystem;
 using pcl::ccaa::WideIndex;
-
-/** Points of the merged file that are put in order at a time. */
-constexpr std::uint64_t WINDOW = std::uint64_t{1} << 22;
 
 /** Calls use(points, number in its tile) for points of other tiles, tile by tile. */
 template <typename Use>
@@ -45,6 +43,8 @@ public:
     cloud = plan.layout;
     pcl::PCLPointField field;
     field.name = "vertex_id";
+    while (findField(cloud, field.name))
+      field.name += '_'; // the points have one of their own
     field.offset = cloud.point_step;
     field.datatype = pcl::PCLPointField::FLOAT64;
     field.count = 1;
@@ -69,6 +69,43 @@ private:
   std::size_t record_bytes_;
 };
 
+constexpr std::size_t FACE_BYTES = 1 + sizeof(CoreTriangle);
+
+/** The remark of a shard that tells its run. */
+std::string
+keyRemark(const TilePlan& plan)
+{
+  return "run " + plan.key;
+}
+
+/** The head of a shard, which has to be whole and of this run.
+ * \param[in,out] scanner stands behind it then */
+PlyHeader
+readShardHead(const TilePlan& plan,
+              const std::string& path,
+              const InputFile& file,
+              TextScanner& scanner)
+{
+  PlyHeader header;
+  try {
+    header = readPlyHeader(scanner);
+  }
+  catch (const Failure& failure) {
+    throw Failure("'" + path + "' is damaged: " + failure.what());
+  }
+  const std::vector<std::string>& infos = header.remarks.infos;
+  if (std::find(infos.begin(), infos.end(), keyRemark(plan)) == infos.end())
+    failAsForeign(path);
+  std::size_t bytes = 0;
+  for (const PlyElement& element : header.elements)
+    for (const PlyProperty& property : element.properties)
+      bytes +=
+          element.rows * (property.isList() ? FACE_BYTES : scalarSize(property.type));
+  if (bytes != static_cast<std::size_t>(file.end() - scanner.position()))
+    throw Failure("'" + path + "' is cut off");
+  return header;
+}
+
 /** A shard as writeShard() wrote it. */
 TileSurface
 readShard(const TilePlan& plan, std::size_t tile)
@@ -77,7 +114,7 @@ readShard(const TilePlan& plan, std::size_t tile)
   InputFile file;
   require(file.open(path));
   TextScanner scanner(file.bytes());
-  const PlyHeader header = readPlyHeader(scanner);
+  const PlyHeader header = readShardHead(plan, path, file, scanner);
   std::size_t record = 0;
   for (const PlyProperty& property : header.elements.front().properties)
     record += scalarSize(property.type);
@@ -88,7 +125,6 @@ readShard(const TilePlan& plan, std::size_t tile)
     std::memcpy(&id, scanner.position() + (i + 1) * record - sizeof(id), sizeof(id));
     surface.foreign.push_back(static_cast<WideIndex>(id));
   }
-  constexpr std::size_t FACE_BYTES = 1 + sizeof(CoreTriangle);
   surface.triangles.resize(header.elements.back().rows);
   const char* face = file.end() - surface.triangles.size() * FACE_BYTES;
   for (CoreTriangle& triangle : surface.triangles) {
@@ -97,99 +133,6 @@ readShard(const TilePlan& plan, std::size_t tile)
   }
   return surface;
 }
-
-/** Puts records into the order of the input, a window of it at a time. */
-class InputOrder {
-public:
-  explicit InputOrder(const TilePlan& plan)
-  : plan_(plan)
-  , scratch_(plan.file("merging"))
-  , entry_bytes_(sizeof(std::uint64_t) + plan.layout.point_step)
-  {
-    std::uint64_t first = 0;
-    for (const TileInput& input : plan.inputs) {
-      first_.push_back(first);
-      first += input.points;
-    }
-    windows_ = (first + WINDOW - 1) / WINDOW;
-    fs::remove_all(scratch_);
-    fs::create_directories(scratch_);
-  }
-  ~InputOrder()
-  {
-    std::error_code error;
-    fs::remove_all(scratch_, error);
-  }
-  InputOrder(const InputOrder&) = delete;
-  InputOrder&
-  operator=(const InputOrder&) = delete;
-
-  std::uint64_t
-  placeOf(PointSource source) const
-  {
-    return first_[source.file] + source.point;
-  }
-
-  /** Sort records into the files of their windows. */
-  template <typename RecordAt, typename SourceAt>
-  void
-  add(std::size_t count, const RecordAt& record_at, const SourceAt& source_at)
-  {
-    std::map<std::uint64_t, std::vector<char>> waiting;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint64_t place = placeOf(source_at(i));
-      const auto* number = reinterpret_cast<const char*>(&place);
-      const auto* record = reinterpret_cast<const char*>(record_at(i));
-      std::vector<char>& bytes = waiting[place / WINDOW];
-      bytes.insert(bytes.end(), number, number + sizeof(place));
-      bytes.insert(bytes.end(), record, record + plan_.layout.point_step);
-    }
-    for (const auto& [window, bytes] : waiting) {
-      std::ofstream file(pathOf(window), std::ios::binary | std::ios::app);
-      if (!file.write(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
-          !file.flush())
-        throw Failure("cannot write '" + pathOf(window) + "': " + std::strerror(errno));
-    }
-  }
-
-  /** Calls use(cloud) for all windows, ascending. */
-  template <typename Use>
-  void
-  forWindows(const Use& use) const
-  {
-    for (std::uint64_t window = 0; window < windows_; ++window) {
-      std::ifstream file(pathOf(window), std::ios::binary);
-      const auto bytes = static_cast<std::size_t>(fs::file_size(pathOf(window)));
-      std::vector<char> entries(bytes);
-      if (!file.read(entries.data(), static_cast<std::streamsize>(bytes)))
-        throw Failure("cannot read '" + pathOf(window) + "': " + std::strerror(errno));
-      pcl::PCLPointCloud2 cloud = plan_.layout;
-      cloud.width = static_cast<pcl::uindex_t>(bytes / entry_bytes_);
-      cloud.data.resize(cloud.width * cloud.point_step);
-      for (std::size_t at = 0; at < bytes; at += entry_bytes_) {
-        std::uint64_t place = 0;
-        std::memcpy(&place, &entries[at], sizeof(place));
-        std::memcpy(&cloud.data[(place - window * WINDOW) * cloud.point_step],
-                    &entries[at + sizeof(place)],
-                    cloud.point_step);
-      }
-      use(cloud);
-    }
-  }
-
-private:
-  std::string
-  pathOf(std::uint64_t window) const
-  {
-    return (scratch_ / std::to_string(window)).string();
-  }
-
-  const TilePlan& plan_;
-  fs::path scratch_;
-  std::size_t entry_bytes_;
-  std::vector<std::uint64_t> first_; /**< place of the first point of each file */
-  std::uint64_t windows_ = 0;
-};
 
 void
 addNowhere(const TilePlan& plan, InputOrder& order)
@@ -240,7 +183,14 @@ extrasOf(const TilePlan& plan)
 bool
 hasShard(const TilePlan& plan, std::size_t tile)
 {
-  return fs::exists(plan.file(tile, SHARD_STEP));
+  const std::string path = plan.file(tile, SHARD_STEP);
+  if (!fs::exists(path))
+    return false;
+  InputFile file;
+  require(file.open(path));
+  TextScanner scanner(file.bytes());
+  readShardHead(plan, path, file, scanner);
+  return true;
 }
 
 void
@@ -267,7 +217,9 @@ writeShard(const TilePlan& plan, std::size_t tile)
   PlyCounts counts;
   counts.vertices = shard.cloud.width;
   counts.faces = surface.triangles.size();
-  PlyParts parts(shard.cloud, counts, extrasOf(plan), file);
+  FileExtras extras = extrasOf(plan);
+  extras.remarks.infos.push_back(keyRemark(plan));
+  PlyParts parts(shard.cloud, counts, extras, file);
   parts.points(shard.cloud);
   if (plan.viewpoint.isTold())
     writeCamera(plan.viewpoint, shard.cloud, file);

@@ -20,7 +20,8 @@ constexpr const char* INDEX_FILE = "index.json";
 void
 writeShard(const TilePlan& plan, std::size_t tile);
 
-/** \brief Whether the shard of a tile is there. */
+/** \brief Whether the shard of a tile is there. Fails for one that is not whole, or of
+ * another run. */
 bool
 hasShard(const TilePlan& plan, std::size_t tile);
 

@@ -39,8 +39,7 @@ StepReader::StepReader(const std::string& path, const std::string& key) : path_(
   const std::size_t length = get<std::uint32_t>();
   const char* const own = take(length);
   if (std::string(own, length) != key)
-    fail("belongs to a run with other inputs, other parameters or another version of "
-         "the program; use another folder");
+    failAsForeign(path);
 }
 
 const char*
@@ -58,6 +57,14 @@ void
 StepReader::fail(const std::string& what) const
 {
   throw Failure("'" + path_ + "' " + what);
+}
+
+void
+failAsForeign(const std::string& path)
+{
+  throw Failure("'" + path +
+                "' belongs to a run with other inputs, other parameters or another "
+                "version of the program; use another folder");
 }
 
 bool

@@ -100,6 +100,10 @@ private:
   std::size_t left_ = 0;
 };
 
+/** \brief Throws a Failure: the file is of another run. */
+[[noreturn]] void
+failAsForeign(const std::string& path);
+
 /** \brief Whether the file of a step is there, whole, and of this run: the step need
  * not be done again. Fails for one of another run. */
 bool

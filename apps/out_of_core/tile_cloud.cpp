@@ -2,8 +2,6 @@
 // Part of PclSurfaceRepair: the points of a tile and of what lies around it.
 #include "out_of_core/tile_cloud.h"
 
-#include "mesh/sort_unique.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -28,37 +26,58 @@ boxAround(const pcl::ccaa::Tile& tile)
 
 } // namespace
 
-TileCloud::TileCloud(const TilePlan& plan,
-                     std::size_t tile,
-                     const std::vector<pcl::ccaa::WideIndex>& also)
+TileCloud::TileCloud(const TilePlan& plan, std::size_t tile)
 {
   cloud_ = plan.layout;
   std::vector<std::size_t> parts = plan.tiling.neighborsOf(tile);
-  parts.push_back(tile);
-  for (const pcl::ccaa::WideIndex index : also)
-    parts.push_back(plan.tiling.ownerOf(index));
-  pcl::ccaa::sortUnique(parts);
+  parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
   const Eigen::AlignedBox3d around = boxAround(plan.tiling.tiles[tile]);
-  auto next = also.begin();
   for (const std::size_t part : parts) {
-    const TilePoints points(plan, part);
-    const pcl::ccaa::Tile& own = plan.tiling.tiles[part];
-    std::vector<std::size_t> chosen;
     if (part == tile) {
-      first_own_ = wide_.size();
-      cloud_.data.reserve(cloud_.data.size() + points.size() * cloud_.point_step);
-      for (std::size_t i = 0; i < points.size(); ++i)
-        add(plan, part, points, i);
+      addOwn(plan, tile);
+      continue;
     }
-    else
-      points.forEachIn(around, [&](std::size_t i) { chosen.push_back(i); });
-    for (; next != also.end() && *next < own.first + own.count; ++next)
-      if (part != tile)
-        chosen.push_back(static_cast<std::size_t>(*next - own.first));
-    pcl::ccaa::sortUnique(chosen);
-    for (const std::size_t i : chosen)
-      add(plan, part, points, i);
+    const TilePoints points(plan, part);
+    points.forEachIn(around, [&](std::size_t i) { add(plan, part, points, i); });
   }
+  finish();
+}
+
+TileCloud::TileCloud(const TilePlan& plan,
+                     std::size_t tile,
+                     const std::vector<pcl::ccaa::WideIndex>& foreign)
+{
+  cloud_ = plan.layout;
+  const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+  const auto behind = std::lower_bound(foreign.begin(), foreign.end(), own.first);
+  const auto addAll = [&](auto next, auto end) {
+    while (next != end) {
+      const std::size_t part = plan.tiling.ownerOf(*next);
+      const pcl::ccaa::Tile& owner = plan.tiling.tiles[part];
+      const TilePoints points(plan, part);
+      for (; next != end && *next < owner.first + owner.count; ++next)
+        add(plan, part, points, static_cast<std::size_t>(*next - owner.first));
+    }
+  };
+  addAll(foreign.begin(), behind);
+  addOwn(plan, tile);
+  addAll(behind, foreign.end());
+  finish();
+}
+
+void
+TileCloud::addOwn(const TilePlan& plan, std::size_t tile)
+{
+  const TilePoints points(plan, tile);
+  first_own_ = wide_.size();
+  cloud_.data.reserve(cloud_.data.size() + points.size() * cloud_.point_step);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    add(plan, tile, points, i);
+}
+
+void
+TileCloud::finish()
+{
   cloud_.width = static_cast<pcl::uindex_t>(wide_.size());
   cloud_.row_step = cloud_.width * cloud_.point_step;
   cloud_.is_dense = 1;

@@ -13,10 +13,12 @@ namespace app {
  * whole, so that ties are broken alike by all tiles that see them. */
 class TileCloud {
 public:
-  /** \param[in] also points that are wanted wherever they are, ascending */
+  TileCloud(const TilePlan& plan, std::size_t tile);
+
+  /** \brief The points of a tile with these of others, ascending, in the same order. */
   TileCloud(const TilePlan& plan,
             std::size_t tile,
-            const std::vector<pcl::ccaa::WideIndex>& also = {});
+            const std::vector<pcl::ccaa::WideIndex>& foreign);
 
   /** \brief What the points are in the whole, ascending. */
   const std::vector<pcl::ccaa::WideIndex>&
@@ -52,7 +54,12 @@ public:
 
 private:
   void
+  addOwn(const TilePlan& plan, std::size_t tile);
+  void
   add(const TilePlan& plan, std::size_t part, const TilePoints& points, std::size_t i);
+
+  void
+  finish();
 
   pcl::PCLPointCloud2 cloud_;
   std::vector<pcl::ccaa::WideIndex> wide_;

@@ -109,8 +109,12 @@ planOf(const Json& json)
   plan.settings = json.at("settings").dump();
   plan.most_points = json.at("most_points");
   for (const Json& input : json.at("inputs"))
-    plan.inputs.push_back(
-        {input.at("path"), input.at("bytes"), input.at("points"), input.at("hash")});
+    plan.inputs.push_back({input.at("path"),
+                           input.at("bytes"),
+                           input.at("points"),
+                           input.at("hash"),
+                           input.at("changed")});
+  placeInputs(plan, plan.inputs);
   plan.layout = layoutOf(json.at("fields"), json.at("point_step"));
   if (const auto place = optionalVector(json.at("viewpoint"))) {
     plan.viewpoint.known = true;
@@ -150,6 +154,18 @@ TilePlan::file(const char* name) const
 }
 
 void
+placeInputs(TilePlan& plan, const std::vector<TileInput>& order)
+{
+  std::uint64_t first = 0;
+  for (const TileInput& next : order)
+    for (TileInput& input : plan.inputs)
+      if (input.path == next.path) {
+        input.first = first;
+        first += input.points;
+      }
+}
+
+void
 writePlan(const TilePlan& plan)
 {
   Json inputs = Json::array();
@@ -157,7 +173,8 @@ writePlan(const TilePlan& plan)
     inputs.push_back({{"path", input.path},
                       {"bytes", input.bytes},
                       {"points", input.points},
-                      {"hash", input.hash}});
+                      {"hash", input.hash},
+                      {"changed", input.changed}});
   const Json json = {
       {"key", plan.key},
       {"version", version()},

@@ -22,7 +22,9 @@ struct TileInput {
   std::string path;
   std::uint64_t bytes = 0;
   std::uint64_t points = 0;
-  std::string hash; /**< of its points */
+  std::string hash;         /**< of its points */
+  std::int64_t changed = 0; /**< when it was written last, as the system counts */
+  std::uint64_t first = 0;  /**< place of its first point in the order of the input */
 };
 
 /** \brief Where a point comes from: the number of its file, and its place there. */
@@ -65,6 +67,11 @@ struct TilePlan {
   std::string
   file(const char* name) const;
 };
+
+/** \brief Put the points of the inputs one behind the other, in the order that some
+ * have, which are the same. */
+void
+placeInputs(TilePlan& plan, const std::vector<TileInput>& order);
 
 /** \brief Write the plan into its folder, which gives the run its key. */
 void

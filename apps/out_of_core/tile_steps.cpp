@@ -133,12 +133,25 @@ finalBorder(const TilePlan& plan, std::size_t tile)
   return triangles;
 }
 
+/** The corners that other tiles have. */
+std::vector<WideIndex>
+foreignCorners(const Tile& own, const std::vector<WideTriangle>& triangles)
+{
+  std::vector<WideIndex> foreign;
+  for (const WideTriangle& triangle : triangles)
+    for (const WideIndex corner : triangle)
+      if (!isOwn(own, corner))
+        foreign.push_back(corner);
+  pcl::ccaa::sortUnique(foreign);
+  return foreign;
+}
+
 /** All triangles of a tile, in places of its cloud. */
 pcl::ccaa::Triangles
 finalTriangles(const TilePlan& plan,
                std::size_t tile,
-               const std::vector<WideTriangle>& border,
-               const TileCloud& cloud)
+               const TileCloud& cloud,
+               const std::vector<WideTriangle>& border)
 {
   pcl::ccaa::Triangles triangles;
   const auto first = static_cast<std::uint32_t>(cloud.firstOwn());
@@ -327,13 +340,9 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   if (isDone(plan.file(tile, PIECES_STEP), plan.key))
     return;
   const std::vector<WideTriangle> border = finalBorder(plan, tile);
-  std::vector<WideIndex> corners; // a sparse neighbor's may lie beyond the halo
-  for (const WideTriangle& triangle : border)
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
-  pcl::ccaa::sortUnique(corners);
-  const TileCloud cloud(plan, tile, corners);
+  const TileCloud cloud(plan, tile, foreignCorners(plan.tiling.tiles[tile], border));
   const Position corner = plan.corners[tile];
-  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, border, cloud);
+  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, cloud, border);
   pcl::ccaa::RunControl control(run.progress);
   std::vector<std::uint32_t> piece_of;
   const pcl::ccaa::TilePieces pieces =

@@ -56,19 +56,22 @@ std::string
 summarize(const nlohmann::json& facts, std::size_t tiles, const std::string& where)
 {
   const nlohmann::json& seams = facts["seams"];
-  return where + ": " + std::to_string(std::uint64_t{facts["vertices"]}) +
-         " points in " + plural(tiles, "tile") + ", " +
+  const std::string side = facts["outer_side"];
+  return where + ": " + plural(std::uint64_t{facts["vertices"]}, "point") + " in " +
+         plural(tiles, "tile") + ", " +
          std::to_string(std::uint64_t{facts["triangles"]}) + " triangles, " +
          plural(std::uint64_t{facts["open_edges"]}, "open edge") +
          "; tiles disagreed at " + plural(std::uint64_t{seams["places"]}, "place") +
-         ", " + plural(std::uint64_t{seams["triangles"]}, "triangle") +
-         " made there; outer side by " + std::string(facts["outer_side"]);
+         ", " + plural(std::uint64_t{seams["triangles"]}, "triangle") + " made there" +
+         (side.empty() ? "" : "; outer side by " + side);
 }
 
 std::string
 tellPieces(const nlohmann::json& facts)
 {
   const std::uint64_t open = facts["open_edges"];
+  if (std::uint64_t{facts["triangles"]} == 0)
+    return "no triangles";
   return (open == 0 ? "watertight" : plural(open, "open edge")) + ", " +
          plural(std::uint64_t{facts["components"]}, "piece");
 }
@@ -108,6 +111,9 @@ reconstructInTiles(const ReconstructSettings& settings)
                 [&](double share) { return bar.show("cutting", CUTTING * share); });
   if (interrupted())
     return {INTERRUPTED, stopped_by_signal, {}};
+  if (const std::uint64_t points = plan.points() - plan.nowhere; points < 3)
+    throw Failure("of at least three points needed (finite) there " +
+                  std::string(points == 1 ? "is " : "are ") + std::to_string(points));
   const auto tell = [&](const char* step, double share) {
     return bar.show(step, CUTTING + (BEFORE_MERGING - CUTTING) * share);
   };

@@ -10,6 +10,7 @@
 #include "advancing_front/fan_settlement.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/winding.h"
+#include "tiles/facing.h"
 
 #include <algorithm>
 #include <numeric>
@@ -49,7 +50,24 @@ public:
   }
 
   SeamFilling
-  run() const
+  run()
+  {
+    given_ = seam_.given;
+    Winding pieces;
+    if (!wind(given_, pieces))
+      return {{}, {}, "the surface around is one-sided"};
+    Attempt best = widen();
+    if (!best.flawed.empty() && turnToFace(seam_, pieces, given_)) {
+      Attempt faced = widen();
+      if (faced.error.empty() && faced.flaws < best.flaws)
+        best = std::move(faced);
+    }
+    return {std::move(best.added), std::move(best.removed), std::move(best.error)};
+  }
+
+private:
+  Attempt
+  widen() const
   {
     Attempt best = attempt(std::vector<std::uint8_t>(seam_.given.size(), 0));
     for (int ring = 0; ring < RINGS && !best.flawed.empty(); ++ring) {
@@ -57,10 +75,9 @@ public:
       if (wider.error.empty() && wider.flaws < best.flaws)
         best = std::move(wider);
     }
-    return {std::move(best.added), std::move(best.removed), std::move(best.error)};
+    return best;
   }
 
-private:
   /** \param[in] goes flags of given triangles that are to be made anew */
   Attempt
   attempt(const std::vector<std::uint8_t>& goes) const
@@ -68,10 +85,7 @@ private:
     Attempt result;
     result.is_open = seam_.is_open;
     settle(goes, result);
-    if (!wind(result.given))
-      result.error = "the surface around is one-sided";
-    else
-      complete(result);
+    complete(result);
     findFlaws(result);
     return result;
   }
@@ -100,7 +114,7 @@ private:
     std::vector<pcl::index_t> gone;
     for (std::size_t t = 0; t < seam_.given.size(); ++t)
       if (surface.isAlive(static_cast<pcl::index_t>(t)))
-        result.given.push_back(seam_.given[t]);
+        result.given.push_back(given_[t]);
       else
         gone.push_back(static_cast<pcl::index_t>(t));
     keepAtRim(gone, result);
@@ -112,7 +126,7 @@ private:
   keepAtRim(std::vector<pcl::index_t> gone, Attempt& result) const
   {
     const auto goesForGood = [&](pcl::index_t t) {
-      return isOpen(seam_.given[static_cast<std::size_t>(t)], result);
+      return isOpen(seam_.given[static_cast<std::size_t>(t)], result.is_open);
     };
     for (auto more = gone.end(); !gone.empty(); gone.erase(more, gone.end())) {
       more = std::stable_partition(
@@ -134,20 +148,19 @@ private:
   }
 
   static bool
-  isOpen(const Triangle& triangle, const Attempt& result)
+  isOpen(const Triangle& triangle, const std::vector<std::uint8_t>& is_open)
   {
     return std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
-      return result.is_open[static_cast<std::size_t>(corner)] != 0;
+      return is_open[static_cast<std::size_t>(corner)] != 0;
     });
   }
 
   /** All triangles of a piece alike, whichever way. */
   bool
-  wind(Triangles& triangles) const
+  wind(Triangles& triangles, Winding& winding) const
   {
     TriangleAdjacency adjacency;
     adjacency.build(triangles, seam_.points.size(), threads_);
-    Winding winding;
     RunControl control;
     winding.find(triangles, adjacency, threads_, control);
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -232,6 +245,7 @@ private:
   }
 
   const Seam& seam_;
+  Triangles given_; /**< the seam's, each piece wound alike */
   CompletionParameters parameters_;
   int threads_;
   const ProgressCallback& progress_;

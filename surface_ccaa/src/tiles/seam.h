@@ -51,7 +51,9 @@ struct SeamFilling {
  * cut fans leave in several pieces at a dispute go (all but the largest piece), the
  * other given ones stay frozen, and all points that are not open count as cut points.
  * Where that leaves open points free or on a boundary, the triangles around these are
- * made anew, too, twice at most, and that stays if fewer such points are left.
+ * made anew, too, twice at most, and that stays if fewer such points are left. If still
+ * some are left, all is tried again with pieces turned that lie against each other
+ * across a gap (turnToFace()).
  * \param[in] threads at least 1 */
 SeamFilling
 closeSeam(const Seam& seam,

@@ -171,7 +171,36 @@ private:
   Sides sides_;
 };
 
-/** The edges of the pieces with one triangle. */
+/** Whether a triangle, wound like its piece, runs from the higher end of the edge
+ * behind a corner to the lower. */
+bool
+falls(const Triangle& triangle, std::size_t corner, bool is_turned)
+{
+  return (triangle[corner] > triangle[(corner + 1) % 3]) != is_turned;
+}
+
+/** Whether two triangles of a piece run through the edge behind a corner alike. */
+bool
+disagree(const Triangles& triangles,
+         const Winding& winding,
+         std::size_t t,
+         std::size_t corner,
+         std::size_t other)
+{
+  if (!winding.components()[winding.componentOf(t)].one_sided)
+    return false;
+  const auto endsOf = [](const Triangle& triangle, std::size_t i) {
+    return std::minmax({triangle[i], triangle[(i + 1) % 3]});
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    if (endsOf(triangles[other], i) == endsOf(triangles[t], corner))
+      return falls(triangles[t], corner, winding.isTurned(t)) ==
+             falls(triangles[other], i, winding.isTurned(other));
+  return false;
+}
+
+/** The edges of the pieces with one triangle, and, twice, those over which the windings
+ * of one that is one-sided do not agree. */
 std::vector<CutEdge>
 openEdges(const Triangles& triangles,
           const TriangleAdjacency& adjacency,
@@ -181,14 +210,16 @@ openEdges(const Triangles& triangles,
   std::vector<CutEdge> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int corner = 0; corner < 3; ++corner) {
-      if (adjacency.across(static_cast<pcl::index_t>(t), corner) >= 0)
-        continue;
       const auto at = static_cast<std::size_t>(corner);
+      const pcl::index_t other = adjacency.across(static_cast<pcl::index_t>(t), corner);
+      if (other >= 0 &&
+          !disagree(triangles, winding, t, at, static_cast<std::size_t>(other)))
+        continue;
       CutEdge edge;
       edge.ends = {wide[static_cast<std::size_t>(triangles[t][at])],
                    wide[static_cast<std::size_t>(triangles[t][(at + 1) % 3])]};
       edge.piece = static_cast<std::uint32_t>(winding.componentOf(t));
-      edge.falls = (edge.ends[0] > edge.ends[1]) != winding.isTurned(t) ? 1 : 0;
+      edge.falls = falls(triangles[t], at, winding.isTurned(t)) ? 1 : 0;
       std::sort(edge.ends.begin(), edge.ends.end());
       edges.push_back(edge);
     }
@@ -230,6 +261,11 @@ sumUpSides(Triangles& triangles,
   if (control.cancelled() ||
       !winding.find(triangles, adjacency, hints.threads, control))
     return pieces;
+  // Where no winding suits, what is found depends on where one begins.
+  const auto& found = winding.components();
+  if (std::any_of(
+          found.begin(), found.end(), [](const auto& one) { return one.one_sided; }))
+    winding.find(triangles, adjacency, 1, control);
   const LoopContext context{hints.threads, &control, "sides"};
   const auto add = [&](std::size_t, std::size_t t, SideSums& sums) {
     const Corners c = cornersOf(triangles[t], positions);

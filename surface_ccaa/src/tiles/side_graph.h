@@ -53,7 +53,8 @@ struct CutEdge {
 /** \brief The pieces of a tile. */
 struct TilePieces {
   std::vector<SideSums> sums;
-  std::vector<CutEdge> edges; /**< that other tiles may have, too */
+  std::vector<CutEdge> edges; /**< that other tiles may have, too; twice those at which
+                                   the piece itself is one-sided */
 };
 
 /** \brief Wind the triangles of each piece of a tile like its first one, and sum up
@@ -76,8 +77,7 @@ sumUpSides(Triangles& triangles,
 struct Sides {
   std::vector<std::vector<std::uint8_t>> turn; /**< by tile and piece: 1 to turn it */
   std::vector<std::array<WideIndex, 2>> torn;  /**< edges over which windings cannot
-                                                    agree: their triangle of the later
-                                                    tile has to go */
+                                                    agree: their triangles have to go */
   SideTally tally;                             /**< triangles by rule */
   std::uint64_t components = 0;
   std::uint64_t open_edges = 0;

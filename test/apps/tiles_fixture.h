@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: reconstructing tile by tile in tests.
+#pragma once
+
+#include "io/point_columns.h"
+#include "model_samples.h"
+#include "reconstruct_fixture.h"
+#include "support/clouds.h"
+#include "support/raw_clouds.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace app_test {
+
+/** \brief The points of a cloud from one to before another. */
+inline pcl::PCLPointCloud2
+partOf(const pcl::PCLPointCloud2& cloud, std::size_t begin, std::size_t end)
+{
+  pcl::PCLPointCloud2 part = cloud;
+  const auto at = [&](std::size_t point) {
+    return cloud.data.begin() + static_cast<std::ptrdiff_t>(point * cloud.point_step);
+  };
+  part.data.assign(at(begin), at(end));
+  part.width = static_cast<pcl::uindex_t>(end - begin);
+  part.height = 1;
+  part.row_step = part.width * part.point_step;
+  return part;
+}
+
+/** \brief Small tiles: 1000 points each, so that a few thousand points have several
+ * cuts. */
+class TiledApp : public ReconstructApp {
+protected:
+  using Files = std::map<std::string, std::string>;
+
+  /** Names are those of files in the folder of the test. */
+  RunResult
+  tiled(const std::vector<std::string>& inputs,
+        const std::string& output,
+        const std::vector<std::string>& options = {})
+  {
+    std::vector<std::string> arguments{"--merge"};
+    if (std::none_of(options.begin(), options.end(), [](const std::string& option) {
+          return option.rfind("--tiles", 0) == 0;
+        }))
+      arguments.push_back("--tiles=1000");
+    for (const std::string& input : inputs)
+      arguments.push_back(folder_.path(input));
+    if (!output.empty())
+      arguments.insert(arguments.end(), {"-o", folder_.path(output)});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return runApp("pcl_ccaa_reconstruct", arguments);
+  }
+
+  /** The same into a folder of tiles that stays. */
+  RunResult
+  intoFolder(const std::vector<std::string>& inputs,
+             const std::string& tiles,
+             std::vector<std::string> options = {})
+  {
+    options.insert(options.end(), {"--tile-folder", folder_.path(tiles)});
+    return tiled(inputs, "", options);
+  }
+
+  /** One step of pcl_ccaa_tiles. */
+  RunResult
+  step(const std::string& name,
+       const std::string& tiles,
+       const std::vector<std::string>& rest = {})
+  {
+    std::vector<std::string> arguments{name, folder_.path(tiles)};
+    arguments.insert(arguments.end(), rest.begin(), rest.end());
+    return runApp("pcl_ccaa_tiles", arguments);
+  }
+
+  /** Shards and index of a folder of tiles. */
+  Files
+  shardsIn(const std::string& tiles)
+  {
+    Files shards;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path(tiles)))
+      if (const std::string name = entry.path().filename().string();
+          entry.path().extension() == ".ply" || name == "index.json")
+        shards[name] = readFile(entry.path().string());
+    return shards;
+  }
+
+  /** Names of files that are not whole. */
+  std::vector<std::string>
+  partsIn(const std::string& tiles)
+  {
+    std::vector<std::string> parts;
+    if (std::filesystem::exists(folder_.path(tiles)))
+      for (const auto& entry : std::filesystem::directory_iterator(folder_.path(tiles)))
+        if (const std::string name = entry.path().filename().string();
+            name.find(".part-") != std::string::npos)
+          parts.push_back(name);
+    return parts;
+  }
+
+  /** A clear error: one line, exit code 1, nothing at the output. */
+  void
+  expectRefused(const RunResult& result, const std::string& part_of_message)
+  {
+    EXPECT_EQ(1, result.exit_code) << result.output;
+    EXPECT_TRUE(isOneLine(result.errors)) << result.errors;
+    EXPECT_NE(std::string::npos, result.errors.find(part_of_message)) << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply")));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("out.ply.tiles")));
+  }
+};
+
+} // namespace app_test

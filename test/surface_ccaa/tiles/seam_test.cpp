@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: closing what is open between frozen triangles.
+#include <gtest/gtest.h>
+
+#include "support/completion_shapes.h"
+#include "support/edge_sets.h"
+#include "support/mesh_asserts.h"
+#include "support/mesh_topology.h"
+#include "support/random_source.h"
+#include "tiles/seam.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace pcl {
+namespace ccaa {
+namespace test {
+namespace {
+
+/** The triangles of a shape without those with a corner in some places, whose points
+ * are disputes; all is near. */
+Seam
+withGap(const Shape& shape, const std::function<bool(const Position&)>& is_disputed)
+{
+  Seam seam;
+  for (const Position& position : shape.vertices)
+    seam.points.push_back(position.cast<float>());
+  seam.is_open.assign(seam.points.size(), 0);
+  seam.is_near.assign(seam.points.size(), 1);
+  for (const Triangle& triangle : shape.triangles) {
+    if (std::none_of(triangle.begin(), triangle.end(), [&](index_t i) {
+          return is_disputed(shape.vertices[std::size_t(i)]);
+        })) {
+      seam.given.push_back(triangle);
+      continue;
+    }
+    for (const index_t corner : triangle)
+      seam.is_open[std::size_t(corner)] = 1;
+  }
+  return seam;
+}
+
+SeamFilling
+close(const Seam& seam, int threads = 1)
+{
+  return closeSeam(seam, CompletionParameters(), threads, {});
+}
+
+/** Given triangles that stay, and those that were added. */
+Triangles
+closed(const Seam& seam, const SeamFilling& filling)
+{
+  EXPECT_EQ(filling.error, "");
+  EXPECT_TRUE(std::is_sorted(filling.removed.begin(), filling.removed.end()));
+  Triangles all;
+  for (std::size_t t = 0; t < seam.given.size(); ++t)
+    if (!std::binary_search(filling.removed.begin(), filling.removed.end(), index_t(t)))
+      all.push_back(seam.given[t]);
+  all.insert(all.end(), filling.added.begin(), filling.added.end());
+  EXPECT_TRUE(isIcadm(all, seam.points.size()));
+  return all;
+}
+
+bool
+isInBelt(const Position& position)
+{
+  return std::abs(position.z()) < 0.12;
+}
+
+TEST(Seam, ABeltBetweenTwoFrozenCapsIsClosed)
+{
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Seam seam = withGap(noisyIcosphere(4, 0.003, seed), isInBelt);
+    seam.given = randomlyReversed(seam.given, seed);
+    const SeamFilling filling = close(seam);
+    EXPECT_TRUE(filling.removed.empty());
+    const Triangles all = closed(seam, filling);
+    EXPECT_EQ(countBoundaryEdges(all), 0U) << seed;
+    EXPECT_EQ(topologyOf(all).characteristic, 2);
+    EXPECT_EQ(all.size(), 5120U);
+  }
+}
+
+TEST(Seam, PiecesThatAreWoundAgainstEachOtherAreJoined)
+{
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Seam seam = withGap(noisyIcosphere(4, 0.003, seed), isInBelt);
+    for (Triangle& triangle : seam.given)
+      if (seam.points[std::size_t(triangle[0])].z() < 0.0F)
+        std::swap(triangle[0], triangle[1]);
+    EXPECT_EQ(countBoundaryEdges(closed(seam, close(seam))), 0U) << seed;
+  }
+}
+
+TEST(Seam, IsTheSameForAnyNumberOfThreads)
+{
+  const Seam seam = withGap(noisyIcosphere(4, 0.005, 4), isInBelt);
+  const SeamFilling one = close(seam, 1), three = close(seam, 3);
+  EXPECT_EQ(one.added, three.added);
+  EXPECT_EQ(one.removed, three.removed);
+}
+
+TEST(Seam, NothingGrowsFromTheRimOfWhatIsKnown)
+{
+  const Shape ground = terrain(40, 40, 1.0);
+  const Seam seam = withGap(ground, [](const Position& p) {
+    return std::abs(p.x() - 19.0) < 2.0 && p.y() > 6.0;
+  });
+  const Triangles all = closed(seam, close(seam));
+  EXPECT_TRUE(isSubsetOf(seam.given, all));
+  const auto uses = trianglesOfEdges(all), before = trianglesOfEdges(seam.given);
+  for (const auto& [edge, triangles] : before) {
+    if (seam.is_open[std::size_t(edge.first)] == 0 ||
+        seam.is_open[std::size_t(edge.second)] == 0) {
+      EXPECT_EQ(triangles.size(), uses.at(edge).size());
+    }
+  }
+}
+
+TEST(Seam, FansInSeveralPiecesKeepTheLargest)
+{
+  // Every second triangle around a vertex is missing.
+  Shape sphere = icosphere(4);
+  const index_t apex = 20;
+  Seam seam;
+  for (const Position& position : sphere.vertices)
+    seam.points.push_back(position.cast<float>());
+  seam.is_open.assign(seam.points.size(), 0);
+  seam.is_near.assign(seam.points.size(), 1);
+  int number = 0;
+  for (const Triangle& triangle : sphere.triangles) {
+    if (std::count(triangle.begin(), triangle.end(), apex) > 0 && ++number % 2 == 0)
+      for (const index_t corner : triangle)
+        seam.is_open[std::size_t(corner)] = 1;
+    else
+      seam.given.push_back(triangle);
+  }
+  const SeamFilling filling = close(seam);
+  EXPECT_FALSE(filling.removed.empty());
+  for (const index_t t : filling.removed)
+    EXPECT_TRUE(
+        std::any_of(seam.given[std::size_t(t)].begin(),
+                    seam.given[std::size_t(t)].end(),
+                    [&](index_t i) { return seam.is_open[std::size_t(i)] != 0; }));
+  EXPECT_TRUE(sameUnorientedTriangles(sphere.triangles, closed(seam, filling)));
+}
+
+TEST(Seam, RandomDamageIsMendedWithoutLosingWhatIsNotTold)
+{
+  std::size_t open = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    RandomSource random(seed);
+    const Shape sphere = noisyIcosphere(4, 0.004, seed);
+    std::set<index_t> disputed;
+    for (int i = 0; i < 12; ++i)
+      disputed.insert(index_t(random.below(sphere.vertices.size())));
+    Seam seam = withGap(sphere, [](const Position&) { return false; });
+    Triangles given;
+    for (const Triangle& triangle : sphere.triangles) {
+      const bool touches = std::any_of(triangle.begin(),
+                                       triangle.end(),
+                                       [&](index_t i) { return disputed.count(i); });
+      if (!touches || random.below(2) == 0)
+        given.push_back(triangle);
+      else
+        for (const index_t corner : triangle)
+          seam.is_open[std::size_t(corner)] = 1;
+    }
+    seam.given = given;
+    open += countBoundaryEdges(closed(seam, close(seam)));
+  }
+  EXPECT_EQ(open, 0U);
+}
+
+TEST(Seam, OneSidedSurroundingsAreLeftAsTheyAre)
+{
+  Seam seam = withGap(moebiusBand(30), [](const Position&) { return false; });
+  seam.is_open[0] = 1;
+  const SeamFilling filling = close(seam);
+  EXPECT_NE(filling.error, "");
+  EXPECT_TRUE(filling.added.empty());
+}
+
+TEST(Seam, AFewPointsAreNoSeam)
+{
+  for (std::size_t count = 0; count < 4; ++count) {
+    Seam seam;
+    seam.points.assign(count, Eigen::Vector3f::Zero());
+    for (std::size_t i = 0; i < count; ++i)
+      seam.points[i][Eigen::Index(i) % 3] = 1.0F;
+    seam.is_open.assign(count, 1);
+    seam.is_near.assign(count, 1);
+    EXPECT_TRUE(close(seam).removed.empty());
+  }
+}
+
+/** \param[in] spread of the places: more of it, more groups */
+std::vector<Dispute>
+randomDisputes(std::uint64_t seed, std::size_t count, double spread)
+{
+  RandomSource random(seed);
+  std::vector<Dispute> disputes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    disputes[i].index = 3 * i;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      disputes[i].position[axis] = float(random.uniform(0.0, spread));
+    disputes[i].reach = float(random.uniform(0.1, 0.4));
+  }
+  return disputes;
+}
+
+TEST(DisputeGroups, AreThoseWithChainsOfShortSteps)
+{
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const auto disputes = randomDisputes(seed, 150, 2.0 + double(seed));
+    Sets sets(disputes.size());
+    for (std::size_t i = 0; i < disputes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if ((disputes[i].position - disputes[j].position).norm() <
+            4.0F * std::max(disputes[i].reach, disputes[j].reach))
+          sets.join(i, j);
+    const auto groups = groupDisputes(disputes);
+    std::vector<std::size_t> expected;
+    std::map<std::size_t, std::size_t> number_of;
+    for (std::size_t i = 0; i < disputes.size(); ++i)
+      expected.push_back(
+          number_of.emplace(sets.find(i), number_of.size()).first->second);
+    EXPECT_EQ(groups, expected) << seed;
+  }
+  EXPECT_TRUE(groupDisputes({}).empty());
+}
+
+} // namespace
+} // namespace test
+} // namespace ccaa
+} // namespace pcl
