@@ -32,7 +32,7 @@ usage()
                    "       pcl_ccaa_tiles mesh|join|close|wind|shard FOLDER TILE\n"
                    "       pcl_ccaa_tiles disputes|sides|index FOLDER\n"
                    "       pcl_ccaa_tiles merge FOLDER OUTPUT_MESH\n"
-                   "       pcl_ccaa_tiles count FOLDER";
+                   "       pcl_ccaa_tiles count|neighbors|seams FOLDER";
   usage.summary =
       R"(One step of the reconstruction of a cloud larger than memory, for a workflow engine that
 runs the steps on one machine or many. 'pcl_ccaa_reconstruct --tiles' does all of them.
@@ -40,7 +40,10 @@ Each step reads files of FOLDER and writes one file, whole or not at all; a step
 file is there does nothing. Order: cut, then for all tiles mesh, then join, then once
 disputes, then for all tiles close, then wind, then once sides, then for all tiles shard,
 then once index; merge makes one PLY file. 'count' prints the number of tiles; they are
-numbered from 0.)";
+numbered from 0. 'neighbors' prints for each a line with its number of points and the
+tiles around it: it is meshed from points of these, joined with their meshes. 'seams',
+after disputes, prints which tiles' meshes 'close' reads and, behind a colon, which
+closed seams 'wind' reads.)";
   usage.examples = R"(  pcl_ccaa_tiles cut work scan1.ply scan2.ply --tiles=2000000
   pcl_ccaa_tiles mesh work 0
 )";
@@ -84,6 +87,35 @@ merge(const Task& task, const TilePlan& plan)
 }
 
 void
+print(const std::vector<std::size_t>& tiles)
+{
+  for (const std::size_t tile : tiles)
+    std::cout << ' ' << tile;
+}
+
+void
+printNeighbors(const TilePlan& plan)
+{
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    std::cout << plan.tiling.tiles[tile].count;
+    print(plan.tiling.neighborsOf(tile));
+    std::cout << '\n';
+  }
+}
+
+void
+printSeams(const TilePlan& plan)
+{
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    const SeamLinks links = seamLinks(plan, tile);
+    print(links.parts);
+    std::cout << " :";
+    print(links.closers);
+    std::cout << '\n';
+  }
+}
+
+void
 runStep(const Task& task, const TilePlan& plan)
 {
   StepRun run;
@@ -92,6 +124,10 @@ runStep(const Task& task, const TilePlan& plan)
   const std::string& step = task.step;
   if (step == "count")
     std::cout << plan.tiling.tiles.size() << std::endl;
+  else if (step == "neighbors")
+    printNeighbors(plan);
+  else if (step == "seams")
+    printSeams(plan);
   else if (step == "mesh")
     meshTile(plan, tileOf(task, plan), run);
   else if (step == "join")

@@ -137,7 +137,7 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${psr_package_runtime} ${psr_same_version}")
 # Pictures without a screen.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS xvfb)
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "pcl-tools, ${psr_package_doc}")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "pcl-tools, snakemake, ${psr_package_doc}")
 psr_describe(TOOLS programs
              "the programs, with manual pages and completion for bash")
 

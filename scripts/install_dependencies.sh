@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Part of PclSurfaceRepair: installs the missing Debian packages, and only those.
 #
-# usage: install_dependencies.sh [demo|python|test|benchmark|package|--update]   (default: test)
+# usage: install_dependencies.sh [demo|python|test|workflow|benchmark|package|--update]   (default: test)
 #   demo       what it takes to build and run the programs
 #   python     that, and what the Python package and pip take
 #   test       that, and what the tests, the format check and the sanitizers need
-#   benchmark  that, and CGAL as a competitor
+#   workflow   that, and Snakemake and Slurm, which the tests of the tile workflow need
+#   benchmark  that of test, and CGAL as a competitor
 #   package    what it takes to build the programs, the site and the Debian packages
 #   --update   installs nothing, renews apt's lists of packages
 
@@ -19,6 +20,8 @@ python_packages=(pybind11-dev python3-dev python3-numpy python3-pip python3-venv
 test_packages=("${python_packages[@]}" python3-pytest python3-tqdm mypy clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm doxygen
                man-db pkgconf dpkg-dev file pcl-tools)
 package_packages=("${python_packages[@]}" doxygen dpkg-dev file lintian)
+# Some 90 packages, and minutes until they are set up.
+workflow_packages=(snakemake slurm-wlm munge)
 benchmark_packages=(libcgal-dev)
 
 as_root=()
@@ -42,6 +45,7 @@ case $purpose in
   demo) ;;
   python) packages+=("${python_packages[@]}") ;;
   test) packages+=("${test_packages[@]}") ;;
+  workflow) packages+=("${test_packages[@]}" "${workflow_packages[@]}") ;;
   benchmark) packages+=("${test_packages[@]}" "${benchmark_packages[@]}") ;;
   package) packages+=("${package_packages[@]}") ;;
   --update)

@@ -22,6 +22,13 @@ public:
     return disputes_.empty();
   }
 
+  /** \brief Tiles whose meshes gather() reads. */
+  const std::set<std::size_t>&
+  parts() const
+  {
+    return parts_;
+  }
+
   /** \brief Points within four reaches of a dispute, the triangles of these that the
    * tiles agree about, and the other corners of those. Open are the disputes, and
    * within one reach the points without triangles. Positions are relative to the tile's

@@ -101,19 +101,26 @@ private:
   std::vector<bool> is_border_, is_seen_;
 };
 
-/** Triangles of the border of a tile after all seams were closed. */
-std::vector<WideTriangle>
-finalBorder(const TilePlan& plan, std::size_t tile)
+/** Tiles that close groups which touch the border of a tile. */
+std::set<std::size_t>
+closersAround(const TilePlan& plan, std::size_t tile, const AllDisputes& disputes)
 {
   std::set<std::size_t> parts{tile};
   for (const std::size_t part : plan.tiling.neighborsOf(tile))
     parts.insert(part);
   std::set<std::size_t> closers;
-  const AllDisputes disputes = readDisputes(plan);
   for (const DisputeGroup& group : disputes.groups)
     for (std::uint64_t i = group.begin; i < group.end; ++i)
       if (parts.count(plan.tiling.ownerOf(disputes.disputes[i].index)) > 0)
         closers.insert(static_cast<std::size_t>(group.tile));
+  return closers;
+}
+
+/** Triangles of the border of a tile after all seams were closed. */
+std::vector<WideTriangle>
+finalBorder(const TilePlan& plan, std::size_t tile)
+{
+  const std::set<std::size_t> closers = closersAround(plan, tile, readDisputes(plan));
   std::set<WideTriangle> removed; // some of them are added again
   std::vector<WideTriangle> added;
   for (const std::size_t closer : closers) {
@@ -370,6 +377,14 @@ decideAllSides(const TilePlan& plan)
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
     tiles.push_back(readPiecesSums(plan, tile));
   writeSides(plan, decideSides(tiles, true));
+}
+
+SeamLinks
+seamLinks(const TilePlan& plan, std::size_t tile)
+{
+  const std::set<std::size_t> parts = SeamGathering(plan, tile).parts();
+  const std::set<std::size_t> closers = closersAround(plan, tile, readDisputes(plan));
+  return {{parts.begin(), parts.end()}, {closers.begin(), closers.end()}};
 }
 
 TileSurface

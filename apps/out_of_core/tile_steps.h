@@ -7,6 +7,7 @@
 #include "out_of_core/tile_files.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace app {
 
@@ -39,6 +40,14 @@ groupAllDisputes(const TilePlan& plan);
 /** \brief Close the groups of a tile (pcl::ccaa::closeSeam()). */
 void
 closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
+
+/** \brief Tiles whose files closing and winding a tile read, beside those around it. */
+struct SeamLinks {
+  std::vector<std::size_t> parts;   /**< whose triangles closeTile() reads */
+  std::vector<std::size_t> closers; /**< whose closing windTile() reads */
+};
+SeamLinks
+seamLinks(const TilePlan& plan, std::size_t tile);
 
 /** \brief The final triangles of a tile, wound alike in each piece, and what the pieces
  * say about their outer sides. */

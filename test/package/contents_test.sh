@@ -73,6 +73,9 @@ case $check in
       holds tools "/usr/bin/$program" "/usr/share/man/man1/$program\.1\.gz" \
         "/usr/share/bash-completion/completions/$program"
     done
+    while read -r file; do
+      holds tools "/usr/share/pclsurfacerepair/${file//./\\.}"
+    done < <(cd "$source/scripts" && find tiles -type f)
     ;;
   doc)
     docs=/usr/share/doc/PclSurfaceRepair
