@@ -28,8 +28,8 @@ mark='<!-- from here on made by scripts/make_comparison.sh -->'
   sed "\|^$mark\$|q" "$page"
   while IFS= read -r line; do
     printf '%s\n' "$line"
-    if [[ $line == '### '* ]]; then
-      name=${line#'### '}
+    if [[ $line == '## '* ]]; then
+      name=${line#'## '}
       name=${name%%:*}
       printf '\n![%s](images/comparison/%s.png)\n' "$name" "${name// /_}"
     fi

@@ -160,7 +160,7 @@ run(const std::string& folder)
 {
   const std::vector<FreeMethod> methods = freeMethods();
   for (const MethodInput& input : makeMethodInputs()) {
-    std::printf("\n### %s: %zu points\n\n", input.name.c_str(), input.cloud->size());
+    std::printf("\n## %s: %zu points\n\n", input.name.c_str(), input.cloud->size());
     std::printf(
         "| method | seconds | points used, %% | pieces | loops | handles | faulty "
         "edges | crossings | too much | missing |\n"

@@ -39,6 +39,9 @@ TEST_F(RepairState, SaysWhichPassLooksAgain)
   const Shape a_hole_and_one_that_stays =
       joined(sphereWithAHole(), translated(moebiusBand(40), {5.0, 0.0, 0.0}));
   ForceLineHoleRepair repair;
+  RepairParameters without_crumbs; // which would be looked at once more
+  without_crumbs.crumb_triangles = 0;
+  repair.setParameters(without_crumbs);
   repair.setInputMesh(
       pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(a_hole_and_one_that_stays)));
   std::vector<std::string> stages;
