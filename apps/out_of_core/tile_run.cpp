@@ -150,7 +150,10 @@ runTiles(const TilePlan& plan,
       {"disputes", 1, {}, [&] { groupAllDisputes(plan); }},
       {"closing seams", 5, forTile(closeTile), {}},
       {"winding", 6, forTile(windTile), {}},
-      {"winding", 0, {}, [&] { removeAll(plan, MESH_STEP); }}};
+      {"winding", 0, {}, [&] {
+         removeAll(plan, MESH_STEP);
+         removeAll(plan, JOIN_STEP);
+       }}};
   bool is_wound = tiles > 0;
   for (std::size_t tile = 0; tile < tiles; ++tile)
     is_wound = is_wound &&

@@ -41,6 +41,12 @@ struct Tile {
   static constexpr double LONGEST = 0.2;
 
   bool
+  owns(WideIndex point) const
+  {
+    return point >= first && point < first + count;
+  }
+
+  bool
   sees(const Position& position) const
   {
     return cell.distance(position) <= TRUSTED * halo;
