@@ -74,6 +74,8 @@ copyPoints(const pcl::PCLPointCloud2& from,
            pcl::PCLPointCloud2& cloud)
 {
   const std::size_t points = pointCount(from);
+  if (points == 0)
+    return; // nor may an offset be added to where they are
   for (const Field& field : cloud.fields) {
     const Field* const source = sameField(from, field);
     const std::size_t bytes = scalarSize(field.datatype) * field.count;

@@ -137,13 +137,16 @@ TEST(CleanCloud, LeavesNoWidePlaceWithoutAPoint)
 
 TEST(CleanCloud, TakesOutliersAway)
 {
+  const auto far = [](const app::Model& model) {
+    std::size_t count = 0;
+    for (const Eigen::Vector3f& point : app::readPositions(model.mesh.cloud))
+      count += std::abs(point.norm() - 1.0F) > 0.5F ? 1 : 0;
+    return count;
+  };
   app::Model model = scannedSphere(0.1, 0.01);
-  const app::CleanReport report = clean(model);
-  EXPECT_GT(report.outliers, 0U);
-  std::size_t far = 0;
-  for (const Eigen::Vector3f& point : app::readPositions(model.mesh.cloud))
-    far += std::abs(point.norm() - 1.0F) > 0.5F ? 1 : 0;
-  EXPECT_LE(far, 3U);
+  const std::size_t before = far(model);
+  EXPECT_GT(clean(model).outliers, 0U);
+  EXPECT_LE(10 * far(model), before); // the scene is another one for each compiler
 }
 
 TEST(CleanCloud, GivesEachPointASensorThatStoodThereAndSawIt)
