@@ -49,6 +49,7 @@ public:
     plan_.most_points = most_points;
     plan_.layout = head_.layout;
     plan_.viewpoint = head_.viewpoint;
+    view_ = recordView(plan_);
     for (const TileInput& input : head_.inputs)
       announced_ += input.points;
   }
@@ -85,10 +86,8 @@ public:
     const fs::path scratch = fs::path(plan_.folder) / "cutting";
     fs::remove_all(scratch);
     fs::create_directories(scratch);
-    TileBuckets buckets(scratch.string(),
-                        plan_.layout.point_step,
-                        recordView(plan_),
-                        plan_.most_points);
+    TileBuckets buckets(
+        scratch.string(), plan_.layout.point_step, view_, plan_.most_points);
     if (!stream(buckets))
       return {};
     makeKey();
@@ -194,8 +193,7 @@ private:
   Position
   positionAt(const std::vector<char>& bytes, std::size_t at) const
   {
-    return recordView(plan_).tripleAt(
-        reinterpret_cast<const std::uint8_t*>(&bytes[at]));
+    return view_.tripleAt(reinterpret_cast<const std::uint8_t*>(&bytes[at]));
   }
 
   /** Along a curve, where that does not tell by their bytes: only points that are the
@@ -300,6 +298,7 @@ private:
   const std::function<bool(double)>& goes_on_;
   StreamHead head_;
   TilePlan plan_;
+  pcl::ccaa::PointView view_; /**< of positions in records */
   std::uint64_t announced_ = 0;
   std::vector<Eigen::AlignedBox3d> boxes_; /**< by tile */
 };

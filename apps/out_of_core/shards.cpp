@@ -21,20 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using pcl::ccaa::WideIndex;
 
-/** Calls use(points, number in its tile) for points of other tiles, tile by tile. */
-template <typename Use>
-void
-forForeign(const TilePlan& plan, const std::vector<WideIndex>& foreign, const Use& use)
-{
-  for (std::size_t i = 0; i < foreign.size();) {
-    const std::size_t owner = plan.tiling.ownerOf(foreign[i]);
-    const pcl::ccaa::Tile& tile = plan.tiling.tiles[owner];
-    const TilePoints points(plan, owner);
-    for (; i < foreign.size() && foreign[i] < tile.first + tile.count; ++i)
-      use(points, static_cast<std::size_t>(foreign[i] - tile.first));
-  }
-}
-
 /** Appends records with the number of each. */
 class ShardCloud {
 public:
@@ -106,6 +92,17 @@ readShardHead(const TilePlan& plan,
   return header;
 }
 
+/** Triangles that a shard holds. */
+std::size_t
+countTriangles(const TilePlan& plan, std::size_t tile)
+{
+  const std::string path = plan.file(tile, SHARD_STEP);
+  InputFile file;
+  require(file.open(path));
+  TextScanner scanner(file.bytes());
+  return readShardHead(plan, path, file, scanner).elements.back().rows;
+}
+
 /** A shard as writeShard() wrote it. */
 TileSurface
 readShard(const TilePlan& plan, std::size_t tile)
@@ -160,9 +157,13 @@ writeFaces(const TilePlan& plan,
     for (std::size_t i = 0; i < points.size(); ++i)
       places.push_back(static_cast<std::uint32_t>(order.placeOf(points.source(i))));
   }
-  forForeign(plan, surface.foreign, [&](const TilePoints& points, std::size_t i) {
-    places.push_back(static_cast<std::uint32_t>(order.placeOf(points.source(i))));
-  });
+  forPoints(plan,
+            surface.foreign.begin(),
+            surface.foreign.end(),
+            [&](auto, const TilePoints& points, std::size_t i) {
+              places.push_back(
+                  static_cast<std::uint32_t>(order.placeOf(points.source(i))));
+            });
   for (const CoreTriangle& triangle : surface.triangles) {
     const CoreTriangle corners{
         places[triangle[0]], places[triangle[1]], places[triangle[2]]};
@@ -209,9 +210,12 @@ writeShard(const TilePlan& plan, std::size_t tile)
       shard.add(points.record(i), own.first + i);
   }
   std::size_t next = 0;
-  forForeign(plan, surface.foreign, [&](const TilePoints& points, std::size_t i) {
-    shard.add(points.record(i), surface.foreign[next++]);
-  });
+  forPoints(plan,
+            surface.foreign.begin(),
+            surface.foreign.end(),
+            [&](auto, const TilePoints& points, std::size_t i) {
+              shard.add(points.record(i), surface.foreign[next++]);
+            });
   OutputFile file;
   require(file.open(path));
   PlyCounts counts;
@@ -236,7 +240,7 @@ describeTiles(const TilePlan& plan)
   nlohmann::json shards = nlohmann::json::array();
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
     const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
-    const std::size_t count = readShard(plan, tile).triangles.size();
+    const std::size_t count = countTriangles(plan, tile);
     const ClosedTile closed = readClosed(plan, tile);
     triangles += count;
     added += closed.added.size();
@@ -289,7 +293,7 @@ mergeShards(const TilePlan& plan, OutputFile& file)
         points.size(),
         [&](std::size_t i) { return points.record(i); },
         [&](std::size_t i) { return points.source(i); });
-    counts.faces += readShard(plan, tile).triangles.size();
+    counts.faces += countTriangles(plan, tile);
   }
   addNowhere(plan, order);
   PlyParts parts(plan.layout, counts, extrasOf(plan), file);

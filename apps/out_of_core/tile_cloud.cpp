@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: the points of a tile and of what lies around it.
 #include "out_of_core/tile_cloud.h"
 
+#include "io/point_columns.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,9 +28,15 @@ boxAround(const pcl::ccaa::Tile& tile)
 
 } // namespace
 
-TileCloud::TileCloud(const TilePlan& plan, std::size_t tile)
+TileCloud::TileCloud(const TilePlan& plan) : cloud_(plan.layout)
 {
-  cloud_ = plan.layout;
+  const char* const axes[] = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    position_offsets_[axis] = findField(cloud_, axes[axis])->offset;
+}
+
+TileCloud::TileCloud(const TilePlan& plan, std::size_t tile) : TileCloud(plan)
+{
   std::vector<std::size_t> parts = plan.tiling.neighborsOf(tile);
   parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
   const Eigen::AlignedBox3d around = boxAround(plan.tiling.tiles[tile]);
@@ -46,22 +54,16 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile)
 TileCloud::TileCloud(const TilePlan& plan,
                      std::size_t tile,
                      const std::vector<pcl::ccaa::WideIndex>& foreign)
+: TileCloud(plan)
 {
-  cloud_ = plan.layout;
   const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
   const auto behind = std::lower_bound(foreign.begin(), foreign.end(), own.first);
-  const auto addAll = [&](auto next, auto end) {
-    while (next != end) {
-      const std::size_t part = plan.tiling.ownerOf(*next);
-      const pcl::ccaa::Tile& owner = plan.tiling.tiles[part];
-      const TilePoints points(plan, part);
-      for (; next != end && *next < owner.first + owner.count; ++next)
-        add(plan, part, points, static_cast<std::size_t>(*next - owner.first));
-    }
+  const auto add_one = [&](std::size_t part, const TilePoints& points, std::size_t i) {
+    add(plan, part, points, i);
   };
-  addAll(foreign.begin(), behind);
+  forPoints(plan, foreign.begin(), behind, add_one);
   addOwn(plan, tile);
-  addAll(behind, foreign.end());
+  forPoints(plan, behind, foreign.end(), add_one);
   finish();
 }
 
@@ -96,11 +98,10 @@ TileCloud::add(const TilePlan& plan,
   if (plan.step <= 0.0)
     return;
   const pcl::ccaa::Position rounded = points.position(i);
-  for (const pcl::PCLPointField& field : cloud_.fields)
-    if (field.name == "x" || field.name == "y" || field.name == "z")
-      std::memcpy(&cloud_.data[at + field.offset],
-                  &rounded[field.name[0] - 'x'],
-                  sizeof(double));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    std::memcpy(&cloud_.data[at + position_offsets_[axis]],
+                &rounded[static_cast<Eigen::Index>(axis)],
+                sizeof(double));
 }
 
 pcl::index_t

@@ -5,6 +5,7 @@
 #include "mesh/point_view.h"
 #include "out_of_core/tile_points.h"
 
+#include <array>
 #include <vector>
 
 namespace app {
@@ -53,6 +54,7 @@ public:
   placeOf(pcl::ccaa::WideIndex index) const;
 
 private:
+  explicit TileCloud(const TilePlan& plan);
   void
   addOwn(const TilePlan& plan, std::size_t tile);
   void
@@ -63,6 +65,7 @@ private:
 
   pcl::PCLPointCloud2 cloud_;
   std::vector<pcl::ccaa::WideIndex> wide_;
+  std::array<std::size_t, 3> position_offsets_{};
   std::size_t first_own_ = 0;
 };
 

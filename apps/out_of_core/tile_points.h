@@ -82,4 +82,19 @@ private:
 pcl::ccaa::PointView
 recordView(const TilePlan& plan);
 
+/** \brief Calls use(tile, points, number in the tile) for points of any tiles, given
+ * ascending by an iterator and its end; each tile's file is opened once. */
+template <typename Iterator, typename Use>
+void
+forPoints(const TilePlan& plan, Iterator next, Iterator end, const Use& use)
+{
+  while (next != end) {
+    const std::size_t tile = plan.tiling.ownerOf(*next);
+    const pcl::ccaa::Tile& owner = plan.tiling.tiles[tile];
+    const TilePoints points(plan, tile);
+    for (; next != end && owner.owns(*next); ++next)
+      use(tile, points, static_cast<std::size_t>(*next - owner.first));
+  }
+}
+
 } // namespace app

@@ -97,7 +97,7 @@ decideByEvidence(std::vector<OutwardEvidence> evidence, Decision& decision)
       continue;
     decideByHints(i, evidence[i], decision);
     if (component.rule == OutwardRule::UNDECIDED && component.closed &&
-        enclosesVolume(evidence[i]))
+        enclosesVolume(evidence[i].volume.sum, evidence[i].area))
       decision.settle(i, OutwardRule::VOLUME, evidence[i].volume);
     if (component.rule == OutwardRule::UNDECIDED)
       decision.any_undecided = true;

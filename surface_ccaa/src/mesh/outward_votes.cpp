@@ -34,9 +34,6 @@ constexpr double MOST_LAYERS = 1.4;
 /** \brief Triangles for each cell of the grid in which that is counted. */
 constexpr std::size_t TRIANGLES_IN_CELL = 8;
 
-/** \brief Least margin of the votes for one side of the plane; 0 for a closed body. */
-constexpr double LEAST_TERRAIN_MARGIN = 0.8;
-
 /** \brief A triangle as far as the rules need it. */
 struct Facet {
   Position centroid;
@@ -236,6 +233,18 @@ isLayered(const WoundMesh& mesh, int axis)
 
 } // namespace
 
+int
+axisOfPlane(const Eigen::Matrix3d& tensor, Eigen::Vector3d& normal)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+  normal = solver.eigenvectors().col(2);
+  Eigen::Index axis = 0;
+  const double along = normal.cwiseAbs().maxCoeff(&axis);
+  const bool is_plane = tensor.trace() > 0.0 && along >= LEAST_AXIS_COSINE &&
+                        solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.trace();
+  return is_plane ? static_cast<int>(axis) : -1;
+}
+
 std::vector<Votes>
 collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
 {
@@ -251,13 +260,9 @@ collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
              sum.add(facetOf(mesh, index).area);
            }))
     tensor.add(part);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor.sum);
-  Eigen::Vector3d up = solver.eigenvectors().col(2);
-  const double along = up.cwiseAbs().maxCoeff(&axis);
-  const bool is_plane =
-      tensor.sum.trace() > 0.0 && along >= LEAST_AXIS_COSINE &&
-      solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.sum.trace();
-  if (!is_plane || isLayered(mesh, axis))
+  Eigen::Vector3d up;
+  axis = axisOfPlane(tensor.sum, up);
+  if (axis < 0 || isLayered(mesh, axis))
     return std::vector<Votes>(all.size());
   if (up[axis] < 0.0)
     up = -up;

@@ -71,14 +71,22 @@ struct WoundMesh {
   const Winding& winding;
 };
 
-/** \brief Whether a volume is more than rounding: a folded sheet encloses nothing. */
+/** \brief Whether a volume, times six, is more than rounding: a folded sheet encloses
+ * nothing. \param[in] area twice that of the surface */
 inline bool
-enclosesVolume(const OutwardEvidence& evidence)
+enclosesVolume(double volume, double area)
 {
   constexpr double LEAST_COMPACTNESS = 1e-9;
-  return std::abs(evidence.volume.sum) >
-         LEAST_COMPACTNESS * std::pow(evidence.area, 1.5);
+  return std::abs(volume) > LEAST_COMPACTNESS * std::pow(area, 1.5);
 }
+
+/** \brief Least margin of the votes for one side of the plane; 0 for a closed body. */
+constexpr double LEAST_TERRAIN_MARGIN = 0.8;
+
+/** \brief The axis that the plane most of a surface follows lies across, or -1.
+ * \param[in] tensor sum of area-weighted n n^T \param[out] normal of the plane */
+int
+axisOfPlane(const Eigen::Matrix3d& tensor, Eigen::Vector3d& normal);
 
 /** \brief Evidence of hints and volume. Without hints and closed components nothing is
  * computed. */

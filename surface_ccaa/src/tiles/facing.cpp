@@ -35,9 +35,7 @@ rimOf(const Seam& seam, const Triangles& given)
 {
   std::vector<std::size_t> rim;
   for (std::size_t t = 0; t < given.size(); ++t)
-    if (std::any_of(given[t].begin(), given[t].end(), [&](pcl::index_t corner) {
-          return seam.is_open[static_cast<std::size_t>(corner)] != 0;
-        }))
+    if (anyCorner(given[t], seam.is_open))
       rim.push_back(t);
   return rim;
 }

@@ -126,7 +126,7 @@ private:
   keepAtRim(std::vector<pcl::index_t> gone, Attempt& result) const
   {
     const auto goesForGood = [&](pcl::index_t t) {
-      return isOpen(seam_.given[static_cast<std::size_t>(t)], result.is_open);
+      return anyCorner(seam_.given[static_cast<std::size_t>(t)], result.is_open);
     };
     for (auto more = gone.end(); !gone.empty(); gone.erase(more, gone.end())) {
       more = std::stable_partition(
@@ -145,14 +145,6 @@ private:
   {
     for (const pcl::index_t corner : triangle)
       result.is_open[static_cast<std::size_t>(corner)] = 1;
-  }
-
-  static bool
-  isOpen(const Triangle& triangle, const std::vector<std::uint8_t>& is_open)
-  {
-    return std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
-      return is_open[static_cast<std::size_t>(corner)] != 0;
-    });
   }
 
   /** All triangles of a piece alike, whichever way. */
@@ -228,17 +220,13 @@ private:
     std::vector<std::uint8_t> goes(seam_.given.size(), 0);
     for (const pcl::index_t t : result.removed)
       goes[static_cast<std::size_t>(t)] = 1;
-    const auto at = [](const std::vector<std::uint8_t>& flags, pcl::index_t v) {
-      return flags[static_cast<std::size_t>(v)] != 0;
-    };
     for (std::size_t t = 0; t < goes.size(); ++t) {
       const Triangle& corners = seam_.given[t];
-      if (std::any_of(corners.begin(),
-                      corners.end(),
-                      [&](pcl::index_t v) { return at(is_flawed, v); }) &&
+      const bool is_near =
           std::all_of(corners.begin(), corners.end(), [&](pcl::index_t v) {
-            return at(seam_.is_near, v);
-          }))
+            return seam_.is_near[static_cast<std::size_t>(v)] != 0;
+          });
+      if (is_near && anyCorner(corners, is_flawed))
         goes[t] = 1;
     }
     return goes;

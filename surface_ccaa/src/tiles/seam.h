@@ -8,6 +8,7 @@
 #include "mesh/triangle.h"
 #include "tiles/tiling.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,6 +40,15 @@ struct Seam {
   std::vector<std::uint8_t> is_near;   /**< flags of those within one and a half reaches
                                             of a dispute: others keep their triangles */
 };
+
+/** \brief Whether a corner of a triangle is flagged. */
+inline bool
+anyCorner(const Triangle& triangle, const std::vector<std::uint8_t>& flags)
+{
+  return std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+    return flags[static_cast<std::size_t>(corner)] != 0;
+  });
+}
 
 /** \brief What closes it. */
 struct SeamFilling {

@@ -2,8 +2,6 @@
 // Part of PclSurfaceRepair: the outer side of surfaces that run through many tiles.
 #include "tiles/side_graph.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "mesh/corners.h"
 #include "mesh/label_sets.h"
 
@@ -16,14 +14,9 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-/** As for one tile: see outward_votes.cpp. */
-constexpr double LEAST_PLANE_SHARE = 0.6;
-constexpr double LEAST_AXIS_COSINE = 0.984807753012208;
-constexpr double LEAST_TERRAIN_MARGIN = 0.8;
 /** Volume that a surface has over its own centroid, as a share of (twice its area)^1.5:
  * 0.07 for a half sphere; below this it is flat, or curved both ways. */
 constexpr double LEAST_BULGE = 0.005;
-constexpr double LEAST_COMPACTNESS = 1e-9;
 
 /** An edge as one of the tiles has it. */
 struct Half {
@@ -119,14 +112,8 @@ private:
     Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
     for (const SideSums& sums : sums_)
       tensor += sums.tensor;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
-    const Eigen::Vector3d normal = solver.eigenvectors().col(2);
-    Eigen::Index axis = 0;
-    const double cosine = normal.cwiseAbs().maxCoeff(&axis);
-    return solver.eigenvalues()[2] >= LEAST_PLANE_SHARE * tensor.trace() &&
-                   cosine >= LEAST_AXIS_COSINE
-               ? static_cast<int>(axis)
-               : -1;
+    Eigen::Vector3d normal;
+    return axisOfPlane(tensor, normal);
   }
 
   /** \return 1 when the surface has to be turned */
@@ -140,9 +127,7 @@ private:
         rule = static_cast<OutwardRule>(i);
         side = sums.given[i].sum;
       }
-    const double size = std::pow(sums.area, 1.5);
-    if (side == 0.0 && sums.open_edges == 0 &&
-        std::abs(sums.volume) > LEAST_COMPACTNESS * size) {
+    if (side == 0.0 && sums.open_edges == 0 && enclosesVolume(sums.volume, sums.area)) {
       rule = OutwardRule::VOLUME;
       side = sums.volume;
     }
@@ -154,7 +139,7 @@ private:
     }
     const double bulge =
         sums.area > 0.0 ? sums.volume - sums.moment.dot(sums.normals) / sums.area : 0.0;
-    if (side == 0.0 && std::abs(bulge) > LEAST_BULGE * size) {
+    if (side == 0.0 && std::abs(bulge) > LEAST_BULGE * std::pow(sums.area, 1.5)) {
       rule = OutwardRule::BULGE;
       side = bulge;
     }
