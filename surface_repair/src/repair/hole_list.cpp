@@ -6,14 +6,13 @@
 #include "boundary/extraction.h"
 #include "boundary/loop_evidence.h"
 #include "mesh/disjoint_sets.h"
+#include "repair/hole_regions.h"
 #include "repair/junction_rings.h"
 #include "repair/loop_reasons.h"
 #include "repair/sampled_rings.h"
 
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace pcl {
@@ -87,23 +86,6 @@ reasonForContour(const HolePolygon& polygon, double area, OpenReason outside)
   return evidenceOf(polygon.curve, area).score() < 0.0 ? outside : OpenReason::NONE;
 }
 
-/** Without the points that are there once more right after themselves. */
-void
-dropRepeated(HolePolygon& polygon)
-{
-  HolePolygon left;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    if (k == polygon.second_loop)
-      left.second_loop = left.vertices.size();
-    if (polygon.vertices[k] != polygon.vertices[polygon.curve.next(k)]) {
-      left.vertices.push_back(polygon.vertices[k]);
-      left.curve.points.push_back(polygon.curve.points[k]);
-      left.curve.normals.push_back(polygon.curve.normals[k]);
-    }
-  }
-  polygon = std::move(left);
-}
-
 class Listing {
 public:
   Listing(const ModelSurvey& survey, const FillingParameters& parameters)
@@ -122,8 +104,8 @@ public:
     addContours();
     countIslands();
     addLoops();
-    weld();
-    joinRegions();
+    weldHoles(survey_, list_);
+    groupHoles(list_);
     return std::move(list_);
   }
 
@@ -142,17 +124,6 @@ private:
   isWanted(const HoleContour& contour) const;
   void
   add(OpenHole hole);
-  pcl::index_t
-  vertexAt(const BoundaryPoint& end) const
-  {
-    return survey_.loops[survey_.joined.loops[end.curve]].vertices[end.edge];
-  }
-  void
-  weld();
-  void
-  addTouching();
-  void
-  joinRegions();
 
   const ModelSurvey& survey_;
   const FillingParameters& parameters_;
@@ -279,99 +250,6 @@ Listing::addLoops()
                        survey_.wishes.wishFor(input_loop) == LoopWish::CLOSE;
       add(std::move(hole));
     }
-}
-
-/** Loops that meet in a point have one vertex there. */
-void
-Listing::weld()
-{
-  list_.replaced = pinchedVertices(survey_.model, survey_.loops);
-  addTouching();
-  if (list_.replaced.empty())
-    return;
-  for (OpenHole& hole : list_.holes) {
-    for (pcl::index_t& vertex : hole.polygon.vertices) {
-      const auto found = list_.replaced.find(vertex);
-      if (found != list_.replaced.end())
-        vertex = found->second;
-    }
-    dropRepeated(hole.polygon);
-  }
-}
-
-/** The ends of bridges without a length, where these are part of holes to be closed. */
-void
-Listing::addTouching()
-{
-  std::set<std::size_t> passed;
-  for (const OpenHole& hole : list_.holes)
-    if (hole.open == OpenReason::NONE)
-      passed.insert(hole.bridges.begin(), hole.bridges.end());
-  VertexMap& replaced = list_.replaced;
-  const auto lowest = [&](pcl::index_t vertex) {
-    const auto found = replaced.find(vertex);
-    return found == replaced.end() ? vertex : found->second;
-  };
-  for (const std::size_t number : passed) {
-    const Bridge& bridge = survey_.joined.bridges[number];
-    if (bridge.points.size() > 2 || bridge.points.front() != bridge.points.back())
-      continue;
-    const auto [kept, other] =
-        std::minmax({lowest(vertexAt(bridge.begin)), lowest(vertexAt(bridge.end))});
-    if (kept == other)
-      continue;
-    for (auto& [vertex, target] : replaced)
-      target = target == other ? kept : target;
-    replaced.emplace(other, kept);
-  }
-}
-
-/** Welding closes what has fewer edges than a triangle. */
-bool
-isToBeFilled(const OpenHole& hole)
-{
-  return hole.open == OpenReason::NONE && hole.polygon.size() >= 3;
-}
-
-/** Two fillings could have the edge between two points that both holes have. */
-void
-joinHolesThatMeetTwice(const std::map<pcl::index_t, std::vector<std::size_t>>& holes_at,
-                       DisjointSets& groups)
-{
-  std::set<std::pair<std::size_t, std::size_t>> met;
-  for (const auto& [vertex, holes] : holes_at)
-    for (const std::size_t first : holes)
-      for (const std::size_t second : holes)
-        if (first < second && !met.emplace(first, second).second)
-          groups.join(first, second);
-}
-
-void
-Listing::joinRegions()
-{
-  DisjointSets groups(list_.holes.size());
-  std::map<std::size_t, std::size_t> hole_at; // bridge -> first hole that passes it
-  std::map<pcl::index_t, std::vector<std::size_t>> holes_at; // a pinched vertex
-  for (const auto& [vertex, kept] : list_.replaced)
-    holes_at[kept];
-  for (std::size_t h = 0; h < list_.holes.size(); ++h) {
-    if (!isToBeFilled(list_.holes[h]))
-      continue;
-    for (const std::size_t bridge : list_.holes[h].bridges)
-      groups.join(h, hole_at.emplace(bridge, h).first->second);
-    for (const pcl::index_t vertex : list_.holes[h].polygon.vertices) {
-      const auto met = holes_at.find(vertex);
-      if (met != holes_at.end())
-        met->second.push_back(h);
-    }
-  }
-  joinHolesThatMeetTwice(holes_at, groups);
-  std::map<std::size_t, std::vector<std::size_t>> members;
-  for (std::size_t h = 0; h < list_.holes.size(); ++h)
-    if (isToBeFilled(list_.holes[h]))
-      members[groups.find(h)].push_back(h);
-  for (auto& [first, holes] : members)
-    list_.regions.push_back(std::move(holes));
 }
 
 } // namespace
