@@ -82,7 +82,7 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
   const LoopContext context{threads};
   choose(open, cell, context);
   sortAlongCurve(context);
-  tree_ = PackedBoxTree(chosen_.size(), context, [this](std::size_t place) {
+  tree_ = BoxTree(chosen_.size(), context, [this](std::size_t place) {
     return boxOf(cornersAt(place));
   });
 }
@@ -142,7 +142,8 @@ NearbyTriangles::meets(const Corners& corners,
                        const Box& box,
                        const std::vector<pcl::index_t>& ignored) const
 {
-  return tree_.anyMeeting(box, [&](std::size_t place) {
+  return tree_.anyMeeting(box, [&](pcl::index_t found) {
+    const auto place = static_cast<std::size_t>(found);
     const pcl::index_t triangle = chosen_[place];
     return alive_[static_cast<std::size_t>(triangle)] != 0 &&
            !std::binary_search(ignored.begin(), ignored.end(), triangle) &&

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mesh/block_loop.h"
+#include "mesh/box_tree.h"
 #include "mesh/intersection.h"
-#include "mesh/packed_box_tree.h"
 #include "mesh/point_chains.h"
 #include "mesh/point_view.h"
 #include "mesh/triangle.h"
@@ -69,7 +69,7 @@ private:
   const AliveFlags& alive_;
   PointView points_;
   std::vector<pcl::index_t> chosen_;
-  PackedBoxTree tree_; /**< of the chosen ones */
+  BoxTree tree_; /**< of the chosen ones */
 };
 
 } // namespace ccaa

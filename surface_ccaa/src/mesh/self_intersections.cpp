@@ -57,11 +57,12 @@ findSelfIntersections(const Triangles& triangles,
 {
   SelfIntersections result;
   const std::vector<Box> boxes = boxesOf(triangles, positions, {threads});
-  const BoxTree tree(boxes);
-  result.left_out = triangles.size() - tree.size();
+  const BoxTree tree(boxes, threads);
+  const std::size_t count = tree.order().size();
+  result.left_out = triangles.size() - count;
   LoopContext context{threads, &control, "self-intersections"};
   context.block_size = 1024;
-  std::vector<std::vector<TrianglePair>> found(context.blockCount(tree.size()));
+  std::vector<std::vector<TrianglePair>> found(context.blockCount(count));
   const auto searchBlock = [&](std::size_t block, std::size_t begin, std::size_t end) {
     std::uint64_t work = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -83,7 +84,7 @@ findSelfIntersections(const Triangles& triangles,
     control.spend(work);
   };
   if (!control.report("self-intersections", 0.0) ||
-      !forEachBlock(tree.size(), context, searchBlock)) {
+      !forEachBlock(count, context, searchBlock)) {
     result.cancelled = true;
     return result;
   }

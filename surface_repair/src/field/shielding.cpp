@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: whether the surface stands between two points (E4.43-6).
 #include "field/shielding.h"
 
-#include "field/segment_tree.h"
+#include "mesh/box_tree.h"
 #include "mesh/intersection.h"
 
 #include <vector>
@@ -15,17 +15,13 @@ namespace {
 ccaa::Box
 boxOf(const ccaa::Corners& corners)
 {
-  ccaa::Box box;
-  if (!ccaa::isCollinear(corners))
-    for (const Position& corner : corners)
-      box.extend(corner);
-  return box;
+  return ccaa::isCollinear(corners) ? ccaa::Box() : ccaa::boxOf(corners);
 }
 
 } // namespace
 
 struct Shield::Implementation {
-  SegmentTree tree;
+  ccaa::BoxTree tree;
   std::vector<ccaa::Corners> triangles; /**< by place in the tree */
 };
 
@@ -36,10 +32,14 @@ Shield::Shield(const IncompleteModel& model, int threads)
   boxes.reserve(model.triangles.size());
   for (const Triangle& triangle : model.triangles)
     boxes.push_back(boxOf(ccaa::cornersOf(triangle, model.positions)));
-  implementation_->tree = SegmentTree(boxes, threads);
-  for (const pcl::index_t i : implementation_->tree.order())
+  const std::vector<pcl::index_t> order = ccaa::neighboringOrder(boxes, threads);
+  for (const pcl::index_t i : order)
     implementation_->triangles.push_back(
         ccaa::cornersOf(model.triangles[static_cast<std::size_t>(i)], model.positions));
+  implementation_->tree =
+      ccaa::BoxTree(order.size(), {threads}, [&](std::size_t place) {
+        return ccaa::boxOf(implementation_->triangles[place]);
+      });
 }
 
 Shield::~Shield() = default;
@@ -53,8 +53,10 @@ Shield::crosses(const Position& a, const Position& b, double tolerance) const
     return false;
   const Eigen::Vector3d margin = way * (tolerance / length);
   const Position begin = a + margin, end = b - margin;
-  return implementation_->tree.any(begin, end, [&](std::size_t place) {
-    return ccaa::segmentMeetsTriangle(begin, end, implementation_->triangles[place]);
+  const std::vector<ccaa::Corners>& triangles = implementation_->triangles;
+  return implementation_->tree.anyAlong(begin, end, [&](pcl::index_t place) {
+    return ccaa::segmentMeetsTriangle(
+        begin, end, triangles[static_cast<std::size_t>(place)]);
   });
 }
 

@@ -105,12 +105,9 @@ public:
   anyWithin(const Position& center, double distance) const
   {
     const Eigen::Vector3d half = Eigen::Vector3d::Constant(distance);
-    bool found = false;
-    tree_.forEachMeeting(ccaa::Box(center - half, center + half), [&](index_t i) {
-      const Position& point = points_[static_cast<std::size_t>(i)];
-      found = found || (point - center).norm() <= distance;
+    return tree_.anyMeeting(ccaa::Box(center - half, center + half), [&](index_t i) {
+      return (points_[static_cast<std::size_t>(i)] - center).norm() <= distance;
     });
-    return found;
   }
 
 private:

@@ -178,13 +178,11 @@ PartialFilling::meetsTriangles(const ccaa::Corners& corners) const
 {
   if (ccaa::isCollinear(corners))
     return false;
-  bool meets = false;
-  tree_.forEachMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
+  return tree_.anyMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
     const ccaa::Corners ours =
         ccaa::cornersOf(triangles_[static_cast<std::size_t>(i)], points_);
-    meets = meets || (!ccaa::isCollinear(ours) && ccaa::trianglesMeet(corners, ours));
+    return !ccaa::isCollinear(ours) && ccaa::trianglesMeet(corners, ours);
   });
-  return meets;
 }
 
 } // namespace repair

@@ -102,14 +102,14 @@ std::vector<std::size_t>
 GrowingSurface::near(const ccaa::Box& box) const
 {
   std::vector<std::size_t> found;
-  tree_.forEachMeeting(box, [&](pcl::index_t t) {
-    if (is_there[static_cast<std::size_t>(t)])
-      found.push_back(static_cast<std::size_t>(t));
-  });
-  for (std::size_t t = in_tree_; t < triangles.size(); ++t)
+  const auto look = [&](std::size_t t) {
     if (is_there[t] &&
         ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)).intersects(box))
       found.push_back(t);
+  };
+  tree_.forEachMeeting(box, [&](pcl::index_t t) { look(static_cast<std::size_t>(t)); });
+  for (std::size_t t = in_tree_; t < triangles.size(); ++t)
+    look(t);
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -50,8 +50,8 @@ RegionMemory::forgetNear(const std::vector<ccaa::Box>& gone)
 {
   const ccaa::BoxTree tree(gone);
   for (auto failure = failed_.begin(); failure != failed_.end();) {
-    bool has_lost = false;
-    tree.forEachMeeting(failure->second.place, [&](pcl::index_t) { has_lost = true; });
+    const bool has_lost =
+        tree.anyMeeting(failure->second.place, [](pcl::index_t) { return true; });
     failure = has_lost ? failed_.erase(failure) : std::next(failure);
   }
 }

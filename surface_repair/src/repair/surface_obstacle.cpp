@@ -77,11 +77,8 @@ public:
   bool
   contain(const ccaa::Box& box) const
   {
-    if (!all_.intersects(box))
-      return false;
-    bool found = false;
-    tree_.forEachMeeting(box, [&](pcl::index_t) { found = true; });
-    return found;
+    return all_.intersects(box) &&
+           tree_.anyMeeting(box, [](pcl::index_t) { return true; });
   }
 
 private:

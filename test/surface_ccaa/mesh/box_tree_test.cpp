@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: tests of mesh/box_tree.h and
-// mesh/packed_box_tree.h.
+// Part of PclSurfaceRepair: tests of mesh/box_tree.h.
 #include <gtest/gtest.h>
 
 #include "mesh/box_tree.h"
-#include "mesh/packed_box_tree.h"
 #include "support/random_source.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace pcl {
 namespace ccaa {
@@ -53,14 +53,90 @@ TEST(BoxOf, ReachesFromTheLowestToTheHighestCoordinates)
   EXPECT_EQ(box.max(), Position(3, 6, 2));
 }
 
+/** What a tree names is all that meets the query, and nothing that is far from it. */
+void
+expectMeeting(const std::vector<index_t>& named,
+              const std::vector<Box>& boxes,
+              const Box& query)
+{
+  const std::vector<index_t> least = foundOneByOne(boxes, query);
+  const std::vector<index_t> most = foundOneByOne(boxes, widened(query, 1e-5));
+  EXPECT_TRUE(std::includes(named.begin(), named.end(), least.begin(), least.end()));
+  EXPECT_TRUE(std::includes(most.begin(), most.end(), named.begin(), named.end()));
+}
+
+/** Squared distance of the segment from a to b from a box, by bisection: convex. */
+double
+squaredDistance(const Box& box, const Position& a, const Position& b)
+{
+  double low = 0.0, high = 1.0;
+  const auto at = [&](double t) {
+    return box.squaredExteriorDistance(Position(a + t * (b - a)));
+  };
+  for (int i = 0; i < 100; ++i) {
+    const double third = (high - low) / 3.0;
+    if (at(low + third) < at(high - third))
+      high -= third;
+    else
+      low += third;
+  }
+  return at(0.5 * (low + high));
+}
+
 TEST(BoxTree, FindsWhatLookingAtEveryBoxFinds)
 {
   for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 65u, 1000u}) {
     const std::vector<Box> boxes = randomBoxes(count, count);
-    const BoxTree tree(boxes);
-    for (const Box& query : randomBoxes(50, 99))
-      EXPECT_EQ(found(tree, query), foundOneByOne(boxes, query));
+    const BoxTree sorted(boxes);
+    const BoxTree in_order(count, {2}, [&](std::size_t i) { return boxes[i]; });
+    for (const Box& query : randomBoxes(50, 99)) {
+      expectMeeting(found(sorted, query), boxes, query);
+      expectMeeting(found(in_order, query), boxes, query);
+    }
   }
+}
+
+TEST(BoxTree, FindsBoxesFarFromTheOriginAndOfAnySize)
+{
+  for (const double scale : {1e-30, 1e-3, 1e3, 1e30}) {
+    const std::vector<Box> unit = randomBoxes(200, 7);
+    const auto placed = [&](const Box& box) {
+      const Position offset = Position(9.0, -7.0, 5.0);
+      return Box(scale * (box.min() + offset), scale * (box.max() + offset));
+    };
+    std::vector<Box> boxes;
+    for (const Box& box : unit)
+      boxes.push_back(placed(box));
+    const BoxTree tree(boxes);
+    for (const Box& query : randomBoxes(20, 99)) {
+      expectMeeting(found(tree, placed(query)), unit, query);
+      EXPECT_TRUE(found(tree, Box(1e6 * placed(query).min())).empty());
+    }
+  }
+}
+
+TEST(BoxTree, FindsTheBoxesThatASegmentPasses)
+{
+  const std::vector<Box> boxes = randomBoxes(300, 5);
+  const BoxTree tree(boxes);
+  for (const Box& way : randomBoxes(100, 98)) {
+    const Position a = way.min(), b = Position::Ones() - way.max();
+    std::set<index_t> named;
+    EXPECT_FALSE(
+        tree.anyAlong(a, b, [&](index_t i) { return !named.insert(i).second; }));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const double distance = std::sqrt(squaredDistance(boxes[i], a, b));
+      EXPECT_LE(named.count(static_cast<index_t>(i)), distance < 1e-5 ? 1U : 0U);
+      EXPECT_GE(named.count(static_cast<index_t>(i)), distance > 0.0 ? 0U : 1U);
+    }
+  }
+}
+
+TEST(BoxTree, IsTheSameForAnyNumberOfThreads)
+{
+  const std::vector<Box> boxes = randomBoxes(5000, 1);
+  for (const int threads : {2, 3, 8})
+    EXPECT_EQ(BoxTree(boxes).order(), BoxTree(boxes, threads).order());
 }
 
 TEST(BoxTree, TheNearOnesHaveTheNearestAmongThem)
@@ -94,11 +170,16 @@ TEST(BoxTree, NoneIsVisitedThatIsFurtherThanAsked)
       return 0.04;
     });
     std::sort(near.begin(), near.end());
-    std::vector<index_t> expected;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      if (boxes[i].squaredExteriorDistance(query) <= 0.04)
-        expected.push_back(static_cast<index_t>(i));
-    EXPECT_EQ(expected, near);
+    std::vector<index_t> least, most;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const double squared = boxes[i].squaredExteriorDistance(query);
+      if (squared <= 0.04)
+        least.push_back(static_cast<index_t>(i));
+      if (squared <= 0.04 + 1e-5)
+        most.push_back(static_cast<index_t>(i));
+    }
+    EXPECT_TRUE(std::includes(near.begin(), near.end(), least.begin(), least.end()));
+    EXPECT_TRUE(std::includes(most.begin(), most.end(), near.begin(), near.end()));
   }
 }
 
@@ -113,7 +194,7 @@ TEST(BoxTree, NeverFindsEmptyBoxes)
   std::vector<Box> boxes = randomBoxes(20, 1);
   boxes[4].setEmpty();
   const BoxTree tree(boxes);
-  EXPECT_EQ(tree.size(), 19u);
+  EXPECT_EQ(tree.order().size(), 19u);
   const std::vector<index_t> all =
       found(tree, Box(Position::Constant(-9), Position::Constant(9)));
   EXPECT_EQ(std::count(all.begin(), all.end(), 4), 0);
@@ -131,33 +212,13 @@ TEST(BoxTree, HoldsBoxesAllInOnePlace)
   EXPECT_EQ(found(tree, Box(Position(2, 2, 2))).size(), 100u);
 }
 
-TEST(PackedBoxTree, MissesNoBoxAndNamesNoneThatIsFar)
-{
-  for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 64u, 65u, 1000u}) {
-    const std::vector<Box> boxes = randomBoxes(count, count);
-    const PackedBoxTree tree(count, {2}, [&](std::size_t i) { return boxes[i]; });
-    for (const Box& query : randomBoxes(50, 99)) {
-      std::vector<index_t> named;
-      EXPECT_FALSE(tree.anyMeeting(query, [&](std::size_t i) {
-        named.push_back(static_cast<index_t>(i));
-        return false;
-      }));
-      const std::vector<index_t> least = foundOneByOne(boxes, query);
-      const std::vector<index_t> most = foundOneByOne(boxes, widened(query, 1e-6));
-      EXPECT_TRUE(
-          std::includes(named.begin(), named.end(), least.begin(), least.end()));
-      EXPECT_TRUE(std::includes(most.begin(), most.end(), named.begin(), named.end()));
-    }
-  }
-}
-
-TEST(PackedBoxTree, StopsAtTheFirstThatPasses)
+TEST(BoxTree, StopsAtTheFirstThatPasses)
 {
   const std::vector<Box> boxes = randomBoxes(100, 1);
-  const PackedBoxTree tree(boxes.size(), {1}, [&](std::size_t i) { return boxes[i]; });
+  const BoxTree tree(boxes);
   std::size_t asked = 0;
   EXPECT_TRUE(tree.anyMeeting(Box(Position::Zero(), Position::Ones()),
-                              [&](std::size_t) { return ++asked == 3; }));
+                              [&](index_t) { return ++asked == 3; }));
   EXPECT_EQ(3U, asked);
 }
 

@@ -2,12 +2,9 @@
 // Part of PclSurfaceRepair: tests of the surface as an obstacle (E4.43-6).
 #include <gtest/gtest.h>
 
-#include "field/segment_tree.h"
 #include "field/shielding.h"
 #include "field_samples.h"
 #include "mesh/intersection.h"
-
-#include <random>
 
 namespace pcl {
 namespace repair {
@@ -103,17 +100,6 @@ TEST(Shield, PassesOverTrianglesWithoutAreaAndEmptyModels)
   line.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   line.triangles = {{0, 1, 2}};
   EXPECT_FALSE(Shield(line).crosses({1, -1, 0}, {1, 1, 0}, 0.0));
-}
-
-TEST(SegmentTree, IsTheSameForAnyNumberOfThreads)
-{
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> place(0.0, 1.0);
-  std::vector<ccaa::Box> boxes;
-  for (int i = 0; i < 5000; ++i)
-    boxes.emplace_back(Position(place(random), place(random), 0.1 * place(random)));
-  for (const int threads : {2, 3, 8})
-    EXPECT_EQ(SegmentTree(boxes).order(), SegmentTree(boxes, threads).order());
 }
 
 } // namespace
