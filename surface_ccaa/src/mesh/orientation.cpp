@@ -35,7 +35,7 @@ struct Decision {
   int plane_axis = -1;        /**< that the dominant plane looks along; -1 if none */
 
   void
-  settle(std::size_t component, OutwardRule rule, const Votes& votes)
+  settle(std::size_t component, OutwardRule rule, const SideVotes& votes)
   {
     turn[component] = votes.sum < 0.0 ? 1 : 0;
     components[component].rule = rule;
@@ -107,7 +107,7 @@ decideByEvidence(std::vector<OutwardEvidence> evidence, Decision& decision)
 void
 decideByPlane(const WoundMesh& mesh, const LoopContext& context, Decision& decision)
 {
-  const std::vector<Votes> plane = collectPlane(mesh, context, decision.plane_axis);
+  const std::vector<SideVotes> plane = collectPlane(mesh, context, decision.plane_axis);
   for (std::size_t i = 0; i < plane.size(); ++i)
     if (decision.components[i].rule == OutwardRule::UNDECIDED && plane[i].total > 0.0)
       decision.settle(i, OutwardRule::PLANE, plane[i]);
@@ -126,7 +126,7 @@ decideByWhatIsKnown(const WoundMesh& mesh,
 }
 
 void
-decideBySight(const std::vector<Votes>& sight, double margin, Decision& decision)
+decideBySight(const std::vector<SideVotes>& sight, double margin, Decision& decision)
 {
   for (std::size_t i = 0; i < sight.size(); ++i)
     if (decision.components[i].rule == OutwardRule::UNDECIDED &&
@@ -140,7 +140,7 @@ decideByBulge(const WoundMesh& mesh, const LoopContext& context, Decision& decis
   ComponentFlags wanted;
   for (const OrientedComponent& component : decision.components)
     wanted.push_back(component.rule == OutwardRule::UNDECIDED);
-  const std::vector<Votes> bulge = collectBulge(mesh, wanted, context);
+  const std::vector<SideVotes> bulge = collectBulge(mesh, wanted, context);
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (wanted[i] != 0 && bulge[i].margin() >= BULGE_MARGIN)
       decision.settle(i, OutwardRule::BULGE, bulge[i]);
@@ -232,7 +232,7 @@ orientTriangles(Triangles& triangles,
     return makeReport(decision, 0);
   decideByWhatIsKnown(mesh, hints, context, decision);
   if (decision.any_undecided) {
-    const std::vector<Votes> sight = collectFreeSight(mesh, context);
+    const std::vector<SideVotes> sight = collectEnclosingSphere(mesh, context);
     decideBySight(sight, CLEAR_SIGHT_MARGIN, decision);
     decideByBulge(mesh, context, decision);
     decideBySight(sight, VOTE_MARGIN, decision);

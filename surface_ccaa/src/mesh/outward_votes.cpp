@@ -34,42 +34,13 @@ constexpr double MOST_LAYERS = 1.4;
 /** \brief Triangles for each cell of the grid in which that is counted. */
 constexpr std::size_t TRIANGLES_IN_CELL = 8;
 
-/** \brief A triangle as far as the rules need it. */
-struct Facet {
-  Position centroid;
-  Eigen::Vector3d area; /**< normal as long as twice the area, wound as the component */
-};
-
+/** \brief A triangle, wound as its component. */
 Facet
 facetOf(const WoundMesh& mesh, std::size_t index)
 {
-  const Corners c = cornersOf(mesh.triangles[index], mesh.positions);
-  return {(c[0] + c[1] + c[2]) / 3.0, mesh.winding.sign(index) * areaNormal(c)};
-}
-
-/** \brief Sum of the directions of the given normals; zero when there is none. */
-Eigen::Vector3d
-sumOfNormals(const PointView& normals, const Triangle& triangle)
-{
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const pcl::index_t vertex : triangle) {
-    const Eigen::Vector3d normal = normals[vertex];
-    const double length = normal.norm();
-    if (length > 0.0 && std::isfinite(length))
-      sum += normal / length;
-  }
-  return sum;
-}
-
-/** \brief Solid angle a small facet fills, positive when its front is seen. */
-double
-solidAngle(const Facet& facet, const Position& viewpoint)
-{
-  const Eigen::Vector3d sight = viewpoint - facet.centroid;
-  const double distance = sight.norm();
-  if (!(distance > 0.0))
-    return 0.0;
-  return 0.5 * facet.area.dot(sight) / (distance * distance * distance);
+  Facet facet = ccaa::facetOf(cornersOf(mesh.triangles[index], mesh.positions));
+  facet.area *= mesh.winding.sign(index);
+  return facet;
 }
 
 /** \brief Area and first moment, for the centroid of a surface. */
@@ -115,57 +86,6 @@ struct NormalTensor {
   }
 };
 
-/** \brief The votes of all hints that there are. */
-class GivenVotes {
-public:
-  explicit GivenVotes(const OrientationHints& hints)
-  : hints_(hints)
-  , has_viewpoint_(!hints.viewpoints.empty() || hints.viewpoint)
-  , is_origin_(hints.viewpoints.empty() && hints.viewpoint_is_origin)
-  {}
-
-  bool
-  any() const
-  {
-    return has_viewpoint_ || hints_.told_viewpoint || hints_.up ||
-           !hints_.normals.empty();
-  }
-
-  void
-  add(const Triangle& triangle, const Facet& facet, OutwardEvidence& sum) const
-  {
-    const auto votes = [&](OutwardRule rule) -> Votes& {
-      return sum.given[static_cast<std::size_t>(rule)];
-    };
-    if (hints_.told_viewpoint)
-      votes(OutwardRule::TOLD_VIEWPOINT).add(solidAngle(facet, *hints_.told_viewpoint));
-    if (hints_.up)
-      votes(OutwardRule::UP).add(facet.area.dot(*hints_.up));
-    if (!hints_.normals.empty())
-      votes(OutwardRule::NORMALS)
-          .add(facet.area.dot(sumOfNormals(hints_.normals, triangle)));
-    if (has_viewpoint_)
-      votes(is_origin_ ? OutwardRule::ORIGIN : OutwardRule::VIEWPOINT)
-          .add(solidAngle(facet, viewpointOf(triangle)));
-    if (is_origin_)
-      sum.shown += std::abs(facet.area.dot(facet.centroid.normalized()));
-  }
-
-private:
-  Position
-  viewpointOf(const Triangle& triangle) const
-  {
-    const PointView& each = hints_.viewpoints;
-    if (each.empty())
-      return *hints_.viewpoint;
-    return (each[triangle[0]] + each[triangle[1]] + each[triangle[2]]) / 3.0;
-  }
-
-  const OrientationHints& hints_;
-  bool has_viewpoint_;
-  bool is_origin_; /**< that viewpoint is the origin, taken for it */
-};
-
 } // namespace
 
 std::vector<OutwardEvidence>
@@ -183,7 +103,9 @@ collectEvidence(const WoundMesh& mesh,
                                OutwardEvidence& sum) {
     const Facet facet = facetOf(mesh, index);
     sum.area += facet.area.norm();
-    given.add(mesh.triangles[index], facet, sum);
+    given.add(mesh.triangles[index], facet, sum.given);
+    if (given.isOrigin())
+      sum.shown += std::abs(facet.area.dot(facet.centroid.normalized()));
     if (!components[component].closed)
       return;
     const auto first = static_cast<std::size_t>(components[component].first_triangle);
@@ -245,7 +167,7 @@ axisOfPlane(const Eigen::Matrix3d& tensor, Eigen::Vector3d& normal)
   return is_plane ? static_cast<int>(axis) : -1;
 }
 
-std::vector<Votes>
+std::vector<SideVotes>
 collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
 {
   const std::size_t count = mesh.triangles.size();
@@ -263,24 +185,24 @@ collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis)
   Eigen::Vector3d up;
   axis = axisOfPlane(tensor.sum, up);
   if (axis < 0 || isLayered(mesh, axis))
-    return std::vector<Votes>(all.size());
+    return std::vector<SideVotes>(all.size());
   if (up[axis] < 0.0)
     up = -up;
-  std::vector<Votes> votes =
-      sumByComponent<Votes>(mesh.winding,
-                            count,
-                            all,
-                            context,
-                            [&](std::size_t, std::size_t index, Votes& sum) {
-                              sum.add(facetOf(mesh, index).area.dot(up));
-                            });
-  for (Votes& of_component : votes)
+  std::vector<SideVotes> votes =
+      sumByComponent<SideVotes>(mesh.winding,
+                                count,
+                                all,
+                                context,
+                                [&](std::size_t, std::size_t index, SideVotes& sum) {
+                                  sum.add(facetOf(mesh, index).area.dot(up));
+                                });
+  for (SideVotes& of_component : votes)
     if (of_component.margin() < LEAST_TERRAIN_MARGIN)
       of_component = {};
   return votes;
 }
 
-std::vector<Votes>
+std::vector<SideVotes>
 collectBulge(const WoundMesh& mesh,
              const ComponentFlags& wanted,
              const LoopContext& context)
@@ -294,12 +216,12 @@ collectBulge(const WoundMesh& mesh,
       [&](std::size_t, std::size_t index, SurfaceMoment& sum) {
         sum.add(facetOf(mesh, index));
       });
-  return sumByComponent<Votes>(
+  return sumByComponent<SideVotes>(
       mesh.winding,
       count,
       wanted,
       context,
-      [&](std::size_t component, std::size_t index, Votes& sum) {
+      [&](std::size_t component, std::size_t index, SideVotes& sum) {
         const SurfaceMoment& surface = moments[component];
         const Facet facet = facetOf(mesh, index);
         const double vote =

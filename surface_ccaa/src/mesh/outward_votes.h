@@ -4,52 +4,20 @@
 
 #include "mesh/block_loop.h"
 #include "mesh/component_sums.h"
-#include "mesh/orientation.h"
+#include "mesh/given_votes.h"
 #include "mesh/winding.h"
 
-#include <array>
 #include <cmath>
 #include <vector>
 
 namespace pcl {
 namespace ccaa {
 
-/** \brief Weighted votes for (positive) and against the winding of a component's first
- * triangle. */
-struct Votes {
-  double sum = 0.0;
-  double total = 0.0;
-
-  /** \brief Count a vote; one that is not finite says nothing. */
-  void
-  add(double vote)
-  {
-    if (!std::isfinite(vote))
-      return;
-    sum += vote;
-    total += std::abs(vote);
-  }
-
-  void
-  add(const Votes& other)
-  {
-    sum += other.sum;
-    total += other.total;
-  }
-
-  /** \brief How clear the result is, 0 to 1. */
-  double
-  margin() const
-  {
-    return total > 0.0 ? std::abs(sum) / total : 0.0;
-  }
-};
-
 /** \brief What hints and volume say about one component. */
 struct OutwardEvidence {
-  /** \brief By OutwardRule, as far as the hints have them. */
-  std::array<Votes, static_cast<std::size_t>(OutwardRule::ORIGIN) + 1> given;
-  Votes volume; /**< six times the tetrahedra from the first corner; closed ones only */
+  GivenSides given;
+  SideVotes
+      volume; /**< six times the tetrahedra from the first corner; closed ones only */
   double area = 0.0;  /**< twice the area */
   double shown = 0.0; /**< twice the area that the origin sees, both sides counting */
 
@@ -99,18 +67,18 @@ collectEvidence(const WoundMesh& mesh,
  * without votes where there is no such plane, it does not lie across an axis, or the
  * component does not lie over it like a terrain.
  * \param[out] axis that up is nearest to, of no use without votes */
-std::vector<Votes>
+std::vector<SideVotes>
 collectPlane(const WoundMesh& mesh, const LoopContext& context, int& axis);
 
 /** \brief Votes of the enclosing-sphere rule (thesis 4.48, first half): rays from the
  * centre in up to 24 576 directions, the triangle met last has free sight. Triangles
  * smaller than the step between rays are met by their centroid only. */
-std::vector<Votes>
-collectFreeSight(const WoundMesh& mesh, const LoopContext& context);
+std::vector<SideVotes>
+collectEnclosingSphere(const WoundMesh& mesh, const LoopContext& context);
 
 /** \brief For the wanted components: whether they bulge outward, seen from their own
  * centroid, by volume. */
-std::vector<Votes>
+std::vector<SideVotes>
 collectBulge(const WoundMesh& mesh,
              const ComponentFlags& wanted,
              const LoopContext& context);

@@ -4,6 +4,7 @@
 
 #include "mesh/corners.h"
 #include "mesh/label_sets.h"
+#include "mesh/outward_votes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,10 +217,8 @@ openEdges(const Triangles& triangles,
 void
 SideSums::add(const SideSums& other, double sign)
 {
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    given[i].sum += sign * other.given[i].sum;
-    given[i].total += other.given[i].total;
-  }
+  for (std::size_t i = 0; i < given.size(); ++i)
+    given[i].add(other.given[i], sign);
   volume += sign * other.volume;
   area += other.area;
   moment += other.moment;

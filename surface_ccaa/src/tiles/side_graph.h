@@ -6,8 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "mesh/orientation.h"
-#include "mesh/outward_votes.h"
+#include "mesh/given_votes.h"
 #include "tiles/tiling.h"
 
 #include <array>
@@ -22,7 +21,7 @@ namespace ccaa {
  * of the windings. Positions are relative to an origin that all tiles have in common.
  */
 struct SideSums {
-  std::array<Votes, static_cast<std::size_t>(OutwardRule::ORIGIN) + 1> given;
+  GivenSides given;
   double volume = 0.0; /**< sum of 6 times the tetrahedra from the origin */
   double area = 0.0;   /**< twice the area */
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();    /**< centroids times area */

@@ -5,9 +5,10 @@
 
 #include "icadm/incomplete_model.h"
 #include "mesh/block_loop.h"
-#include "orientation/side_votes.h"
+#include "mesh/side_votes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace pcl {
@@ -15,14 +16,14 @@ namespace repair {
 
 /** \brief What ways to the enclosing sphere tell about an island. */
 struct FreeSight {
-  SideVotes votes;    /**< free ways on the winding's side against the other side */
-  double asked = 0.0; /**< weight of all ways tried on one side */
+  ccaa::SideVotes votes; /**< free ways on the winding's side against the other side */
+  double asked = 0.0;    /**< weight of all ways tried on one side */
 
   /** \brief Share of the ways that are free on the better side, 0 to 1. */
   double
   share() const
   {
-    return asked > 0.0 ? std::max(votes.keep, votes.turn) / asked : 0.0;
+    return asked > 0.0 ? 0.5 * (votes.total + std::abs(votes.sum)) / asked : 0.0;
   }
 
   /** \brief How much the votes count beside the field, 0 to 1: where less than a

@@ -5,9 +5,9 @@
 
 #include "field/reach.h"
 #include "mesh/corners.h"
+#include "mesh/given_votes.h"
 #include "orientation/field_integrals.h"
 #include "orientation/free_sight.h"
-#include "orientation/given_sides.h"
 #include "orientation/side_decision.h"
 
 #include <algorithm>
@@ -45,16 +45,26 @@ trustOf(double closedness)
 
 /** Votes decide an island that no rule has decided yet. */
 void
-decide(const std::vector<SideVotes>& votes,
+decide(const ccaa::SideVotes& votes,
        SideRule rule,
        double decided_from,
-       std::vector<IslandSide>& sides)
+       IslandSide& side)
 {
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const double balance = votes[i].balance();
-    if (sides[i].rule == SideRule::UNDECIDED && std::abs(balance) >= decided_from)
-      sides[i] = {rule, balance < 0.0, std::abs(balance)};
-  }
+  if (side.rule == SideRule::UNDECIDED && votes.margin() >= decided_from)
+    side = {rule, votes.sum < 0.0, votes.margin()};
+}
+
+/** What hints say about each island. */
+std::vector<ccaa::GivenSides>
+sumOfHints(const IncompleteModel& model, const ccaa::OrientationHints& hints)
+{
+  std::vector<ccaa::GivenSides> sums(model.islands.size());
+  const ccaa::GivenVotes votes(hints);
+  for (std::size_t t = 0; votes.any() && t < model.triangles.size(); ++t)
+    votes.add(model.triangles[t],
+              ccaa::facetOf(ccaa::cornersOf(model.triangles[t], model.positions)),
+              sums[model.island_of[t]]);
+  return sums;
 }
 
 /** What the user tells, then what the cloud has. */
@@ -64,21 +74,27 @@ decideByWhatIsGiven(const IncompleteModel& model,
                     std::vector<IslandSide>& sides)
 {
   using ccaa::OutwardRule;
-  const auto ask = [&](const std::vector<SideVotes>& votes, SideRule rule) {
-    decide(votes, rule, ccaa::VOTE_MARGIN, sides);
+  ccaa::OrientationHints hints;
+  hints.up = parameters.sides.up;
+  hints.normals = model.given_normals;
+  hints.viewpoints = model.viewpoints;
+  const std::vector<ccaa::GivenSides> sums = sumOfHints(model, hints);
+  const auto ask = [&](OutwardRule votes, SideRule rule, double decided_from) {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      decide(sums[i][static_cast<std::size_t>(votes)], rule, decided_from, sides[i]);
   };
-  if (model.viewpoints_by == OutwardRule::TOLD_VIEWPOINT)
-    ask(votesOfViewpoints(model), SideRule::TOLD_VIEWPOINT);
-  const auto& up = parameters.sides.up;
-  if (up && !parameters.sides.up_is_guessed)
-    ask(votesOfUp(model, *up), SideRule::UP);
-  decide(votesOfNormals(model), SideRule::NORMALS, parameters.agreement, sides);
-  if (model.viewpoints_by == OutwardRule::VIEWPOINT)
-    ask(votesOfViewpoints(model), SideRule::VIEWPOINT);
-  if (model.viewpoints_by == OutwardRule::ORIGIN)
-    ask(votesOfViewpoints(model), SideRule::ORIGIN);
-  if (up && parameters.sides.up_is_guessed)
-    ask(votesOfUp(model, *up), SideRule::PLANE);
+  const auto askViewpoints = [&](OutwardRule teller, SideRule rule) {
+    if (model.viewpoints_by == teller)
+      ask(OutwardRule::VIEWPOINT, rule, ccaa::VOTE_MARGIN);
+  };
+  askViewpoints(OutwardRule::TOLD_VIEWPOINT, SideRule::TOLD_VIEWPOINT);
+  if (!parameters.sides.up_is_guessed)
+    ask(OutwardRule::UP, SideRule::UP, ccaa::VOTE_MARGIN);
+  ask(OutwardRule::NORMALS, SideRule::NORMALS, parameters.agreement);
+  askViewpoints(OutwardRule::VIEWPOINT, SideRule::VIEWPOINT);
+  askViewpoints(OutwardRule::ORIGIN, SideRule::ORIGIN);
+  if (parameters.sides.up_is_guessed)
+    ask(OutwardRule::UP, SideRule::PLANE, ccaa::VOTE_MARGIN);
 }
 
 /** Share of a surface's area up to which its openings leave no doubt about what is
@@ -142,15 +158,12 @@ decideByField(const IncompleteModel& model,
   SideEvidence evidence;
   evidence.sight = lookAround(model, clearance, context);
   evidence.sight_trust = trustOf(closednessOf(model, evidence.sight));
-  std::vector<SideVotes> clear_sight;
-  for (const FreeSight& sight : evidence.sight)
-    clear_sight.push_back(sight.share() >= parameters.least_sight ? sight.votes
-                                                                  : SideVotes{});
-  if (evidence.sight_trust > 0.0)
-    decide(clear_sight,
-           SideRule::FREE_SIGHT,
-           parameters.clear_sight / evidence.sight_trust,
-           sides);
+  for (std::size_t i = 0; evidence.sight_trust > 0.0 && i < sides.size(); ++i)
+    if (evidence.sight[i].share() >= parameters.least_sight)
+      decide(evidence.sight[i].votes,
+             SideRule::FREE_SIGHT,
+             parameters.clear_sight / evidence.sight_trust,
+             sides[i]);
   for (const Island& island : model.islands)
     evidence.areas.push_back(island.area);
   evidence.pairs = pairIntegrals(loops, room, context);

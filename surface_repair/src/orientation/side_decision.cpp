@@ -60,7 +60,8 @@ private:
   std::vector<std::vector<Neighbour>> neighbours_;
   std::vector<std::size_t> group_;
   std::size_t groups_ = 1;
-  std::vector<SideVotes> field_; /**< integrals with the islands that are in a group */
+  std::vector<ccaa::SideVotes>
+      field_; /**< integrals with the islands that are in a group */
 };
 
 Decision::Decision(const SideEvidence& evidence,
@@ -94,10 +95,7 @@ Decision::join(std::size_t island, std::size_t group)
 void
 Decision::hear(std::size_t speaker, std::size_t listener, const Neighbour& pair)
 {
-  // |f . m| splits into what attracts and what repels.
-  const SideVotes votes{0.5 * (pair.magnitude + pair.attraction),
-                        0.5 * (pair.magnitude - pair.attraction)};
-  field_[listener].add(sign(speaker) > 0.0 ? votes : votes.turned());
+  field_[listener].add({pair.attraction, pair.magnitude}, sign(speaker));
 }
 
 /** Of the islands about which the field is clear, the one with the greatest integral.
@@ -108,7 +106,7 @@ Decision::strongest() const
   std::size_t best = NONE;
   double greatest = 0.0;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const double strength = std::abs(field_[i].keep - field_[i].turn);
+    const double strength = std::abs(field_[i].sum);
     if (group_[i] == NO_GROUP && strength > greatest &&
         std::abs(field_[i].balance()) >= parameters_.clear_field) {
       greatest = strength;
@@ -165,12 +163,10 @@ Decision::largestLeft() const
 void
 Decision::turnGroups()
 {
-  std::vector<SideVotes> votes(groups_);
+  std::vector<ccaa::SideVotes> votes(groups_);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const FreeSight& sight = evidence_.sight[i];
-    const SideVotes seen{sight.weight() * sight.votes.keep,
-                         sight.weight() * sight.votes.turn};
-    votes[group_[i]].add(sides_[i].flipped ? seen.turned() : seen);
+    votes[group_[i]].add(sight.votes, sign(i) * sight.weight());
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const double balance = evidence_.sight_trust * votes[group_[i]].balance();

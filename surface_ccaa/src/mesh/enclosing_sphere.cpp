@@ -190,11 +190,11 @@ drawSight(const WoundMesh& mesh, const LoopContext& context)
 
 } // namespace
 
-std::vector<Votes>
-collectFreeSight(const WoundMesh& mesh, const LoopContext& context)
+std::vector<SideVotes>
+collectEnclosingSphere(const WoundMesh& mesh, const LoopContext& context)
 {
   const SightMap map = drawSight(mesh, context);
-  std::vector<Votes> votes(mesh.winding.components().size());
+  std::vector<SideVotes> votes(mesh.winding.components().size());
   for (const Outermost& cell : map.cells()) {
     if (cell.triangle < 0)
       continue;
