@@ -7,6 +7,7 @@
 #include "greedy/edge_certificate.h"
 #include "greedy/edge_compatibility.h"
 #include "greedy/length_buckets.h"
+#include "greedy/waiting_edges.h"
 #include "mesh/block_loop.h"
 
 #include <algorithm>
@@ -28,27 +29,6 @@ struct EdgeCounts {
   {
     for (std::size_t v = 0; v < by_verdict.size(); ++v)
       by_verdict[v] += other.by_verdict[v];
-  }
-};
-
-/** An edge that waits for its level. */
-struct WaitingEdge {
-  CandidateEdge edge;
-  unsigned int level;
-  EdgeStanding standing;
-};
-
-/** By block, each in the order of levels. */
-using WaitingEdges = std::vector<std::vector<WaitingEdge>>;
-
-/** The edges of one task, by standing. */
-struct EdgeQueue {
-  std::array<std::vector<CandidateEdge>, 3> by_standing;
-
-  void
-  add(const CandidateEdge& edge, EdgeStanding standing)
-  {
-    by_standing[static_cast<std::size_t>(standing)].push_back(edge);
   }
 };
 
@@ -167,7 +147,7 @@ private:
   certifiedPass(const CandidateEdges& candidates)
   {
     const char* stage = "edges";
-    WaitingEdges waiting(schedule_.blockCount());
+    WaitingEdges waiting(schedule_);
     const bool done = level(stage, 0, [&](std::size_t block, EdgeQueue& queue) {
       queue.by_standing.front().reserve(4 * BlockSchedule::BLOCK); // 3 a point and some
       const auto add = [&](const CandidateEdge& edge, EdgeStanding standing) {
@@ -175,11 +155,11 @@ private:
         if (level == 0)
           queue.add(edge, standing);
         else
-          waiting[block].push_back({edge, level, standing});
+          waiting.add(block, edge, level, standing);
       };
       for (std::size_t r = schedule_.begin(0, block); r < schedule_.end(0, block); ++r)
         candidates.forCertified(static_cast<index_t>(r), add);
-      sortByLevel(waiting[block]);
+      waiting.close(block);
     });
     return done && insertWaiting(stage, 1, waiting);
   }
@@ -191,7 +171,7 @@ private:
   plainPass(const CandidateEdges& candidates)
   {
     const char* stage = "second pass";
-    WaitingEdges waiting(schedule_.blockCount());
+    WaitingEdges waiting(schedule_);
     std::vector<char> open(points_.size());
     const auto settle = [&](std::size_t, std::size_t first, std::size_t last) {
       for (std::size_t rank = first; rank < last; ++rank)
@@ -200,8 +180,8 @@ private:
     const auto find = [&](std::size_t block, std::size_t first, std::size_t last) {
       for (std::size_t rank = first; rank < last; ++rank)
         if (open[rank])
-          findPlain(candidates, open, static_cast<index_t>(rank), waiting[block]);
-      sortByLevel(waiting[block]);
+          findPlain(candidates, open, static_cast<index_t>(rank), block, waiting);
+      waiting.close(block);
     };
     const LoopContext blocks = loop(stage, BlockSchedule::BLOCK);
     return forEachBlock(points_.size(), blocks, settle) &&
@@ -213,7 +193,8 @@ private:
   findPlain(const CandidateEdges& candidates,
             const std::vector<char>& open,
             index_t a,
-            std::vector<WaitingEdge>& waiting) const
+            std::size_t block,
+            WaitingEdges& waiting) const
   {
     candidates.forPlain(
         a,
@@ -221,7 +202,7 @@ private:
           return open[static_cast<std::size_t>(b)] && !joined_.areJoined(a, b);
         },
         [&](const CandidateEdge& edge, EdgeStanding standing) {
-          waiting.push_back({edge, levelOfInsertion(edge), standing});
+          waiting.add(block, edge, levelOfInsertion(edge), standing);
         });
   }
 
@@ -244,9 +225,7 @@ private:
     bool done = true;
     for (unsigned int l = from; done && l < schedule_.levels(); ++l)
       done = level(stage, l, [&](std::size_t group, EdgeQueue& queue) {
-        const std::size_t last = std::min(waiting.size(), (group + 1) << l);
-        for (std::size_t block = group << l; block < last; ++block)
-          collectWaiting(waiting[block], l, queue);
+        waiting.collect(l, group, queue);
       });
     return done;
   }
@@ -270,29 +249,6 @@ private:
       counts_ += part;
     std::move(made.begin(), made.end(), std::back_inserter(made_));
     return done;
-  }
-
-  static void
-  sortByLevel(std::vector<WaitingEdge>& waiting)
-  {
-    std::stable_sort(
-        waiting.begin(), waiting.end(), [](const WaitingEdge& e, const WaitingEdge& f) {
-          return e.level < f.level;
-        });
-  }
-
-  static void
-  collectWaiting(const std::vector<WaitingEdge>& waiting,
-                 unsigned int level,
-                 EdgeQueue& queue)
-  {
-    auto next = std::lower_bound(
-        waiting.begin(),
-        waiting.end(),
-        level,
-        [](const WaitingEdge& e, unsigned int l) { return e.level < l; });
-    for (; next != waiting.end() && next->level == level; ++next)
-      queue.add(next->edge, next->standing);
   }
 
   /** Shortest first within each standing. */

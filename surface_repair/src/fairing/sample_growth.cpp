@@ -3,14 +3,13 @@
 
 #include "fairing/sample_growth.h"
 
-#include "fairing/patch_edges.h"
+#include "fairing/patch_bending.h"
 #include "fairing/triangle_search.h"
 #include "mesh/box_tree.h"
 #include "mesh/intersection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace pcl {
@@ -32,16 +31,6 @@ constexpr double LEAST_GAIN = 1e-9;
 constexpr std::size_t TAKING_WORK = 5000;
 constexpr std::size_t BOXES_AT_ONCE = 4;
 
-/** What an edge between two triangles adds to the total absolute mean curvature. */
-double
-bendingAt(const Position& a,
-          const Position& b,
-          const Direction& one,
-          const Direction& other)
-{
-  return (a - b).norm() * std::atan2(one.cross(other).norm(), one.dot(other));
-}
-
 class SampleGrowth {
 public:
   SampleGrowth(const IncompleteModel& model,
@@ -53,11 +42,10 @@ public:
   , patch_(patch)
   , control_(control)
   , edges_(model, patch)
+  , bending_(model, patch, edges_)
   {
-    noteNew();
-    for (std::size_t side = 0; side < edges_.count(); ++side)
-      if (!edges_.isInner(side))
-        noteRim(model, edges_.from(side), edges_.to(side));
+    for (std::size_t triangle = 0; triangle < patch.triangles.size(); ++triangle)
+      note(triangle);
   }
 
   /** What finds no room waits until others are in. */
@@ -80,11 +68,7 @@ private:
   };
 
   void
-  noteRim(const IncompleteModel& model, std::size_t from, std::size_t to);
-  void
   note(std::size_t triangle);
-  void
-  noteNew();
   bool
   take(std::size_t sample);
   std::vector<std::size_t>
@@ -103,12 +87,6 @@ private:
   flipAround(std::vector<std::size_t> triangles);
   bool
   mayFlip(std::size_t side) const;
-  double
-  bendingOf(const std::vector<std::size_t>& triangles) const;
-  double
-  bendingOfStar(const std::vector<std::size_t>& disc, const Position& point) const;
-  Direction
-  normalBeyond(std::size_t side) const;
   bool
   hasRoom(std::size_t from,
           std::size_t to,
@@ -131,43 +109,17 @@ private:
   Patch& patch_;
   ccaa::RunControl* control_;
   PatchEdges edges_;
+  PatchBending bending_;
   std::vector<ccaa::Box> boxes_; /**< of the triangles */
-  Directions normals_;           /**< of the triangles */
-  std::map<std::pair<std::size_t, std::size_t>, Direction>
-      beyond_rim_; /**< normals of the model's triangles at the sides of the rim */
 };
 
-void
-SampleGrowth::noteRim(const IncompleteModel& model, std::size_t from, std::size_t to)
-{
-  if (from >= patch_.rim.size() || to >= patch_.rim.size())
-    return;
-  const pcl::index_t start = patch_.rim[to]; // the model runs the other way
-  const auto& adjacency = model.adjacency;
-  for (const auto* t = adjacency.begin(start); t != adjacency.end(start); ++t) {
-    const Triangle& triangle = model.triangles[static_cast<std::size_t>(*t)];
-    for (std::size_t c = 0; c < 3; ++c)
-      if (triangle[c] == start && triangle[(c + 1) % 3] == patch_.rim[from])
-        beyond_rim_[{from, to}] =
-            ccaa::unitNormal(ccaa::cornersOf(triangle, model.positions));
-  }
-}
-
+/** A triangle that has changed, or come at the end. */
 void
 SampleGrowth::note(std::size_t triangle)
 {
+  boxes_.resize(std::max(boxes_.size(), triangle + 1));
   boxes_[triangle] = ccaa::boxOf(cornersAt(triangle));
-  normals_[triangle] = ccaa::unitNormal(cornersAt(triangle));
-}
-
-void
-SampleGrowth::noteNew()
-{
-  std::size_t known = boxes_.size();
-  boxes_.resize(patch_.triangles.size());
-  normals_.resize(patch_.triangles.size());
-  for (; known < boxes_.size(); ++known)
-    note(known);
+  bending_.note(triangle);
 }
 
 /** \return whether the sample is a vertex now */
@@ -196,11 +148,10 @@ SampleGrowth::take(std::size_t sample)
     return false;
   std::vector<std::size_t> changed = disc->triangles;
   patch_.free_point[edges_.star(disc->triangles, point)] = sample;
-  for (const std::size_t triangle : changed)
-    note(triangle);
   for (std::size_t born = boxes_.size(); born < patch_.triangles.size(); ++born)
     changed.push_back(born);
-  noteNew();
+  for (const std::size_t triangle : changed)
+    note(triangle);
   flipAround(std::move(changed));
   return true;
 }
@@ -231,7 +182,7 @@ SampleGrowth::nearestTo(const Position& point) const
 SampleGrowth::Disc
 SampleGrowth::discOf(std::vector<std::size_t> triangles, const Position& point) const
 {
-  const double bending = bendingOfStar(triangles, point) - bendingOf(triangles);
+  const double bending = bending_.ofStar(triangles, point) - bending_.of(triangles);
   return {std::move(triangles), bending};
 }
 
@@ -320,67 +271,9 @@ SampleGrowth::mayFlip(std::size_t side) const
   const auto [a, b, c, d] = edges_.pairAt(side);
   if (c == d || edges_.areJoined(c, d) || edges_.areJoinedInModel(c, d))
     return false;
-  const std::size_t beyond = edges_.across(side), one = side / 3, two = beyond / 3;
-  const Direction at_a = ccaa::unitNormal({at(a), at(d), at(c)});
-  const Direction at_b = ccaa::unitNormal({at(d), at(b), at(c)});
-  const auto normalAt = [&](std::size_t triangle, std::size_t corner) {
-    return normalBeyond(3 * triangle + corner % 3);
-  };
-  const double now = bendingOf({one, two});
-  const double then = bendingAt(at(c), at(d), at_a, at_b) +
-                      bendingAt(at(b), at(c), at_b, normalAt(one, side + 1)) +
-                      bendingAt(at(c), at(a), at_a, normalAt(one, side + 2)) +
-                      bendingAt(at(a), at(d), at_a, normalAt(two, beyond + 1)) +
-                      bendingAt(at(d), at(b), at_b, normalAt(two, beyond + 2));
-  return then < now * (1.0 - LEAST_GAIN) && hasRoom(d, c, at(a), {one, two}) &&
-         hasRoom(d, c, at(b), {one, two});
-}
-
-/** At all edges of some triangles; those between two of them once. */
-double
-SampleGrowth::bendingOf(const std::vector<std::size_t>& triangles) const
-{
-  double inner = 0.0, border = 0.0;
-  for (const std::size_t t : triangles)
-    for (std::size_t side = 3 * t; side < 3 * t + 3; ++side) {
-      const bool is_inner =
-          edges_.isInner(side) &&
-          std::find(triangles.begin(), triangles.end(), edges_.across(side) / 3) !=
-              triangles.end();
-      (is_inner ? inner : border) += bendingAt(
-          at(edges_.from(side)), at(edges_.to(side)), normals_[t], normalBeyond(side));
-    }
-  return 0.5 * inner + border;
-}
-
-/** The same of the triangles between a point and the border of a disc. */
-double
-SampleGrowth::bendingOfStar(const std::vector<std::size_t>& disc,
-                            const Position& point) const
-{
-  double sum = 0.0;
-  const std::vector<std::size_t> border = edges_.borderOf(disc);
-  Directions normals;
-  for (const std::size_t side : border) {
-    const Position &from = at(edges_.from(side)), &to = at(edges_.to(side));
-    normals.push_back(ccaa::unitNormal({from, to, point}));
-    sum += bendingAt(from, to, normals.back(), normalBeyond(side));
-  }
-  for (std::size_t i = 0; i < border.size(); ++i)
-    for (std::size_t k = 0; k < border.size(); ++k)
-      if (edges_.to(border[i]) == edges_.from(border[k]))
-        sum += bendingAt(at(edges_.to(border[i])), point, normals[i], normals[k]);
-  return sum;
-}
-
-/** The normal beyond a side; zero where nothing is. */
-Direction
-SampleGrowth::normalBeyond(std::size_t side) const
-{
-  if (edges_.isInner(side))
-    return normals_[edges_.across(side) / 3];
-  const auto known = beyond_rim_.find({edges_.from(side), edges_.to(side)});
-  return known == beyond_rim_.end() ? Direction(Direction::Zero()) : known->second;
+  const std::vector<std::size_t> pair = {side / 3, edges_.across(side) / 3};
+  return bending_.ofFlipped(side) < bending_.of(pair) * (1.0 - LEAST_GAIN) &&
+         hasRoom(d, c, at(a), pair) && hasRoom(d, c, at(b), pair);
 }
 
 /** Whether a triangle runs into nothing, those that it replaces left out. */
