@@ -161,7 +161,7 @@ CrumbLaying::tryWithin(double reach)
       other && (!given || other->distance < NEARER * given->distance);
   for (const bool turned : {turned_first, !turned_first}) {
     const std::optional<Shadow>& shadow = turned ? other : given;
-    if (!shadow || (reach >= FARTHEST && isBesideHole(*shadow)))
+    if (!shadow || isBesideHole(*shadow))
       continue;
     if (turned)
       turnCrumb();

@@ -98,7 +98,13 @@ proposeJunctions(const ModelSurvey& survey)
   for (const Bridge& bridge : joined.bridges) {
     const Pair loops =
         std::minmax(joined.loops[bridge.begin.curve], joined.loops[bridge.end.curve]);
-    JunctionDecision& junction = junctions.at(loops);
+    const auto [place, is_new] = junctions.try_emplace(loops);
+    JunctionDecision& junction = place->second;
+    if (is_new) { // they have a point in common: nothing is to be judged
+      junction.first_loop = loops.first;
+      junction.second_loop = loops.second;
+      junction.confidence = 1.0;
+    }
     const double length = lengthOf(bridge);
     junction.shortest =
         junction.bridges == 0 ? length : std::min(junction.shortest, length);

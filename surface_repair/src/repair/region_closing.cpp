@@ -9,6 +9,7 @@
 #include "repair/patch_fairing.h"
 #include "repair/patch_mending.h"
 #include "repair/region_parts.h"
+#include "repair/sample_shares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,12 @@ public:
 
   ClosedRegion
   run();
+  /** Whether what was taken for samples describes no surface: nothing came of it. */
+  bool
+  areStrays() const
+  {
+    return are_strays_;
+  }
 
 private:
   void
@@ -80,6 +87,7 @@ private:
   std::vector<bool> completed_;          /**< of each hole: free points are vertices */
   Patch grown_;                          /**< over samples */
   std::vector<std::size_t> grown_fills_; /**< it is made of: of each part */
+  bool are_strays_ = false;
   RegionParts parts_;
   ClosedRegion result_;
   std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
@@ -188,6 +196,8 @@ RegionClosing::assemble()
   };
   growOver(
       place_.model, region_.samples, is_obstructed, result_.patch, context_.control);
+  are_strays_ =
+      !samplesDescribe(place_.model.free_points, region_.samples, result_.patch);
   grown_ = result_.patch;
   grown_fills_ = std::move(fills);
 }
@@ -196,6 +206,8 @@ void
 RegionClosing::fair()
 {
   assemble();
+  if (are_strays_)
+    return;
   PatchFairing how;
   how.is_flat = parts_.isFlat();
   how.keeps_shape = any(&FillStrategy::keeps_shape);
@@ -297,6 +309,8 @@ RegionClosing::run()
     fill();
     leaveDepthJumps();
     fair();
+    if (are_strays_)
+      return {};
     is_settled = !context_.cancelled() && verify();
   }
   if (is_settled && result_.holes.front().open == OpenReason::INTERSECTION)
@@ -336,7 +350,13 @@ closeRegion(const ClosingPlace& place,
             const SurfaceObstacle& obstacle,
             const ccaa::LoopContext& context)
 {
-  return RegionClosing(place, region, obstacle, context).run();
+  RegionClosing closing(place, region, obstacle, context);
+  ClosedRegion closed = closing.run();
+  if (!closing.areStrays())
+    return closed;
+  Region plain = region;
+  plain.samples.clear();
+  return RegionClosing(place, plain, obstacle, context).run();
 }
 
 } // namespace repair

@@ -74,6 +74,40 @@ TEST(Decisions, AreProposedForEachPairOfLoopsThatBridgesConnect)
   }
 }
 
+/** Two slender triangles that meet in a point, and two wedges between them: all force
+ * lines lead to these, none from one triangle to the other. */
+TEST(Decisions, AreProposedForIslandsThatOnlyTouch)
+{
+  Shape shape = inPieces(grid(20, 20), [](const Position& p) {
+    return std::abs(p.x() - 10.0) < 3.5 && std::abs(p.y() - 10.0) < 3.5 ? -1 : 0;
+  });
+  const auto center = static_cast<pcl::index_t>(shape.vertices.size());
+  for (const auto& [x, y] : std::vector<std::pair<double, double>>{{10.0, 10.0},
+                                                                   {12.0, 9.9},
+                                                                   {12.0, 10.1},
+                                                                   {8.0, 10.1},
+                                                                   {8.0, 9.9},
+                                                                   {10.0, 10.05},
+                                                                   {11.9, 10.2},
+                                                                   {8.1, 10.2},
+                                                                   {10.0, 9.95},
+                                                                   {8.1, 9.8},
+                                                                   {11.9, 9.8}})
+    shape.vertices.emplace_back(x, y, 0.0);
+  shape.triangles.push_back({center, center + 1, center + 2});
+  shape.triangles.push_back({center, center + 3, center + 4});
+  shape.triangles.push_back({center + 5, center + 6, center + 7});
+  shape.triangles.push_back({center + 8, center + 9, center + 10});
+  const Decisions decisions = proposed(shape);
+  const auto touching = std::find_if(
+      decisions.junctions.begin(), decisions.junctions.end(), [](const auto& junction) {
+        return junction.bridges > 0 && junction.shortest == 0.0;
+      });
+  ASSERT_NE(decisions.junctions.end(), touching);
+  EXPECT_TRUE(touching->join);
+  EXPECT_EQ(1.0, touching->confidence);
+}
+
 TEST(Decisions, OfTheFacadeAreThoseOfTheSurvey)
 {
   ForceLineHoleRepair repair;

@@ -175,6 +175,34 @@ TEST(FreePoints, FarOutliersRaiseNoBump)
   EXPECT_LT(highest(result), 3.0 + SPACING);
 }
 
+/** As scanners leave them where depth jumps: in small clusters, none near the next. */
+Positions
+strays(std::uint64_t seed)
+{
+  RandomSource random(seed);
+  Positions points;
+  for (int cluster = 0; cluster < 12; ++cluster) {
+    const double height = 1.3 + 0.35 * cluster;
+    const Position center(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), height);
+    const double size = random.uniform(0.2, 1.5) * SPACING;
+    for (int i = 0; i < 5; ++i)
+      points.push_back(
+          center + size * Position(random.normal(), random.normal(), random.normal()));
+  }
+  return points;
+}
+
+TEST(FreePoints, StrayClustersRaiseNothing)
+{
+  const double plain = highest(repairedWith({}));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const Repaired result = repairedWith(strays(seed));
+    expectWholeBody(result);
+    EXPECT_LT(highest(result), plain + 0.5);
+  }
+}
+
 TEST(FreePoints, OverTheGivenSurfaceTellNothingNew)
 {
   Positions points;

@@ -76,6 +76,22 @@ TEST(RightTopology, CrumbsInAHoleBecomePartOfItsPatch)
   }
 }
 
+/** A bowl with a small hole and a crumb in that; far below a disc larger than the hole.
+ */
+TEST(RightTopology, ADiscFarFromASmallHoleIsNotLaidIntoItsPatch)
+{
+  const Shape bowl = without(icosphere(4), [](const Position& p) {
+    return p.z() > -0.6 || (p.z() < -0.985 && p.z() > -0.997);
+  });
+  Shape disc = without(icosphere(4), [](const Position& p) { return p.z() > -0.96; });
+  for (Position& p : disc.vertices)
+    p.z() -= 0.8;
+  const Repaired result = repaired(joined(bowl, disc));
+  EXPECT_EQ(3U, result.report.islands.size());
+  expectNothingLost(result);
+  EXPECT_EQ(2U, topologyOf(result.triangles()).components);
+}
+
 TEST(RightTopology, WithoutWaitingCrumbsAreIslandsFromTheStart)
 {
   const auto spared = [](std::size_t t) { return t % 97 == 0; };
