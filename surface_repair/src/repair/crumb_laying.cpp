@@ -64,6 +64,8 @@ private:
     int slopes = 1; /**< edges of the nearest between it and the crumb */
   };
 
+  void
+  lookAround(const ccaa::Box& crumb);
   bool
   tryWithin(double reach);
   bool
@@ -133,6 +135,22 @@ CrumbLaying::touchesInput() const
   });
 }
 
+/** Triangles of a patch within reach may be larger than the crumb: they and their
+ * neighbours are near, too. */
+void
+CrumbLaying::lookAround(const ccaa::Box& crumb)
+{
+  around_ = ccaa::widened(crumb, ROOM * reach_);
+  const ccaa::Box within = ccaa::widened(crumb, reach_);
+  for (const std::size_t t : surface_.near(within)) {
+    const ccaa::Box box =
+        ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
+    if (surface_.hole[t] != NONE && box.intersects(within))
+      around_.extend(ccaa::widened(box, box.diagonal().norm()));
+  }
+  near_ = surface_.near(around_);
+}
+
 /** \param[in] reach in extents of the crumb */
 bool
 CrumbLaying::tryWithin(double reach)
@@ -143,8 +161,7 @@ CrumbLaying::tryWithin(double reach)
   reach_ = reach * box.diagonal().norm();
   if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
     return false;
-  around_ = ccaa::widened(box, ROOM * reach_);
-  near_ = surface_.near(around_);
+  lookAround(box);
   part_ = {};
   new_triangles_.clear();
   std::vector<ccaa::Corners> corners;

@@ -76,6 +76,32 @@ TEST(RightTopology, CrumbsInAHoleBecomePartOfItsPatch)
   }
 }
 
+/** It hangs on a point of the rim. */
+TEST(RightTopology, ACrumbMuchSmallerThanTheTrianglesOverItIsLaid)
+{
+  for (const double size : {0.03, 0.003, 0.0003}) {
+    SCOPED_TRACE(size);
+    Shape shape = withoutFreeVertices(
+        without(icosphere(2), [](const Position& p) { return p.z() > 0.6; }));
+    const auto highest = std::max_element(
+        shape.vertices.begin(),
+        shape.vertices.end(),
+        [](const Position& a, const Position& b) { return a.z() < b.z(); });
+    const auto rim = static_cast<pcl::index_t>(highest - shape.vertices.begin());
+    const Position root = *highest;
+    const Direction in = Direction(-root.x(), -root.y(), 0.0).normalized();
+    const Direction along = Direction::UnitZ().cross(in);
+    const auto first = static_cast<pcl::index_t>(shape.vertices.size());
+    for (const double side : {-0.4, 0.4})
+      shape.vertices.push_back(root +
+                               size * (in + side * along + 0.3 * Direction::UnitZ()));
+    shape.triangles.push_back({rim, first, first + 1});
+    const Repaired result = repaired(shape);
+    EXPECT_EQ(2U, result.report.islands.size());
+    expectWhole(result, 1, 2);
+  }
+}
+
 /** A bowl with a small hole and a crumb in that; far below a disc larger than the hole.
  */
 TEST(RightTopology, ADiscFarFromASmallHoleIsNotLaidIntoItsPatch)
