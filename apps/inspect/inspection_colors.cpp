@@ -126,6 +126,7 @@ colorOf(pcl::OpenReason reason)
   case pcl::OpenReason::DEPTH_JUMP:
     return {75, 190, 150};
   case pcl::OpenReason::SEEN_EMPTY:
+  case pcl::OpenReason::FIN:
     return {60, 150, 190};
   case pcl::OpenReason::NOT_JOINED:
     return {160, 85, 20};

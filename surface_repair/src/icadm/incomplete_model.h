@@ -34,6 +34,7 @@ struct Island {
   Eigen::AlignedBox3d box; /**< of its vertices */
   bool closed = false;     /**< no boundary at all */
   bool one_sided = false;  /**< cannot be wound consistently: reported and left alone */
+  bool is_fin = false;     /**< hangs on surface that is whole: see markFins() */
 };
 
 /** \brief A model of class ICM1, ICM2 or ICM3: a manifold of islands, all windings of

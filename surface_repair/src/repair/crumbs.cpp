@@ -193,7 +193,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
         surface.is_there[triangle] = false;
       continue;
     }
-    if (!layCrumb(crumb, course, surface))
+    if (survey.model.islands[island].is_fin || !layCrumb(crumb, course, surface))
       for (const std::size_t triangle : surface.meeting(crumb))
         surface.is_there[triangle] = false;
   }

@@ -62,6 +62,8 @@ reasonByClass(const ModelSurvey& survey, std::size_t number)
   const IncompleteModel& model = survey.model;
   if (model.islands[loop.island].one_sided)
     return OpenReason::ONE_SIDED;
+  if (model.islands[loop.island].is_fin)
+    return OpenReason::FIN;
   switch (found.boundary_class) {
   case BoundaryClass::HOLE:
     if (mayHavePartner(survey, number))
@@ -102,7 +104,7 @@ reasonByChoice(const ModelSurvey& survey,
                OpenReason by_class,
                bool is_of_input)
 {
-  if (by_class == OpenReason::ONE_SIDED)
+  if (by_class == OpenReason::ONE_SIDED || by_class == OpenReason::FIN)
     return by_class;
   if (choice == CloseChoice::ALL)
     return OpenReason::NONE;

@@ -21,6 +21,8 @@ describe(OpenReason reason)
     return "the sensor would see a surface across it edge-on";
   case OpenReason::SEEN_EMPTY:
     return "the sensor has seen that nothing is there";
+  case OpenReason::FIN:
+    return "its small island hangs on an edge that is whole without it";
   case OpenReason::NOT_JOINED:
     return "no bridge joins its island to another one";
   case OpenReason::UNDECIDED:
@@ -95,6 +97,8 @@ nameOf(OpenReason reason)
     return "DEPTH_JUMP";
   case OpenReason::SEEN_EMPTY:
     return "SEEN_EMPTY";
+  case OpenReason::FIN:
+    return "FIN";
   case OpenReason::NOT_JOINED:
     return "NOT_JOINED";
   case OpenReason::UNDECIDED:
@@ -129,6 +133,7 @@ isShortfall(OpenReason reason)
   case OpenReason::DIFFERENT_OBJECTS:
   case OpenReason::DEPTH_JUMP:
   case OpenReason::SEEN_EMPTY:
+  case OpenReason::FIN:
   case OpenReason::TOO_LARGE:
   case OpenReason::NOT_WANTED:
     return false;

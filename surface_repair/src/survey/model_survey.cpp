@@ -4,6 +4,7 @@
 #include "survey/model_survey.h"
 
 #include "boundary/extraction.h"
+#include "icadm/fins.h"
 #include "icadm/model_assembly.h"
 #include "run/stage_clock.h"
 #include "survey/survey_fields.h"
@@ -185,6 +186,7 @@ classifyBoundaries(const SurveyParameters& parameters,
                    ModelSurvey& survey)
 {
   const ccaa::StageClock clock;
+  markFins(survey.model);
   survey.classes = classifyBoundaries(survey.model,
                                       survey.loops,
                                       parameters.classification,

@@ -158,8 +158,16 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
   islands.median_gap = medianGap(gatherSources(std::move(all)));
   const double reach =
       parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;
-  islands.sources =
-      sampleIslandSources(survey.loops, is_hole, reach, parameters.near, LEAST_HOLE);
+  std::vector<SourceCurve> curves =
+      sampleIslandSources(survey.loops, is_hole, reach, parameters.near, LEAST_HOLE)
+          .curves;
+  curves.erase(std::remove_if(curves.begin(),
+                              curves.end(),
+                              [&](const SourceCurve& curve) {
+                                return survey.model.islands[curve.island].is_fin;
+                              }),
+               curves.end());
+  islands.sources = gatherSources(std::move(curves));
   for (SourceCurve& curve : islands.sources.curves)
     curve.island = sideOf(curve.loop, survey, opposed);
   return islands;

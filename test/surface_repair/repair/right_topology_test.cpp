@@ -118,6 +118,35 @@ TEST(RightTopology, ADiscFarFromASmallHoleIsNotLaidIntoItsPatch)
   EXPECT_EQ(2U, topologyOf(result.triangles()).components);
 }
 
+TEST(RightTopology, FinsStayWithoutAShortfall)
+{
+  Shape shape = without(icosphere(3), [](const Position& p) { return p.z() > 0.8; });
+  const auto lowest = static_cast<std::size_t>(
+      std::min_element(
+          shape.vertices.begin(),
+          shape.vertices.end(),
+          [](const Position& a, const Position& b) { return a.z() < b.z(); }) -
+      shape.vertices.begin());
+  const auto at = std::find_if(
+      shape.triangles.begin(), shape.triangles.end(), [&](const Triangle& t) {
+        return std::count(t.begin(), t.end(), static_cast<pcl::index_t>(lowest)) > 0;
+      });
+  const Triangle under = *at;
+  const auto corner = static_cast<pcl::index_t>(shape.vertices.size());
+  shape.vertices.push_back(1.2 * shape.vertices[lowest]);
+  shape.triangles.push_back({under[0], under[1], corner});
+  for (const CloseChoice close : {CloseChoice::HOLES, CloseChoice::ALL}) {
+    RepairParameters parameters;
+    parameters.filling.close = close;
+    const Repaired result = repaired(withoutFreeVertices(shape), parameters);
+    expectNothingLost(result);
+    EXPECT_EQ(2U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(1U, topologyOf(result.triangles()).borders);
+    EXPECT_TRUE(result.report.complete());
+    EXPECT_EQ(OpenReason::FIN, result.report.holes.back().open);
+  }
+}
+
 TEST(RightTopology, WithoutWaitingCrumbsAreIslandsFromTheStart)
 {
   const auto spared = [](std::size_t t) { return t % 97 == 0; };

@@ -67,6 +67,7 @@ enum class OpenReason : std::uint8_t {
   DIFFERENT_OBJECTS, /**< rim of an island that lies beside other objects */
   DEPTH_JUMP,        /**< lies between a silhouette and what stands behind it */
   SEEN_EMPTY,   /**< rim of an island beside a gap that sensors have looked through */
+  FIN,          /**< of a small island on an edge that is whole without it */
   NOT_JOINED,   /**< rim of an island that no bridge joins to another one */
   UNDECIDED,    /**< hole or border is not clear */
   ONE_SIDED,    /**< its island has no two sides */
@@ -89,8 +90,8 @@ const char*
 nameOf(OpenReason reason);
 
 /** \brief Whether something that should be closed was left open for this reason: all
- * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS, DEPTH_JUMP, SEEN_EMPTY, and
- * what the user wanted: TOO_LARGE, NOT_WANTED. */
+ * but NONE, OUTER_BORDER, TUBE_MOUTH, DIFFERENT_OBJECTS, DEPTH_JUMP, SEEN_EMPTY, FIN,
+ * and what the user wanted: TOO_LARGE, NOT_WANTED. */
 bool
 isShortfall(OpenReason reason);
 
