@@ -10,6 +10,13 @@ add_test(NAME Documentation.NotationNamesWhatIsInTheCode
          COMMAND bash "${psr_doc_tests}/notation_test.sh" names "${PROJECT_SOURCE_DIR}")
 add_test(NAME Documentation.NotationHasEveryTagOfTheCode
          COMMAND bash "${psr_doc_tests}/notation_test.sh" tags "${PROJECT_SOURCE_DIR}")
+find_program(PSR_PYTHON3 python3)
+mark_as_advanced(PSR_PYTHON3)
+if(PSR_PYTHON3)
+  add_test(
+    NAME Documentation.ConstantsHaveCommentsAndArePaged
+    COMMAND "${PSR_PYTHON3}" "${PROJECT_SOURCE_DIR}/scripts/make_constants.py" --check)
+endif()
 
 # The packages hold the site, so it is built before them.
 find_program(PSR_DOXYGEN doxygen)

@@ -3,6 +3,7 @@
 #include "advancing_front/doubtful_triangles.h"
 
 #include "advancing_front/fold_statistics.h"
+#include "advancing_front/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,6 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-constexpr double SHARP_FOLD = 0.9599310885968813; // 55 degrees
-constexpr double RARE_SHARE = 0.01;
-
 /** Highest class of folds that are not doubtful. */
 std::size_t
 sharpestTrusted(const EdgeFolds& folds, std::size_t triangles)
@@ -22,8 +20,8 @@ sharpestTrusted(const EdgeFolds& folds, std::size_t triangles)
   FoldStatistics all;
   for (std::size_t t = 0; t < triangles; ++t)
     folds.addTo(all, t);
-  return std::max(all.exceededBy(RARE_SHARE),
-                  FoldStatistics::classOf(std::cos(SHARP_FOLD)));
+  return std::max(all.exceededBy(tuning::RARE_SHARE),
+                  FoldStatistics::classOf(std::cos(tuning::SHARP_FOLD)));
 }
 
 } // namespace

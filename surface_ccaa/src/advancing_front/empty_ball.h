@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "advancing_front/tuning.h"
 #include "mesh/triangle.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ public:
   {
     const Position from_center = witness - center_;
     const double power = from_center.squaredNorm() - squared_radius_;
-    if (std::abs(power) <= TOLERANCE * squared_radius_)
+    if (std::abs(power) <= tuning::BALL_TOLERANCE * squared_radius_)
       return; // as good as on the ball: grids are full of these
     const double height = from_center.dot(axis_);
     const double bound = power / (2.0 * height);
@@ -61,7 +62,7 @@ public:
   {
     return std::isfinite(squared_radius_) &&
            high_ > -std::numeric_limits<double>::infinity() &&
-           low_ <= high_ + TOLERANCE * std::sqrt(squared_radius_);
+           low_ <= high_ + tuning::BALL_TOLERANCE * std::sqrt(squared_radius_);
   }
 
   /** \brief Radius of the circumcircle. Infinite for three points on a line. */
@@ -80,8 +81,6 @@ public:
   }
 
 private:
-  static constexpr double TOLERANCE = 1e-5;
-
   Position center_ = Position::Zero(), axis_ = Position::Zero();
   double squared_radius_ = std::numeric_limits<double>::infinity();
   double low_ = 1.0, high_ = -1.0;

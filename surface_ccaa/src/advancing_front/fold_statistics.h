@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "advancing_front/tuning.h"
 #include "mesh/block_loop.h"
 #include "mesh/corners.h"
 #include "mesh/islands.h"
@@ -135,27 +136,19 @@ foldsByIsland(const EdgeFolds& folds, const Islands& islands)
   return statistics;
 }
 
-/** \brief Median fold from which on an island counts as crumpled: more than 35 degrees
- * and more than 1.5 times the median fold of a surface that is to be trusted. */
+/** \brief Median fold from which on an island counts as crumpled. */
 inline double
 crumpledFold(double trusted_median)
 {
-  constexpr double CRUMPLED_FOLD = 0.6108652381980153; // 35 degrees
-  constexpr double CRUMPLED_RATIO = 1.5;
-  return std::max(CRUMPLED_FOLD, CRUMPLED_RATIO * trusted_median);
+  return std::max(tuning::CRUMPLED_FOLD, tuning::CRUMPLED_RATIO * trusted_median);
 }
 
-/** \brief The same for a piece that grew by itself. Growth prefers smooth triangles
- * even among scattered points, so the limit is lower: 15 degrees, or up to 12 degrees
- * more than a surface that is to be trusted. */
+/** \brief The same for a piece that grew by itself. */
 inline double
 crumpledFoldOfGrowth(double trusted_median)
 {
-  constexpr double CRUMPLED_FOLD = 0.2617993877991494; // 15 degrees
-  constexpr double MARGIN = 0.20943951023931953;       // 12 degrees
-  constexpr double RATIO = 3.0;
-  return std::max(CRUMPLED_FOLD,
-                  std::min(RATIO * trusted_median, trusted_median + MARGIN));
+  return std::max(tuning::CRUMPLED_GROWTH,
+                  tuning::CRUMPLED_GROWTH_RATIO * trusted_median);
 }
 
 /** \brief The island with the most edges. */

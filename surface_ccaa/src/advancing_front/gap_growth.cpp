@@ -6,6 +6,7 @@
 #include "advancing_front/scattered_points.h"
 #include "advancing_front/spacing.h"
 #include "advancing_front/surface_growth.h"
+#include "advancing_front/tuning.h"
 #include "mesh/sort_unique.h"
 
 #include <utility>
@@ -13,11 +14,6 @@
 namespace pcl {
 namespace ccaa {
 namespace {
-
-/** Open points that one thread completes in the time it takes to wake others. */
-constexpr std::size_t SMALL_GAP = 100;
-/** Times that scattered points are looked for. */
-constexpr int SCATTER_ROUNDS = 4;
 
 /** What grew in one region, in vertices of the gap. */
 struct Grown {
@@ -53,7 +49,7 @@ growRegions(const OpenSurface& gap,
   const auto rims = rimOfRegions(gap, regions);
   std::vector<Grown> grown(regions.size());
   context.block_size = 1;
-  if (gap.open_points < SMALL_GAP)
+  if (gap.open_points < tuning::SMALL_GAP)
     context.threads = 1;
   forEachBlock(regions.size(), context, [&](std::size_t i, std::size_t, std::size_t) {
     std::vector<pcl::index_t> vertices;
@@ -79,7 +75,7 @@ openGap(PartialSurface& surface,
     gap.surface = surface.openAt(gap.open, {}, gap.vertices);
     gap.surface.neighbor_table = std::move(table);
     gap.surface.neighbors = {gap.surface.neighbor_table.data(), k};
-    if (round == SCATTER_ROUNDS)
+    if (round == tuning::SCATTER_ROUNDS)
       break;
     const std::vector<std::uint8_t> scattered =
         findScatteredPoints(gap.surface, usual_spacing);

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: winding the given islands alike before they are joined.
 #include "advancing_front/island_alignment.h"
 
+#include "advancing_front/tuning.h"
 #include "mesh/corners.h"
 
 #include <algorithm>
@@ -14,9 +15,6 @@
 namespace pcl {
 namespace ccaa {
 namespace {
-
-/** Largest share of a contact's length that may point out of either tangent plane. */
-constexpr double LARGEST_RISE = 0.5;
 
 Position
 normalAt(pcl::index_t vertex,
@@ -112,8 +110,8 @@ votes(const Triangles& triangles,
     const Position across = (points[contact.other] - points[contact.one]).normalized();
     const Position n = normalAt(contact.one, triangles, adjacency, points);
     const Position m = normalAt(contact.other, triangles, adjacency, points);
-    if (std::abs(n.dot(across)) < LARGEST_RISE &&
-        std::abs(m.dot(across)) < LARGEST_RISE)
+    if (std::abs(n.dot(across)) < tuning::LARGEST_RISE &&
+        std::abs(m.dot(across)) < tuning::LARGEST_RISE)
       sums[std::minmax(one, other)] += n.dot(m);
   }
   return sums;

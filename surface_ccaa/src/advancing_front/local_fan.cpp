@@ -3,14 +3,10 @@
 #include "advancing_front/local_fan.h"
 
 #include "advancing_front/tangent_frame.h"
+#include "advancing_front/tuning.h"
 
 namespace pcl {
 namespace ccaa {
-namespace {
-
-constexpr double TOLERANCE = 0.1;
-
-} // namespace
 
 bool
 fitsFans(const GrowingSurface& surface,
@@ -32,10 +28,11 @@ fitsFans(const GrowingSurface& surface,
         fan_from == fan_to ? 2.0 * M_PI : frame.angle(surface.position(fan_from));
     const double start = from == fan_to ? 0.0 : frame.angle(surface.position(from));
     const double end = to == fan_from ? gap : frame.angle(surface.position(to));
-    const bool begins_inside =
-        start <= gap + TOLERANCE || start >= 2.0 * M_PI - TOLERANCE;
-    const bool ends_inside = end <= gap + TOLERANCE;
-    const bool in_order = start >= 2.0 * M_PI - TOLERANCE || start <= end + TOLERANCE;
+    const bool begins_inside = start <= gap + tuning::FAN_TOLERANCE ||
+                               start >= 2.0 * M_PI - tuning::FAN_TOLERANCE;
+    const bool ends_inside = end <= gap + tuning::FAN_TOLERANCE;
+    const bool in_order = start >= 2.0 * M_PI - tuning::FAN_TOLERANCE ||
+                          start <= end + tuning::FAN_TOLERANCE;
     fits = fits && begins_inside && ends_inside && in_order;
   });
   return fits;

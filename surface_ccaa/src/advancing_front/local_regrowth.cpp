@@ -5,6 +5,7 @@
 #include "advancing_front/new_islands.h"
 #include "advancing_front/spacing.h"
 #include "advancing_front/surface_growth.h"
+#include "advancing_front/tuning.h"
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
@@ -15,19 +16,6 @@
 namespace pcl {
 namespace ccaa {
 namespace {
-
-/** Rings tried and improvements made around a group when there are few groups, and when
- * there are many, as in noise: then each is worth less and all together cost more. */
-constexpr int RINGS = 4;
-constexpr int RINGS_OF_MANY = 2;
-constexpr std::size_t MANY_GROUPS = 200;
-/** Improvements after which one of few groups is left as it is. */
-constexpr int IMPROVEMENTS = 1;
-/** Open points beyond which a group is left as it is: growth would take too long for
- * the little that it can win. */
-constexpr std::size_t LARGEST_GROUP = 200;
-/** Open points up to which both orders of growth are tried. */
-constexpr std::size_t LARGEST_TWICE = 60;
 
 /** How much is wrong around the first vertices of a mesh: boundary edges, three for an
  * unused point, ten for one where fans touch. */
@@ -72,7 +60,7 @@ LocalRegrowth::run(const std::vector<pcl::index_t>& obstructed, LoopContext loop
     number_in_open_[static_cast<std::size_t>(vertices_[i])] =
         static_cast<pcl::index_t>(i);
   std::vector<Group> waiting = groups(obstructed);
-  has_many_groups_ = waiting.size() > MANY_GROUPS;
+  has_many_groups_ = waiting.size() > tuning::MANY_GROUPS;
   while (!waiting.empty()) {
     std::vector<Attempt> attempts(waiting.size());
     const bool finished = forEachBlock(
@@ -112,7 +100,7 @@ LocalRegrowth::applyAll(const std::vector<Group>& waiting,
       surface_.add(triangle);
     changed.insert(changed.end(), attempt.open.begin(), attempt.open.end());
     if (attempt.flaws > 0 && !has_many_groups_ &&
-        waiting[i].improvements < IMPROVEMENTS)
+        waiting[i].improvements < tuning::IMPROVEMENTS)
       again.push_back({waiting[i].points, waiting[i].improvements + 1});
   }
   return again;
@@ -154,12 +142,13 @@ LocalRegrowth::Attempt
 LocalRegrowth::regrow(std::vector<pcl::index_t> points, const RunControl* control) const
 {
   Attempt best;
-  for (int ring = 0; ring < (has_many_groups_ ? RINGS_OF_MANY : RINGS); ++ring) {
+  for (int ring = 0; ring < (has_many_groups_ ? tuning::RINGS_OF_MANY : tuning::RINGS);
+       ++ring) {
     Attempt attempt = growAnew(points, control);
     points = attempt.open;
     if (attempt.is_better && (!best.is_better || attempt.flaws < best.flaws))
       best = std::move(attempt);
-    if ((best.is_better && best.flaws == 0) || points.size() > LARGEST_GROUP ||
+    if ((best.is_better && best.flaws == 0) || points.size() > tuning::LARGEST_GROUP ||
         (control != nullptr && control->cancelled()))
       break;
   }
@@ -178,7 +167,7 @@ LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
     best.open.insert(best.open.end(), surface_[t].begin(), surface_[t].end());
   addUnusedNear(points, best.open);
   sortUnique(best.open);
-  if (best.open.size() > LARGEST_GROUP)
+  if (best.open.size() > tuning::LARGEST_GROUP)
     return best;
   std::vector<pcl::index_t> vertices;
   best.flaws =
@@ -193,7 +182,7 @@ LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
       best.made = std::move(attempt.made);
       best.is_better = true;
     }
-    if (best.flaws == 0 || best.open.size() > LARGEST_TWICE)
+    if (best.flaws == 0 || best.open.size() > tuning::LARGEST_TWICE)
       break;
   }
   return best;

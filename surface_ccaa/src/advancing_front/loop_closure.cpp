@@ -3,6 +3,7 @@
 #include "advancing_front/loop_closure.h"
 
 #include "advancing_front/spacing.h"
+#include "advancing_front/tuning.h"
 #include "mesh/corners.h"
 #include "mesh/sort_unique.h"
 
@@ -11,15 +12,8 @@
 
 namespace pcl {
 namespace ccaa {
-namespace {
 
-constexpr std::size_t LONGEST_LOOP = 40;
-/** Largest distance from samples inside a gap that is closed, in spacings. */
-constexpr double LARGEST_ROOM = 1.5;
-/** The same for loops of few edges: if so few triangles stand around a gap, they are as
- * wide as it is, and the sampling was no denser there. */
-constexpr double LARGEST_ROOM_OF_SMALL_LOOP = 3.0;
-constexpr std::size_t SMALL_LOOP = 5;
+namespace {
 
 /** Whether two stretches of front touch at a vertex. */
 bool
@@ -68,7 +62,8 @@ LoopClosure::isSupported(const Triangles& patch) const
 double
 LoopClosure::largestRoom() const
 {
-  return corners_.size() <= SMALL_LOOP ? LARGEST_ROOM_OF_SMALL_LOOP : LARGEST_ROOM;
+  return corners_.size() <= tuning::SMALL_LOOP ? tuning::LARGEST_ROOM_OF_SMALL_LOOP
+                                               : tuning::LARGEST_ROOM;
 }
 
 /** How far from the edges of the loop a patch gets, in spacings: the radius of the
@@ -117,7 +112,7 @@ LoopClosure::readLoop(FrontIndex edge)
     behind_.push_back(unitNormal(trial_.cornersOf({e.from, e.to, e.apex})));
     i = e.previous;
   }
-  while (i != edge && i != FrontEdge::NONE && corners_.size() <= LONGEST_LOOP);
+  while (i != edge && i != FrontEdge::NONE && corners_.size() <= tuning::LONGEST_LOOP);
   return i == edge && corners_.size() >= 3 &&
          std::all_of(corners_.begin(), corners_.end(), [&](pcl::index_t corner) {
            return trial_.isOpenPoint(corner);

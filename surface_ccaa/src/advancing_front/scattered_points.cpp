@@ -5,17 +5,13 @@
 #include <Eigen/Eigenvalues>
 
 #include "advancing_front/spacing.h"
+#include "advancing_front/tuning.h"
 
 #include <algorithm>
 
 namespace pcl {
 namespace ccaa {
 namespace {
-
-constexpr double LARGEST_SPACING = 2.5;
-/** How much farther apart points are scattered however flat they lie. */
-constexpr double FAR_RATIO = 2.0;
-constexpr double LARGEST_THICKNESS = 0.15;
 
 /** Known spacings where there are any, else from the neighbors. */
 std::vector<double>
@@ -53,18 +49,18 @@ std::vector<std::uint8_t>
 findScatteredPoints(const OpenSurface& open, double usual_spacing)
 {
   const std::vector<double> spacings = spacingsOf(open);
-  const double limit =
-      LARGEST_SPACING * (usual_spacing > 0.0 ? usual_spacing : medianOf(spacings));
+  const double limit = tuning::SCATTERED_SPACING *
+                       (usual_spacing > 0.0 ? usual_spacing : medianOf(spacings));
   std::vector<std::uint8_t> used(open.positions.size(), 0);
   for (const Triangle& triangle : open.rim)
     for (const pcl::index_t corner : triangle)
       used[static_cast<std::size_t>(corner)] = 1;
   std::vector<std::uint8_t> scattered(open.open_points, 0);
   for (std::size_t i = 0; i < open.open_points; ++i)
-    scattered[i] =
-        used[i] == 0 && spacings[i] > limit &&
-        (spacings[i] > FAR_RATIO * limit ||
-         neighborhoodThickness(open, static_cast<pcl::index_t>(i)) > LARGEST_THICKNESS);
+    scattered[i] = used[i] == 0 && spacings[i] > limit &&
+                   (spacings[i] > tuning::FAR_RATIO * limit ||
+                    neighborhoodThickness(open, static_cast<pcl::index_t>(i)) >
+                        tuning::MOST_THICKNESS);
   return scattered;
 }
 

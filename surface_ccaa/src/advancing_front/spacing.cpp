@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: how far apart the samples lie around open points.
 #include "advancing_front/spacing.h"
 
+#include "advancing_front/tuning.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,11 +11,6 @@
 namespace pcl {
 namespace ccaa {
 namespace {
-
-/** Neighbors whose distance tells the spacing. */
-constexpr unsigned int SPACING_NEIGHBORS = 6;
-/** Share of the longest edge in closed parts close by that counts as spacing. */
-constexpr double CLOSED_EDGE_SHARE = 0.5;
 
 /** Of every open point, the longest edge between closed points that lies across a
  * triangle from it or from an open point next to it. */
@@ -60,7 +57,8 @@ medianOf(std::vector<double> values)
 double
 spacingFromNeighbors(const OpenSurface& open, pcl::index_t point)
 {
-  const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
+  const unsigned int count =
+      std::min(tuning::SPACING_NEIGHBORS, open.neighbors.count(point));
   double sum = 0.0;
   for (unsigned int j = 0; j < count; ++j) {
     const auto near = static_cast<std::size_t>(open.neighbors.row(point)[j]);
@@ -79,16 +77,15 @@ completeSpacings(OpenSurface& open)
     double& spacing = open.spacings[i];
     if (spacing <= 0.0)
       spacing = spacingFromNeighbors(open, static_cast<pcl::index_t>(i));
-    spacing = std::max(spacing, CLOSED_EDGE_SHARE * closed[i]);
+    spacing = std::max(spacing, tuning::CLOSED_EDGE_SHARE * closed[i]);
   }
 }
 
 double
 usualSpacing(const Triangles& given, const PointView& points)
 {
-  constexpr std::size_t STRIDE = 16;
   std::vector<double> lengths;
-  for (std::size_t t = 0; t < given.size(); t += STRIDE)
+  for (std::size_t t = 0; t < given.size(); t += tuning::SPACING_STRIDE)
     lengths.push_back((points[given[t][0]] - points[given[t][1]]).norm());
   return medianOf(std::move(lengths));
 }
@@ -96,18 +93,18 @@ usualSpacing(const Triangles& given, const PointView& points)
 double
 cellSize(const OpenSurface& open)
 {
-  constexpr double FACTOR = 4.0;
   std::vector<double> distances;
   for (std::size_t i = 0; i < open.open_points; ++i) {
     const auto point = static_cast<pcl::index_t>(i);
-    const unsigned int count = std::min(SPACING_NEIGHBORS, open.neighbors.count(point));
+    const unsigned int count =
+        std::min(tuning::SPACING_NEIGHBORS, open.neighbors.count(point));
     if (count > 0)
       distances.push_back(
           (open.positions[i] - open.positions[static_cast<std::size_t>(
                                    open.neighbors.row(point)[count - 1])])
               .norm());
   }
-  return FACTOR * medianOf(std::move(distances));
+  return tuning::CELL_FACTOR * medianOf(std::move(distances));
 }
 
 } // namespace ccaa

@@ -6,6 +6,7 @@
 #include "advancing_front/local_fan.h"
 #include "advancing_front/loop_closure.h"
 #include "advancing_front/scattered_points.h"
+#include "advancing_front/tuning.h"
 #include "mesh/corners.h"
 
 #include <algorithm>
@@ -14,22 +15,6 @@
 
 namespace pcl {
 namespace ccaa {
-namespace {
-
-/** Least height of a triangle over its front edge, as a share of the edge. */
-constexpr double LEAST_HEIGHT = 1e-3;
-/** Thickest neighborhood (see neighborhoodThickness()) in which a surface begins: noise
- * of half a spacing stays below it, points scattered in space do not. */
-constexpr double LARGEST_SEED_THICKNESS = 0.15;
-/** Smallest empty ball in circumradii beyond which a triangle covers points that lie
- * all but in its plane. */
-constexpr double LARGEST_BALL = 10.0;
-/** Cosine of 70 degrees, from which on a triangle is steep to the surface. */
-constexpr double COS_STEEP = 0.3420201433256687;
-/** Triangles between two looks at the cancel flag. */
-constexpr std::size_t POLL_INTERVAL = 512;
-
-} // namespace
 
 SurfaceGrowth::SurfaceGrowth(const OpenSurface& open,
                              const CompletionParameters& parameters,
@@ -46,7 +31,7 @@ SurfaceGrowth::SurfaceGrowth(const OpenSurface& open,
 bool
 SurfaceGrowth::run(const RunControl* control)
 {
-  if (!growFront(control) || !growFromSeeds(control, LARGEST_SEED_THICKNESS))
+  if (!growFront(control) || !growFromSeeds(control, tuning::MOST_THICKNESS))
     return false;
   if (surface_.triangles().empty() && !growFromSeeds(control, 1.0))
     return false;
@@ -59,7 +44,7 @@ SurfaceGrowth::growFromSeeds(const RunControl* control, double thickness)
 {
   for (std::size_t i = 0; i < open_.open_points; ++i) {
     const auto vertex = static_cast<pcl::index_t>(i);
-    if (i % POLL_INTERVAL == 0 && control != nullptr && control->cancelled())
+    if (i % tuning::POLL_INTERVAL == 0 && control != nullptr && control->cancelled())
       return false;
     if (!surface_.hasTriangles(vertex) &&
         neighborhoodThickness(open_, vertex) <= thickness && plantSeed(vertex) &&
@@ -74,7 +59,8 @@ SurfaceGrowth::growFront(const RunControl* control)
 {
   proposeNew();
   for (std::size_t steps = 1; !proposals_.empty(); ++steps) {
-    if (steps % POLL_INTERVAL == 0 && control != nullptr && control->cancelled())
+    if (steps % tuning::POLL_INTERVAL == 0 && control != nullptr &&
+        control->cancelled())
       return false;
     const Proposal best = proposals_.top();
     proposals_.pop();
@@ -172,7 +158,7 @@ SurfaceGrowth::examine(FrontIndex i, Candidate& candidate) const
           banned_.begin(), banned_.end(), std::pair(i, candidate.apex)) ||
       !isAdmissible(edge, candidate.apex))
     return false;
-  if (ball.radius() > LARGEST_BALL * ball.circumradius())
+  if (ball.radius() > tuning::LARGEST_BALL * ball.circumradius())
     return false;
   if (candidate.grade.tier == 0 || candidate.grade.tier == 3)
     candidate.grade.cost = ball.radius();
@@ -219,7 +205,7 @@ SurfaceGrowth::estimate(const FrontEdge& edge,
                  &c = surface_.position(candidate.apex);
   const Position normal = areaNormal({a, b, c});
   const double doubled_area = normal.norm();
-  if (!(doubled_area > LEAST_HEIGHT * (b - a).squaredNorm()))
+  if (!(doubled_area > tuning::LEAST_HEIGHT * (b - a).squaredNorm()))
     return false;
   const double cosine = behind.dot(normal) / doubled_area;
   if (cosine < cos_largest_)
@@ -279,7 +265,8 @@ SurfaceGrowth::isCurtain(const Triangle& corners, const Position& normal) const
 {
   for (const pcl::index_t corner : corners) {
     const Position& sum = surface_.normalSum(corner);
-    if (!surface_.hasTriangles(corner) || sum.dot(normal) > COS_STEEP * sum.norm())
+    if (!surface_.hasTriangles(corner) ||
+        sum.dot(normal) > tuning::COS_STEEP * sum.norm())
       return false;
   }
   return true;

@@ -3,6 +3,7 @@
 #include "advancing_front/triangle_trial.h"
 
 #include "advancing_front/empty_ball.h"
+#include "advancing_front/tuning.h"
 
 #include <algorithm>
 
@@ -12,9 +13,6 @@ namespace {
 
 /** An equilateral triangle's side in circumradii. */
 constexpr double SIDE_OF_UNIT_RADIUS = 1.7320508075688772;
-/** Ratio of spacings between neighboring samples beyond which they do not belong
- * together: outliers would tie themselves to the surface. */
-constexpr double LARGEST_SPACING_RATIO = 5.0;
 
 } // namespace
 
@@ -79,7 +77,7 @@ TriangleTrial::isSupported(const Triangle& t, double spacing_there, double radiu
 {
   const double least = std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])});
   const double limit =
-      support_ * std::min(spacing_there, LARGEST_SPACING_RATIO * least);
+      support_ * std::min(spacing_there, tuning::MOST_SPACING_RATIO * least);
   if (radius <= limit)
     return true;
   const double longest =

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: tunnels that a start algorithm made through thin places.
 #include "advancing_front/tunnels.h"
 
+#include "advancing_front/tuning.h"
 #include "mesh/vertex_normals.h"
 
 #include <algorithm>
@@ -12,12 +13,6 @@
 namespace pcl {
 namespace ccaa {
 namespace {
-
-/** Cosine between normals of two sides. */
-constexpr float OPPOSITE = -0.3f;
-/** Rings of triangles around a thin place that are grown anew: the next number where
- * that took at least half of the flaws away, and handles are left. */
-constexpr std::array<int, 2> AROUND = {10, 20};
 
 /** Flags for the ends of edges whose ends face away from each other.
  *
@@ -35,7 +30,7 @@ thinPlaces(const Triangles& triangles,
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto from = static_cast<std::size_t>(triangle[corner]);
       const auto to = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
-      if (normals[from].dot(normals[to]) < OPPOSITE)
+      if (normals[from].dot(normals[to]) < tuning::OPPOSITE)
         is_thin[from] = is_thin[to] = 1;
     }
   return is_thin;
@@ -75,7 +70,7 @@ openTunnels(const PartialMesh& mesh,
   std::vector<std::uint8_t> is_thin = thinPlaces(mesh.given, mesh.points, context);
   std::vector<pcl::index_t> thin = trianglesAt(is_thin, mesh.given);
   int ring = 1;
-  for (const int rings : AROUND) {
+  for (const int rings : tuning::AROUND) {
     for (; ring < rings && !thin.empty(); ++ring) {
       for (const pcl::index_t t : thin)
         for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])

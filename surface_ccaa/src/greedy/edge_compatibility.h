@@ -41,6 +41,7 @@ struct AngleLimit {
  * the rows of a, b and the points joined to both, nothing else. */
 class JoinedEdges {
 public:
+  /** Neighbors of a point: a row is one cache line. */
   static constexpr unsigned int SLOTS = 16;
 
   explicit JoinedEdges(const RankedPoints& points);

@@ -10,8 +10,10 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
+/** Points, evenly spread over the list, that tell the extent. */
 constexpr std::size_t EXTENT_SAMPLE = 4096;
-constexpr std::size_t STRAY_SHARE = 50; // one of so many
+/** One of so many of them may lie far off on each side. */
+constexpr std::size_t STRAY_SHARE = 50;
 
 /** \brief The finite ones of some points; \a looked_at says of how many. */
 Positions

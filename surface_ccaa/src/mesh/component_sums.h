@@ -42,6 +42,7 @@ sortByComponent(const Winding& winding, std::size_t triangles)
 inline std::vector<ComponentPiece>
 cutIntoPieces(const Winding& winding, const ComponentFlags& wanted)
 {
+  /** Triangles: enough for a task, and the same for any number of threads. */
   constexpr std::size_t PIECE_SIZE = 8192;
   std::vector<ComponentPiece> pieces;
   std::size_t begin = 0;

@@ -40,6 +40,7 @@ filteredSign(double determinant, double magnitude, double relative_error)
 
 /** \brief Integers wide enough for coordinates of up to 80 bits; no allocation. */
 using FixedInteger = boost::multiprecision::int256_t;
+/** Bits of coordinates that these hold the determinant of. */
 constexpr int FIXED_COORDINATE_BITS = 80;
 using AnyInteger =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,

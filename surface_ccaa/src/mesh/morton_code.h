@@ -26,7 +26,7 @@ spreadBits(std::uint64_t bits)
 inline std::uint64_t
 mortonCode(const Eigen::Vector3d& share)
 {
-  constexpr double CELLS = 2097151.0;
+  constexpr double CELLS = 2097151.0; // along an edge: 2^21 - 1
   std::uint64_t code = 0;
   for (int k = 0; k < 3; ++k)
     code |=

@@ -23,10 +23,6 @@ constexpr double CLEAR_SIGHT_MARGIN = 0.75;
  */
 constexpr double BULGE_MARGIN = 0.4;
 
-/** \brief Least mean cosine between a surface's normals and the ways to the origin when
- * that is taken for a viewpoint. */
-constexpr double LEAST_MEAN_COSINE = 0.25;
-
 /** \brief Which components have to be turned, and why. */
 struct Decision {
   std::vector<unsigned char> turn;

@@ -20,6 +20,10 @@ namespace ccaa {
  * asked, because noise and wrong normals vote both ways alike. */
 constexpr double VOTE_MARGIN = 0.2;
 
+/** \brief Least mean cosine between a surface's normals and the ways to the place that
+ * it was measured from: below it is seen edge-on all over. */
+constexpr double LEAST_MEAN_COSINE = 0.25;
+
 /** \brief What may be known about the outer side, and how to run. All optional; views
  * that are not empty have one entry per vertex. */
 struct OrientationHints : SideHints {

@@ -44,6 +44,7 @@ struct WoundMesh {
 inline bool
 enclosesVolume(double volume, double area)
 {
+  /** Six times the volume over (twice the area)^1.5; 0.2 for a ball. */
   constexpr double LEAST_COMPACTNESS = 1e-9;
   return std::abs(volume) > LEAST_COMPACTNESS * std::pow(area, 1.5);
 }

@@ -16,10 +16,14 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
-constexpr double COS_HALF_VIEW = 0.7071067811865476; // 45 degrees
-constexpr double LEAST_DISTANCE = 0.05;              // in diagonals of the cloud
+/** Cosine of half the opening of a sensor's view, 45 degrees. */
+constexpr double COS_HALF_VIEW = 0.7071067811865476;
+/** Of the points from a sensor, in diagonals of the cloud. */
+constexpr double LEAST_DISTANCE = 0.05;
 constexpr double LARGEST_DISTANCE = 30.0;
+/** Share of the points that may lie behind others. */
 constexpr double LARGEST_HIDDEN_SHARE = 0.25;
+/** Points to a cell of directions, in which the nearest hides the others. */
 constexpr double POINTS_PER_CELL = 4.0;
 /** A point is hidden by one that is nearer by this share of the cloud's depth. */
 constexpr double HIDING_DEPTH = 0.1;

@@ -45,7 +45,7 @@ contributionOf(const Triangle& triangle, const PointView& positions)
 void
 normalize(Eigen::Vector3f& sum)
 {
-  // Angles of one radian cancel out to some 1e-7; real normals add up to far more.
+  /** Angles of one radian cancel out to some 1e-7; real normals add up to far more. */
   constexpr float NOTHING = 1e-5f;
   const float length = sum.norm();
   if (length > NOTHING)

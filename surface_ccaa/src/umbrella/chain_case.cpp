@@ -14,6 +14,7 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
+/** Share by which angles of one size differ through rounding. */
 constexpr double EQUAL_ANGLES = 1e-9;
 
 bool

@@ -10,9 +10,13 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
+/** Cosine between the triangles of a pair, seen along their edge, from which on it lies
+ * folded together: less than 53 degrees open. */
 constexpr double FOLDED_COSINE = 0.6;
+/** By how much cosines of one size differ through rounding. */
 constexpr double EQUAL_COSINES = 1e-9;
-constexpr double DEGENERATE = 1e-12; // height of a triangle relative to its side
+/** Height of a triangle, relative to its side, that is nothing. */
+constexpr double DEGENERATE = 1e-12;
 
 /** \brief What ranks a pair; compared from top to bottom. */
 struct PairRank {

@@ -11,6 +11,7 @@ namespace pcl {
 namespace repair {
 namespace {
 
+/** Points of a leaf: they are looked at one by one. */
 constexpr std::size_t MOST_LEAF_POINTS = 8;
 /** Directions of less than this share of the box's length are rounding. */
 constexpr double THIN = 1e-6;

@@ -17,6 +17,7 @@ namespace repair {
 
 namespace {
 
+/** Points of a loop, evenly spread over it, that look for others. */
 constexpr std::size_t MOST_SAMPLES = 48;
 /** Cosine of half the opening of a view. */
 constexpr double IN_VIEW = 0.5;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double DELAUNAY_SLACK = 1e-6; /**< in cotangents: cocircular corners stay */
 constexpr double LARGEST_FOLD = 0.5;    /**< cosine between the normals of a new pair */
+/** On average, beyond which flips go round in a circle. */
 constexpr std::size_t FLIPS_AN_EDGE = 10;
 /** Operations for an edge that is looked at, and edges after which they are told. */
 constexpr std::size_t EDGE_WORK = 8;

@@ -12,6 +12,7 @@ namespace pcl {
 namespace repair {
 namespace {
 
+/** Positions of a leaf: they are looked at one by one. */
 constexpr std::size_t LEAF_SIZE = 8;
 
 } // namespace

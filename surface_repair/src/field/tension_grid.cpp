@@ -18,6 +18,7 @@ constexpr double CELLS_TO_FAR = 4.0;
  * numbered, and R_2 is nothing at that scale. */
 constexpr double MOST_CELLS = 1e9;
 
+/** Places of the table at first; it doubles when it is half full. */
 constexpr std::size_t FIRST_TABLE = 64;
 
 std::size_t

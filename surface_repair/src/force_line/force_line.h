@@ -23,6 +23,7 @@ enum class LineEnd : std::uint8_t {
   WRONG_SIDE       /**< it came to the inner side of the other boundary */
 };
 
+/** \brief Number of these. */
 constexpr std::size_t LINE_ENDS = 7;
 
 /** \brief A sentence part for messages and reports, such as "repelled at its origin".

@@ -76,7 +76,6 @@ areAt(const Positions& places, const Positions& points)
 bool
 isSeenEdgeOn(const IncompleteModel& model, const Position& place)
 {
-  constexpr double LEAST_MEAN_COSINE = 0.25;
   double shown = 0.0, all = 0.0;
   for (const Triangle& triangle : model.triangles) {
     const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
@@ -84,7 +83,7 @@ isSeenEdgeOn(const IncompleteModel& model, const Position& place)
     shown += std::abs(area.dot((corners[0] - place).normalized()));
     all += area.norm();
   }
-  return !(shown >= LEAST_MEAN_COSINE * all);
+  return !(shown >= ccaa::LEAST_MEAN_COSINE * all);
 }
 
 /** \brief The viewpoint that is told, or, where vertices have none of their own, that

@@ -14,6 +14,7 @@ namespace repair {
 
 namespace {
 
+/** Positions of sensors that are told apart; of more, sight says nothing. */
 constexpr std::size_t MOST_SENSORS = 256;
 /** Side of a cell in median angular spacings. */
 constexpr double CELL = 2.0;

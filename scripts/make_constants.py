@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# Part of PclSurfaceRepair: the page of tuning constants, room by room, from the comments
+# that stand at them.
+#
+# usage: make_constants.py [--check]     --check says what the page or a comment lacks
+
+import glob
+import os
+import re
+import sys
+
+PAGE = "doc/constants.md"
+HEAD = """# Tuning constants
+
+Made by `scripts/make_constants.py` from the comments in the sources: every number of the two
+libraries that was chosen rather than given, by room. What users choose is in the parameter headers
+instead. Lengths are in the unit that the comment names; where it names none, a number is a count or
+a share. Sentinels and sizes of registers are left out.
+"""
+CONSTANT = re.compile(
+    r"\s*(?:static |inline )*constexpr (?:std::array<[^>]*>|[\w:]+(?: int)?)\s+"
+    r"([A-Z][A-Z0-9_]*) = ?([^;]*);\s*(?:(?://|/\*\*<)\s*(.*?)(?:\*/)?)?\s*$")
+NO_TUNING = re.compile(r"numeric_limits|NONE|epsilon|sizeof|0x|^-\d+$|[A-Za-z]{3}")
+SENTINEL = re.compile(r"^NO_|^NOWHERE|^UNDECIDED$|^NEXT$|LANES$|WIDTH$|^STATES$|_FLOATS$|^FAN_OUT$")
+
+
+def constants_of(path):
+    """Name, value and comment of each constant of a file; constants in a row share the
+    comment above the first."""
+    above, inside = "", False
+    for line in open(path, encoding="utf-8"):
+        text = line.strip()
+        if inside or text.startswith("/**"):
+            words = re.sub(r"^(/\*\*|\*(?!/))|\*/$", "", text).replace("\\brief", "").strip()
+            above = f"{above} {words}".strip() if inside else words
+            inside = not text.endswith("*/")
+            continue
+        found = CONSTANT.match(line.rstrip("\n"))
+        if found is None:
+            above = ""
+            continue
+        name, value, beside = found.groups()
+        if not NO_TUNING.search(value) and not SENTINEL.search(name):
+            yield name, value, " ".join(filter(None, [above, beside]))
+
+
+def page():
+    """The text of the page, and the constants that say nothing about themselves."""
+    text, silent = HEAD, []
+    for room in sorted(glob.glob("surface_*/src/*/")):
+        rows = []
+        for path in sorted(glob.glob(f"{room}**/*.h", recursive=True) +
+                           glob.glob(f"{room}**/*.cpp", recursive=True)):
+            for name, value, comment in constants_of(path):
+                if not comment:
+                    silent.append(f"{path}: {name} has no comment")
+                comment = re.sub(r"([|<>])", r"\\\1", comment)
+                rows.append(f"| `{name}` | {value} | {comment} | `{os.path.basename(path)}` |")
+        if rows:
+            text += f"\n## {room[:-1].replace('/src/', '/')}\n\n"
+            text += "| constant | value | what it is | in |\n|---|---|---|---|\n"
+            text += "\n".join(rows) + "\n"
+    return text, silent
+
+
+def main():
+    os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+    text, faults = page()
+    if "--check" not in sys.argv:
+        open(PAGE, "w", encoding="utf-8").write(text)
+    elif open(PAGE, encoding="utf-8").read() != text:
+        faults.append(f"{PAGE} is out of date: run scripts/make_constants.py")
+    print("\n".join(faults), file=sys.stderr, end="\n" if faults else "")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

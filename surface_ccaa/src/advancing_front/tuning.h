@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: all constants by which the room is tuned.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace pcl {
+namespace ccaa {
+namespace tuning {
+
+// Numbers.
+
+/** Of the squared radius: a point this close to a ball lies on it. */
+constexpr double BALL_TOLERANCE = 1e-5;
+/** Radians by which sectors between fans may overlap. */
+constexpr double FAN_TOLERANCE = 0.1;
+/** Least height of a triangle over its front edge, in lengths of the edge. */
+constexpr double LEAST_HEIGHT = 1e-3;
+
+// Which triangles the samples support.
+
+/** Neighbors whose distance tells the spacing at a point. */
+constexpr unsigned int SPACING_NEIGHBORS = 6;
+/** Share of the longest edge in closed parts close by that counts as spacing. */
+constexpr double CLOSED_EDGE_SHARE = 0.5;
+/** Ratio of spacings between neighboring samples beyond which they do not belong
+ * together: outliers would tie themselves to the surface. */
+constexpr double MOST_SPACING_RATIO = 5.0;
+/** Smallest empty ball in circumradii beyond which a triangle covers points that lie
+ * all but in its plane. */
+constexpr double LARGEST_BALL = 10.0;
+/** Cosine of the angle (70 degrees) from which on a triangle is steep to the surface.
+ */
+constexpr double COS_STEEP = 0.3420201433256687;
+/** Thickest neighborhood (see neighborhoodThickness()) in which a surface begins: noise
+ * of half a spacing stays below it, points scattered in space do not. */
+constexpr double MOST_THICKNESS = 0.15;
+
+// Which gaps are closed as a whole.
+
+/** Edges of the longest loop: cubic cost. */
+constexpr std::size_t LONGEST_LOOP = 40;
+/** Largest distance from samples inside a gap that is closed, in spacings. */
+constexpr double LARGEST_ROOM = 1.5;
+/** The same for loops of few edges: if so few triangles stand around a gap, they are as
+ * wide as it is, and the sampling was no denser there. */
+constexpr double LARGEST_ROOM_OF_SMALL_LOOP = 3.0;
+constexpr std::size_t SMALL_LOOP = 5;
+
+// Which points and pieces are scattered.
+
+/** Times the usual spacing beyond which points whose neighbors fill space are. */
+constexpr double SCATTERED_SPACING = 2.5;
+/** Times that beyond which they are however flat they lie. */
+constexpr double FAR_RATIO = 2.0;
+/** Times that scattered points are looked for. */
+constexpr int SCATTER_ROUNDS = 4;
+
+// Which given triangles are not to be trusted (decision 0005).
+
+/** Radians of a fold, 55 degrees. */
+constexpr double SHARP_FOLD = 0.9599310885968813;
+/** Share of the edges up to which sharp folds are rare. */
+constexpr double RARE_SHARE = 0.01;
+/** Median fold of a crumpled island: more than 35 degrees, in radians, and than so
+ * often that of a surface that is to be trusted. */
+constexpr double CRUMPLED_FOLD = 0.6108652381980153;
+constexpr double CRUMPLED_RATIO = 1.5;
+/** The same of a piece that grew by itself. Growth prefers smooth triangles even among
+ * scattered points, so the limit is lower: 15 degrees. */
+constexpr double CRUMPLED_GROWTH = 0.2617993877991494;
+constexpr double CRUMPLED_GROWTH_RATIO = 3.0;
+/** Largest share of a contact's length that may point out of either tangent plane. */
+constexpr double LARGEST_RISE = 0.5;
+
+// Where growth is tried again.
+
+/** Rings tried around a group when there are few groups, and when there are many, as in
+ * noise: then each is worth less and all together cost more. */
+constexpr int RINGS = 4;
+constexpr int RINGS_OF_MANY = 2;
+constexpr std::size_t MANY_GROUPS = 200;
+/** Improvements after which one of few groups is left as it is. */
+constexpr int IMPROVEMENTS = 1;
+/** Open points beyond which a group is left as it is: growth would take too long for
+ * the little that it can win. */
+constexpr std::size_t LARGEST_GROUP = 200;
+/** Open points up to which both orders of growth are tried. */
+constexpr std::size_t LARGEST_TWICE = 60;
+/** Cosine between normals of the two sides of a thin place. */
+constexpr float OPPOSITE = -0.3f;
+/** Rings of triangles around a thin place that are grown anew: the next number where
+ * that took at least half of the flaws away, and handles are left. */
+constexpr std::array<int, 2> AROUND = {10, 20};
+
+// Speed alone: no result depends on these.
+
+/** Open points that one thread completes in the time it takes to wake others. */
+constexpr std::size_t SMALL_GAP = 100;
+/** Triangles between two looks at the cancel flag. */
+constexpr std::size_t POLL_INTERVAL = 512;
+/** Of the given triangles one in so many tells the usual spacing. */
+constexpr std::size_t SPACING_STRIDE = 16;
+/** Median distances of neighbors to a cell of the grid that chooses triangles. */
+constexpr double CELL_FACTOR = 4.0;
+
+} // namespace tuning
+} // namespace ccaa
+} // namespace pcl
