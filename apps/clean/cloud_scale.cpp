@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "mesh/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -43,9 +45,7 @@ public:
       search_.nearestKSearch((*points_)[i], count, near, sqr_distances);
       values.push_back(measure(near, sqr_distances));
     }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return pcl::ccaa::medianOf(std::move(values));
   }
 
   double

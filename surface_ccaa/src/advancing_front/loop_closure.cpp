@@ -5,6 +5,7 @@
 #include "advancing_front/spacing.h"
 #include "advancing_front/tuning.h"
 #include "mesh/corners.h"
+#include "mesh/quantile.h"
 #include "mesh/sort_unique.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include "advancing_front/spacing.h"
 #include "advancing_front/tuning.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include "advancing_front/spacing.h"
 
 #include "advancing_front/tuning.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,16 +44,6 @@ longestClosedEdges(const OpenSurface& open)
 }
 
 } // namespace
-
-double
-medianOf(std::vector<double> values)
-{
-  if (values.empty())
-    return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double
 spacingFromNeighbors(const OpenSurface& open, pcl::index_t point)

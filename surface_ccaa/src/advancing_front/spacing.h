@@ -10,10 +10,6 @@
 namespace pcl {
 namespace ccaa {
 
-/** \brief The middle one of some values, 0 without any. */
-double
-medianOf(std::vector<double> values);
-
 /** \brief Root mean square distance of an open point to its six nearest open points; 0
  * where it has no neighbor. In units of the cloud. */
 double

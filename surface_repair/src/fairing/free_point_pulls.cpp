@@ -8,6 +8,7 @@
 #include "fairing/triangle_search.h"
 #include "mesh/box_tree.h"
 #include "mesh/corners.h"
+#include "mesh/quantile.h"
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
@@ -51,14 +52,6 @@ meanEdge(const std::vector<ccaa::Corners>& triangles)
   return triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(triangles.size()));
 }
 
-double
-medianOf(std::vector<double>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** What a point differs by, in edge lengths. */
 struct Comparison {
   double difference = 0.0; /**< of its offset */
@@ -89,10 +82,10 @@ public:
     const AttachedPoint& own = attached_[index];
     if (offsets_.size() < FEWEST_NEIGHBOURS)
       return {std::abs(own.offset) / own.edge, LEAST_SCALE, true};
-    const double middle = medianOf(offsets_);
+    const double middle = ccaa::medianOf(offsets_);
     for (double& offset : offsets_)
       offset = std::abs(offset - middle);
-    const double scale = 1.4826 * medianOf(offsets_) / own.edge;
+    const double scale = 1.4826 * ccaa::medianOf(offsets_) / own.edge;
     return {
         std::abs(own.offset - middle) / own.edge, std::max(scale, LEAST_SCALE), false};
   }
@@ -132,7 +125,7 @@ noiseOf(const std::vector<Comparison>& comparisons)
   for (const Comparison& one : comparisons)
     if (!one.alone)
       differences.push_back(one.difference);
-  return differences.empty() ? 0.0 : 1.4826 * medianOf(differences);
+  return differences.empty() ? 0.0 : 1.4826 * ccaa::medianOf(differences);
 }
 
 } // namespace

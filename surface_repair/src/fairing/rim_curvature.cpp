@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/corners.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,13 +117,9 @@ widened(const JoinedSurface& surface, const std::vector<BendIntegral>& integrals
 void
 limitCurvatures(std::vector<double>& curvatures)
 {
-  if (curvatures.empty())
-    return;
-  std::vector<double> sorted = curvatures;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double low = std::min(0.0, 2.0 * *middle);
-  const double high = std::max(0.0, 2.0 * *middle);
+  const double median = ccaa::medianOf(curvatures);
+  const double low = std::min(0.0, 2.0 * median);
+  const double high = std::max(0.0, 2.0 * median);
   for (double& curvature : curvatures)
     curvature = std::clamp(curvature, low, high);
 }

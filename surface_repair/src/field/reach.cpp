@@ -83,17 +83,6 @@ meanSpacing(const Positions& points)
   return sum / static_cast<double>(points.size());
 }
 
-double
-quantile(std::vector<double> values, double share)
-{
-  if (values.empty())
-    return std::numeric_limits<double>::infinity();
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(
-                                          share * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 std::vector<double>
 gapsAlong(const SourceCurve& curve, const GapFinder& gaps)
 {

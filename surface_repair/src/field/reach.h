@@ -41,11 +41,6 @@ private:
 std::vector<double>
 gapsAlong(const SourceCurve& curve, const GapFinder& gaps);
 
-/** \brief The value that a share (0 to below 1) of all values stays below; infinite
- * without values. */
-double
-quantile(std::vector<double> values, double share);
-
 /** \brief q_1 for a place with a gap to cross (4.45): L_1 is the source spacing, L_2
  * the gap with room, at least 4 spacings. Nothing reaches anywhere across an infinite
  * gap. \param[in] spacing of the sources \param[in] gap see GapFinder::gapAt()

@@ -6,6 +6,7 @@
 #include <pcl/surface_ccaa/impl/point_blocks.h>
 
 #include "filling/local_floats.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 #include <array>
@@ -85,12 +86,10 @@ usableSamples(const FillingTask& task)
   for (const std::size_t i : distinct)
     points.push_back(task.free_points[i]);
   const std::vector<float> isolation = isolationOf(points, task.polygon.size());
-  std::vector<float> sorted = isolation;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const float median = ccaa::medianOf(isolation);
   std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < distinct.size(); ++i)
-    if (isolation[i] <= OUTLIER * OUTLIER * *middle)
+    if (isolation[i] <= OUTLIER * OUTLIER * median)
       usable.push_back(distinct[i]);
   return usable;
 }

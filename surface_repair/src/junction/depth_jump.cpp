@@ -3,8 +3,8 @@
 
 #include "junction/depth_jump.h"
 
-#include "field/reach.h"
 #include "junction/junction.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ surroundingsOf(const std::vector<pcl::index_t>& vertices, const IncompleteModel&
   }
   if (!edges.empty()) {
     around.normal /= static_cast<double>(edges.size());
-    around.edge = quantile(std::move(edges), 0.5);
+    around.edge = ccaa::medianOf(std::move(edges));
   }
   return around;
 }

@@ -3,8 +3,8 @@
 
 #include "junction/junction.h"
 
-#include "field/reach.h"
 #include "mesh/corners.h"
+#include "mesh/quantile.h"
 
 #include <cmath>
 #include <map>
@@ -104,7 +104,7 @@ medianOf(const std::vector<JunctionEvidence>& lines)
     std::vector<double> values;
     for (const JunctionEvidence& line : lines)
       values.push_back(line.*member);
-    median.*member = quantile(std::move(values), 0.5);
+    median.*member = ccaa::medianOf(std::move(values));
   }
   return median;
 }

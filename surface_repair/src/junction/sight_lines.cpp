@@ -3,6 +3,8 @@
 
 #include "junction/sight_lines.h"
 
+#include "mesh/quantile.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,11 +61,7 @@ angularSpacing(const IncompleteModel& model,
       angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
     }
   }
-  if (angles.empty())
-    return 0.0;
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return *middle;
+  return ccaa::medianOf(std::move(angles));
 }
 
 } // namespace

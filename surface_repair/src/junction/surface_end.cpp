@@ -3,6 +3,7 @@
 
 #include "junction/junction.h"
 #include "mesh/corners.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 #include <limits>
@@ -84,9 +85,7 @@ medianEdge(const Rings& rings)
     for (std::size_t k = 0; k < 3; ++k)
       lengths.push_back((corners[(k + 1) % 3] - corners[k]).norm());
   }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return ccaa::medianOf(std::move(lengths));
 }
 
 } // namespace

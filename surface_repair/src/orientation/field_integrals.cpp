@@ -6,6 +6,7 @@
 #include "field/indicator_field.h"
 #include "field/reach.h"
 #include "field/source_sampling.h"
+#include "mesh/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,9 @@ constexpr double SOURCES_PER_GAP = 2.0;
 
 /** Finest sampling, in sources to a mean edge. */
 constexpr double MOST_PER_EDGE = 8.0;
+
+/** A gap where there is no other boundary. */
+constexpr double FAR = std::numeric_limits<double>::infinity();
 
 SourceCurve
 sample(const BoundaryLoops& loops, std::size_t loop, double spacing)
@@ -47,7 +51,7 @@ sourcesFor(const BoundaryLoops& loops)
   const GapFinder gaps(coarse);
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const double wanted =
-        quantile(gapsAlong(coarse.curves[k], gaps), 0.25) / SOURCES_PER_GAP;
+        ccaa::quantile(gapsAlong(coarse.curves[k], gaps), 0.25, FAR) / SOURCES_PER_GAP;
     if (wanted < coarse.curves[k].spacing)
       curves[k] =
           sample(loops, k, std::max(wanted, coarse.curves[k].spacing / MOST_PER_EDGE));
@@ -120,7 +124,7 @@ queriesOf(std::size_t island,
     if (curve.island == island)
       for (const double gap : gapsAlong(curve, gaps))
         all.push_back(gap);
-  const double widest = 2.0 * quantile(all, 0.1);
+  const double widest = 2.0 * ccaa::quantile(all, 0.1, FAR);
 
   BaseQueries base;
   std::size_t place = 0;

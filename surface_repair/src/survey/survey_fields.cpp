@@ -7,6 +7,7 @@
 #include "boundary/opposed_loops.h"
 #include "field/reach.h"
 #include "field/source_sampling.h"
+#include "mesh/quantile.h"
 #include "survey/wanted_lines.h"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ medianGap(const SourceSet& sources)
     for (const double gap : gapsAlong(curve, gaps))
       if (std::isfinite(gap))
         finite.push_back(gap);
-  return finite.empty() ? 0.0 : quantile(std::move(finite), 0.5);
+  return ccaa::medianOf(std::move(finite));
 }
 
 /** The island that a loop stands for. Two opposed loops of one island are two sides of
