@@ -69,8 +69,6 @@ private:
   bool
   tryWithin(double reach);
   bool
-  isBesideHole(const Shadow& shadow) const;
-  bool
   touchesInput() const;
   std::optional<Shadow>
   shadowOn(const TriangleSearch& patches, bool turned) const;
@@ -82,6 +80,11 @@ private:
   close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
   pcl::index_t
   rimVertex() const;
+  ccaa::Box
+  boxAt(std::size_t t) const
+  {
+    return ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
+  }
   void
   turnCrumb();
   std::size_t
@@ -107,14 +110,6 @@ CrumbLaying::run()
     if (tryWithin(reach))
       return true;
   return !touchesInput() && tryWithin(FARTHEST);
-}
-
-/** Whether it is further away from the patch than a hole of that length is deep. */
-bool
-CrumbLaying::isBesideHole(const Shadow& shadow) const
-{
-  const std::size_t hole = surface_.hole[near_[shadow.nearest]];
-  return shadow.distance > DEEPEST * course_.report.holes[hole].length;
 }
 
 /** Whether a point of it is one of other triangles of the input: it is a fin. */
@@ -143,8 +138,7 @@ CrumbLaying::lookAround(const ccaa::Box& crumb)
   around_ = ccaa::widened(crumb, ROOM * reach_);
   const ccaa::Box within = ccaa::widened(crumb, reach_);
   for (const std::size_t t : surface_.near(within)) {
-    const ccaa::Box box =
-        ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
+    const ccaa::Box box = boxAt(t);
     if (surface_.hole[t] != NONE && box.intersects(within))
       around_.extend(ccaa::widened(box, box.diagonal().norm()));
   }
@@ -157,7 +151,7 @@ CrumbLaying::tryWithin(double reach)
 {
   ccaa::Box box;
   for (const std::size_t t : crumb_)
-    box.extend(ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
+    box.extend(boxAt(t));
   reach_ = reach * box.diagonal().norm();
   if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
     return false;
@@ -176,9 +170,12 @@ CrumbLaying::tryWithin(double reach)
   const std::optional<Shadow> other = shadowOn(patches, true);
   const bool turned_first =
       other && (!given || other->distance < NEARER * given->distance);
+  const auto lengthOfHole = [&](const Shadow& shadow) {
+    return course_.report.holes[surface_.hole[near_[shadow.nearest]]].length;
+  };
   for (const bool turned : {turned_first, !turned_first}) {
     const std::optional<Shadow>& shadow = turned ? other : given;
-    if (!shadow || isBesideHole(*shadow))
+    if (!shadow || shadow->distance > DEEPEST * lengthOfHole(*shadow))
       continue;
     if (turned)
       turnCrumb();
@@ -278,8 +275,7 @@ CrumbLaying::layInto(const Shadow& shadow, int rings)
     return false;
   place_ = placeOf(part_, opening);
   for (const std::size_t t : crumb_)
-    place_.extend(
-        ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions)));
+    place_.extend(boxAt(t));
   place_ = place_.intersection(around_); // beyond that nothing is known
   if (isKnown(opening))
     return false;

@@ -12,8 +12,6 @@
 #include "repair/sample_shares.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -21,11 +19,6 @@ namespace pcl {
 namespace repair {
 
 namespace {
-
-/** Operations of a region: at least, and for each of its edges and samples by their
- * logarithm. The dearest of the scans' holes take a fifth of that. */
-constexpr std::uint64_t LEAST_WORK = 100000000;
-constexpr double WORK = 100000.0;
 
 class RegionClosing {
 public:
@@ -332,16 +325,6 @@ withinPart(const IncompleteModel& model,
 {
   static const SurveyGuides none{};
   return {model, none, parameters, frame, false};
-}
-
-std::uint64_t
-workFor(const Region& region)
-{
-  std::size_t size = region.samples.size();
-  for (const HolePolygon& hole : region.holes)
-    size += hole.size();
-  const auto n = static_cast<double>(size);
-  return LEAST_WORK + static_cast<std::uint64_t>(WORK * n * std::log2(n + 2.0));
 }
 
 ClosedRegion

@@ -62,11 +62,6 @@ struct ClosedRegion {
   std::vector<HoleOutcome> holes;
 };
 
-/** \brief Operations that closing a region may take (see ccaa::RunControl): n log n in
- * its edges and samples. What exceeds them is left for TOO_COSTLY. */
-std::uint64_t
-workFor(const Region& region);
-
 /** \brief Divide, fill, refine and relax, and try again in other ways where the result
  * would run through something; what cannot be closed is left out. Nothing is kept that
  * does not fit the model or that meets the obstacle. */

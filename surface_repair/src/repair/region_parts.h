@@ -10,10 +10,16 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl {
 namespace repair {
+
+/** \brief Operations that closing a region may take (see ccaa::RunControl): n log n in
+ * its edges and samples. What exceeds them is left for TOO_COSTLY. */
+std::uint64_t
+workFor(const Region& region);
 
 /** \brief Which of the fills of a part serves a strategy. */
 constexpr std::size_t

@@ -5,6 +5,7 @@
 
 #include "mesh/block_loop.h"
 #include "mesh/box_tree.h"
+#include "repair/region_parts.h"
 #include "repair/surface_obstacle.h"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "repair/hole_list.h"
 #include "repair/patch_assembly.h"
 #include "repair/region_closing.h"
+#include "repair/region_parts.h"
 #include "repair/regions_closing.h"
 #include "support/mesh_asserts.h"
 #include "support/random_source.h"
