@@ -2,11 +2,18 @@
 // Part of PclSurfaceRepair: shows decisions in the viewer, and makes them by its keys.
 #include "viewer/decision_desk.h"
 
+#include <Eigen/Geometry>
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+
 #include "inspect/inspection_colors.h"
 #include "inspect/layer_builder.h"
 #include "render/mesh_parts.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace app {
@@ -15,6 +22,12 @@ namespace {
 using pcl::repair::JunctionDecision;
 using pcl::repair::LoopDecision;
 using pcl::repair::LoopWish;
+
+constexpr double LOOP_WIDTH = 6.0; // pixels
+constexpr double LINK_WIDTH = 2.0;
+constexpr double PICK_REACH = 10.0;
+/** Of the depth of the picture: lines lie in the surface. */
+constexpr double DEPTH_MARGIN = 0.01;
 
 Rgb
 colorOf(const LoopDecision& loop)
@@ -30,6 +43,20 @@ colorOf(const LoopDecision& loop)
   return app::colorOf(loop.found);
 }
 
+Rgb
+colorOf(const JunctionDecision& junction)
+{
+  return junction.join ? TO_BE_CLOSED : app::colorOf(pcl::OpenReason::NOT_WANTED);
+}
+
+/** \brief From the centre of one loop to that of the other. */
+std::array<Eigen::Vector3d, 2>
+linkOf(const pcl::repair::Decisions& decisions, const JunctionDecision& junction)
+{
+  return {decisions.loops[junction.first_loop].key.center,
+          decisions.loops[junction.second_loop].key.center};
+}
+
 /** \brief Numbers of loops at their centres, and of junctions between their loops. */
 std::vector<StageLabel>
 labelsOf(const pcl::repair::Decisions& decisions)
@@ -38,12 +65,47 @@ labelsOf(const pcl::repair::Decisions& decisions)
   for (std::size_t k = 0; k < decisions.loops.size(); ++k)
     labels.push_back({decisions.loops[k].key.center, std::to_string(k)});
   for (std::size_t k = 0; k < decisions.junctions.size(); ++k) {
-    const JunctionDecision& junction = decisions.junctions[k];
-    labels.push_back({0.5 * (decisions.loops[junction.first_loop].key.center +
-                             decisions.loops[junction.second_loop].key.center),
-                      "J" + std::to_string(k)});
+    const auto ends = linkOf(decisions, decisions.junctions[k]);
+    labels.push_back({0.5 * (ends[0] + ends[1]), "J" + std::to_string(k)});
   }
   return labels;
+}
+
+/** \brief Loops with their numbers, then what links those of a junction. */
+std::vector<PickLine>
+linesOf(const pcl::repair::Decisions& decisions,
+        const pcl::repair::BoundaryLoops& loops)
+{
+  std::vector<PickLine> lines;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    lines.push_back({k, loops[k].curve.points, true});
+    lines.push_back({k, {decisions.loops[k].key.center}, false});
+  }
+  for (std::size_t k = 0; k < decisions.junctions.size(); ++k) {
+    const auto ends = linkOf(decisions, decisions.junctions[k]);
+    lines.push_back({loops.size() + k, {ends[0], ends[1]}, false});
+  }
+  return lines;
+}
+
+/** \brief From the model to pixels of its window and the depth that is drawn. */
+Eigen::Matrix4d
+projectionOf(vtkRenderer& model)
+{
+  const auto* const composite =
+      model.GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+          model.GetTiledAspectRatio(), 0.0, 1.0);
+  const Eigen::Matrix4d projection =
+      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
+          composite->GetData());
+  const int* const size = model.GetSize();
+  const int* const origin = model.GetOrigin();
+  Eigen::Matrix4d pixels = Eigen::Matrix4d::Identity();
+  for (int axis = 0; axis < 2; ++axis) {
+    pixels(axis, axis) = 0.5 * size[axis];
+    pixels(axis, 3) = origin[axis] + 0.5 * size[axis];
+  }
+  return pixels * projection;
 }
 
 } // namespace
@@ -52,7 +114,11 @@ DecisionDesk::DecisionDesk(pcl::repair::Decisions decisions,
                            const pcl::repair::ModelSurvey& survey,
                            StageView& view,
                            DecisionSaver save)
-: editor_(std::move(decisions)), survey_(survey), view_(view), save_(std::move(save))
+: editor_(std::move(decisions))
+, survey_(survey)
+, view_(view)
+, save_(std::move(save))
+, lines_(linesOf(editor_.decisions(), survey.loops))
 {
   show();
 }
@@ -92,20 +158,24 @@ DecisionDesk::apply(Command command)
   return true;
 }
 
-void
+bool
 DecisionDesk::chooseAt(int x, int y)
 {
-  const auto place = [&](double depth) -> Eigen::Vector3d {
-    vtkRenderer& model = view_.model();
-    model.SetDisplayPoint(x, y, depth);
-    model.DisplayToWorld();
-    double world[4];
-    model.GetWorldPoint(world);
-    return Eigen::Vector3d(world[0], world[1], world[2]) / world[3];
+  vtkRenderer& model = view_.model();
+  if (model.IsInViewport(x, y) == 0)
+    return false;
+  const auto is_hidden = [&](const Eigen::Vector3d& place) {
+    const double depth = model.GetZ(static_cast<int>(std::lround(place.x())),
+                                    static_cast<int>(std::lround(place.y())));
+    return depth < place.z() - DEPTH_MARGIN;
   };
-  const Eigen::Vector3d from = place(0.0);
-  editor_.chooseAlong(from, (place(1.0) - from).normalized());
-  show();
+  const auto picked =
+      pickNear(lines_, projectionOf(model), {x, y}, PICK_REACH, is_hidden);
+  if (picked) {
+    editor_.choose(*picked);
+    show();
+  }
+  return picked.has_value();
 }
 
 InspectionLayer
@@ -124,6 +194,21 @@ DecisionDesk::coloredLoops() const
   return builder.finish("");
 }
 
+InspectionLayer
+DecisionDesk::coloredLinks() const
+{
+  LayerBuilder builder("junctions", "");
+  const pcl::repair::Decisions& decisions = editor_.decisions();
+  for (std::size_t k = 0; k < decisions.junctions.size(); ++k) {
+    const bool is_chosen = editor_.chosen() == decisions.loops.size() + k;
+    const auto ends = linkOf(decisions, decisions.junctions[k]);
+    builder.addCurve(ends.size(), false, [&](std::size_t i) {
+      builder.addPoint(ends[i], is_chosen ? CHOSEN : colorOf(decisions.junctions[k]));
+    });
+  }
+  return builder.finish("");
+}
+
 void
 DecisionDesk::show(const std::string& more)
 {
@@ -132,7 +217,9 @@ DecisionDesk::show(const std::string& more)
   if (editor_.isChanged())
     overlay.note += " (w writes it)";
   if (!survey_.loops.empty())
-    overlay.lines = makePart(coloredLoops());
+    overlay.lines.push_back({makePart(coloredLoops()), LOOP_WIDTH});
+  if (!editor_.decisions().junctions.empty())
+    overlay.lines.push_back({makePart(coloredLinks()), LINK_WIDTH});
   overlay.labels = labelsOf(editor_.decisions());
   view_.setOverlay(overlay);
 }

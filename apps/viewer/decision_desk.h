@@ -4,6 +4,7 @@
 
 #include "survey/model_survey.h"
 #include "viewer/decision_editor.h"
+#include "viewer/picking.h"
 #include "viewer/stage_view.h"
 
 #include <functional>
@@ -15,7 +16,7 @@ namespace app {
 using DecisionSaver = std::function<std::string(const pcl::repair::Decisions&)>;
 
 /** \brief Between keys, a DecisionEditor and the stages "boundaries" and "holes", in
- * which loops and junctions have their numbers and loops the colour of what is decided.
+ * which loops and junctions have their numbers and the colour of what is decided.
  */
 class DecisionDesk {
 public:
@@ -30,9 +31,10 @@ public:
   bool
   apply(Command command);
 
-  /** \brief Choose the loop that lies nearest to a place of the window, in pixels from
-   * its lower left corner. */
-  void
+  /** \brief Choose the loop or junction that is seen within a few pixels of a place of
+   * the window, in pixels from its lower left corner. Not after the camera has moved
+   * without drawing. \return false where there is none: nothing changes */
+  bool
   chooseAt(int x, int y);
 
   const DecisionEditor&
@@ -46,11 +48,14 @@ private:
   show(const std::string& more = "");
   InspectionLayer
   coloredLoops() const;
+  InspectionLayer
+  coloredLinks() const;
 
   DecisionEditor editor_;
   const pcl::repair::ModelSurvey& survey_;
   StageView& view_;
   DecisionSaver save_;
+  std::vector<PickLine> lines_; /**< of the loops, then of the junctions */
 };
 
 } // namespace app

@@ -2,8 +2,6 @@
 // Part of PclSurfaceRepair: decisions that are made while looking at them.
 #include "viewer/decision_editor.h"
 
-#include <Eigen/Geometry>
-
 #include "io/decisions_file.h"
 
 #include <utility>
@@ -31,21 +29,6 @@ DecisionEditor::chooseNext(int places)
   const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(chosen_) + places + count;
   if (count > 0)
     chosen_ = static_cast<std::size_t>(next % count);
-}
-
-void
-DecisionEditor::chooseAlong(const Eigen::Vector3d& from,
-                            const Eigen::Vector3d& direction)
-{
-  double least = -1.0;
-  for (std::size_t k = 0; k < decisions_.loops.size(); ++k) {
-    const Eigen::Vector3d to = decisions_.loops[k].key.center - from;
-    const double distance = to.cross(direction).squaredNorm();
-    if (least < 0.0 || distance < least) {
-      least = distance;
-      chosen_ = k;
-    }
-  }
 }
 
 void

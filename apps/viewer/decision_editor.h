@@ -51,9 +51,12 @@ public:
     chooseNext(-1);
   }
 
-  /** \brief Choose the loop whose centre is nearest to a line of sight. */
+  /** \brief Choose this one. \param[in] number below size() */
   void
-  chooseAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction);
+  choose(std::size_t number)
+  {
+    chosen_ = number;
+  }
 
   /** \brief Close the loop, or join the junction. */
   void

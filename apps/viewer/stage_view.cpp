@@ -19,8 +19,7 @@
 namespace app {
 namespace {
 
-constexpr double OVERLAY_WIDTH = 6.0; // pixels
-constexpr int OVERLAY_LETTERS = 16;   // points
+constexpr int OVERLAY_LETTERS = 16; // points
 
 int
 stripHeight(int height)
@@ -126,11 +125,11 @@ StageView::showParts(const ViewState& state, int height)
       part.actor->GetProperty()->SetPointSize(size);
     }
   for (const auto& prop : overlay_)
-    prop->SetVisibility(hasOverlay(state) && state.shows(Layer::LINES) ? 1 : 0);
+    prop->SetVisibility(showsOverlay(state) && state.shows(Layer::LINES) ? 1 : 0);
 }
 
 bool
-StageView::hasOverlay(const ViewState& state) const
+StageView::showsOverlay(const ViewState& state) const
 {
   const std::string& name = stages_[state.stage()].name;
   return !note_.empty() && (name == "boundaries" || name == "holes");
@@ -143,10 +142,10 @@ StageView::setOverlay(const StageOverlay& overlay)
     model_->RemoveViewProp(prop);
   overlay_.clear();
   note_ = overlay.note;
-  if (overlay.lines) {
-    auto lines = makeMarks(overlay.lines, {0.0, 0.0, 0.0}, OVERLAY_WIDTH);
-    showColors(overlay.lines, *lines);
-    overlay_.emplace_back(lines);
+  for (const StageOverlay::Lines& lines : overlay.lines) {
+    auto marks = makeMarks(lines.part, {0.0, 0.0, 0.0}, lines.width);
+    showColors(lines.part, *marks);
+    overlay_.emplace_back(marks);
   }
   for (const StageLabel& label : overlay.labels) {
     const auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
@@ -155,6 +154,8 @@ StageView::setOverlay(const StageOverlay& overlay)
     text->GetTextProperty()->SetFontSize(OVERLAY_LETTERS);
     text->GetTextProperty()->SetColor(0.0, 0.0, 0.0);
     text->GetTextProperty()->BoldOn();
+    text->GetTextProperty()->SetJustificationToCentered();
+    text->GetTextProperty()->SetVerticalJustificationToCentered();
     overlay_.emplace_back(text);
   }
   for (const auto& prop : overlay_)
@@ -169,12 +170,12 @@ StageView::arrange(const ViewState& state, int width, int height, bool with_keys
   Legend legend;
   legend.title = std::to_string(state.stage() + 1) + "/" +
                  std::to_string(stages_.size()) + " " + stage.title;
-  legend.text = hasOverlay(state) ? note_ : stage.text;
+  legend.text = showsOverlay(state) ? note_ : stage.text;
   for (const StageColor& color : stage.legend)
     if (state.shows(color.layer))
       legend.entries.push_back(color.entry);
   if (with_keys && state.help())
-    legend.notes = keyNotes(state, hasOverlay(state));
+    legend.notes = keyNotes(state, showsOverlay(state));
   else
     legend.notes = {{subject_, "", false}};
   model_->SetViewport(static_cast<double>(legendWidth(height)) / width,

@@ -35,8 +35,12 @@ struct StageLabel {
 /** \brief What is drawn over the stages "boundaries" and "holes" while decisions are
  * made. */
 struct StageOverlay {
-  std::string note;                   /**< in place of the stage's text */
-  vtkSmartPointer<vtkPolyData> lines; /**< with a colour a point; may be null */
+  struct Lines {
+    vtkSmartPointer<vtkPolyData> part; /**< with a colour a point */
+    double width = 1.0;                /**< pixels */
+  };
+  std::string note; /**< in place of the stage's text */
+  std::vector<Lines> lines;
   std::vector<StageLabel> labels;
 };
 
@@ -70,6 +74,10 @@ public:
   void
   setOverlay(const StageOverlay& overlay);
 
+  /** \brief Whether there is something to be drawn over the stage that is shown. */
+  bool
+  showsOverlay(const ViewState& state) const;
+
   /** \brief The renderer of the model. */
   vtkRenderer&
   model()
@@ -80,8 +88,6 @@ public:
 private:
   void
   showParts(const ViewState& state, int height);
-  bool
-  hasOverlay(const ViewState& state) const;
 
   std::vector<Stage> stages_;
   StageCamera camera_;

@@ -72,7 +72,7 @@ constexpr std::array<KeyHelp, 8> OTHER_KEYS{{{"n b", "next stage, back"},
 
 /** \brief The keys by which decisions are made, for the help. */
 constexpr std::array<KeyHelp, 7> DECISION_KEYS{{{". ,", "next, previous"},
-                                                {"k", "loop at the mouse"},
+                                                {"click k", "what is at the mouse"},
                                                 {"a", "close, join"},
                                                 {"x", "leave open, apart"},
                                                 {"c", "flat or smooth"},

@@ -13,18 +13,25 @@
 #include "viewer/decision_desk.h"
 #include "viewer/stage_view.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <utility>
 
 namespace app {
 namespace {
 
-/** Milliseconds between two looks at what has happened. */
+/** Milliseconds after which update() returns where nothing happens. */
 constexpr int UPDATE_INTERVAL = 20;
+
+/** Pixels that a mouse moves in a click, which is no drag yet. */
+constexpr int CLICK_REACH = 3;
 
 /** \brief PCL's mouse with our keys: the latter would do two things at once. */
 class StageStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
 public:
   std::function<void(const std::string&)> on_key;
+  std::function<void(int x, int y)> on_click; /**< pressed and released at one place */
 
   static StageStyle*
   New();
@@ -39,12 +46,32 @@ protected:
   }
 
   void
+  OnLeftButtonDown() override
+  {
+    std::copy_n(Interactor->GetEventPosition(), 2, pressed_.begin());
+    PCLVisualizerInteractorStyle::OnLeftButtonDown();
+  }
+
+  void
+  OnLeftButtonUp() override
+  {
+    PCLVisualizerInteractorStyle::OnLeftButtonUp();
+    const int* const now = Interactor->GetEventPosition();
+    if (on_click && std::abs(now[0] - pressed_[0]) <= CLICK_REACH &&
+        std::abs(now[1] - pressed_[1]) <= CLICK_REACH)
+      on_click(now[0], now[1]);
+  }
+
+  void
   OnKeyUp() override
   {}
 
   void
   OnChar() override
   {}
+
+private:
+  std::array<int, 2> pressed_{}; /**< where the left button went down last */
 };
 
 vtkStandardNewMacro(StageStyle);
@@ -63,6 +90,7 @@ ViewerWindow::ViewerWindow(StageView& view,
 {
   const auto style = vtkSmartPointer<StageStyle>::New();
   style->on_key = [this](const std::string& key) { act(actionOf(key)); };
+  style->on_click = [this](int x, int y) { chooseAt(x, y); };
   window_->SetMultiSamples(8);
   int no_arguments = 0;
   const vtkSmartPointer<vtkRenderer> model(&view.model());
@@ -71,11 +99,21 @@ ViewerWindow::ViewerWindow(StageView& view,
   viewer_->setShowFPS(false);
   viewer_->setSize(width, height);
   viewer_->setWindowName(title);
+  window_->GetInteractor()->CreateRepeatingTimer(UPDATE_INTERVAL);
   view_.fit(width, height);
   show();
 }
 
-ViewerWindow::~ViewerWindow() = default;
+ViewerWindow::~ViewerWindow()
+{
+  // Window and interactor hold each other, and an interactor that was not ended is
+  // asked for events by those of later windows.
+  const vtkSmartPointer<vtkRenderWindowInteractor> interactor(window_->GetInteractor());
+  interactor->TerminateApp();
+  interactor->ProcessEvents();
+  viewer_.reset();
+  window_->SetInteractor(nullptr);
+}
 
 void
 ViewerWindow::act(const Action& action)
@@ -100,8 +138,15 @@ ViewerWindow::decide(Command command)
   if (desk_ == nullptr || command != Command::CHOOSE_HERE)
     return desk_ != nullptr && desk_->apply(command);
   const int* const mouse = window_->GetInteractor()->GetEventPosition();
-  desk_->chooseAt(mouse[0], mouse[1]);
-  return true;
+  chooseAt(mouse[0], mouse[1]);
+  return false;
+}
+
+void
+ViewerWindow::chooseAt(int x, int y)
+{
+  if (desk_ != nullptr && view_.showsOverlay(state_) && desk_->chooseAt(x, y))
+    show();
 }
 
 /** Put the stage and its legend in the window. */
@@ -147,7 +192,9 @@ ViewerWindow::press(const std::string& key_symbol)
 bool
 ViewerWindow::update()
 {
-  viewer_->spinOnce(UPDATE_INTERVAL);
+  // PCL's spinOnce() draws all the time: with millions of triangles nothing else is
+  // answered then.
+  window_->GetInteractor()->ProcessEvents();
   if (viewer_->wasStopped() || state_.quits())
     return false;
   const int* const size = window_->GetSize();

@@ -78,6 +78,8 @@ private:
   bool
   decide(Command command);
   void
+  chooseAt(int x, int y);
+  void
   show();
 
   StageView& view_;

@@ -35,13 +35,6 @@ TEST(DecisionEditor, GoesRoundLoopsAndJunctions)
   EXPECT_EQ(0U, editor.chosen());
 }
 
-TEST(DecisionEditor, ChoosesTheLoopAlongALineOfSight)
-{
-  DecisionEditor editor(twoLoops());
-  editor.chooseAlong({0.8, 0.0, 5.0}, {0.0, 0.0, -1.0});
-  EXPECT_EQ(1U, editor.chosen());
-}
-
 TEST(DecisionEditor, AcceptsAndRejectsLoopsAndJunctions)
 {
   DecisionEditor editor(twoLoops());
@@ -96,7 +89,6 @@ TEST(DecisionEditor, HasNothingToDecideOnAClosedSurface)
   DecisionEditor editor{Decisions()};
   editor.chooseNext();
   editor.accept();
-  editor.chooseAlong({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
   EXPECT_FALSE(editor.isChanged());
   EXPECT_TRUE(editor.chosenLoops().empty());
 }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: mouse and keys of the viewer, by events of an X server.
+#include <gtest/gtest.h>
+
+#include "inspect/inspection_colors.h"
+#include "pictures.h"
+#include "render/display.h"
+#include "repair/decision_proposal.h"
+#include "repair_fixture.h"
+#include "viewer/decision_desk.h"
+#include "viewer/stage_view.h"
+#include "viewer/stages.h"
+#include "viewer/viewer_window.h"
+#include "viewer_fixture.h"
+
+#include <cstdlib>
+#include <memory>
+
+namespace app_test {
+namespace {
+
+/** A window with the stage "boundaries" of two halves of a sphere. */
+class RenderViewerEvents : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (runInShell("command -v xdotool").exit_code != 0)
+      GTEST_SKIP() << "no xdotool here, which sends events: install it";
+    unsetenv("DISPLAY");
+    display_ = std::make_unique<app::Display>();
+    ASSERT_TRUE(display_->ready());
+    app::StageCamera camera;
+    camera.positions = run_.survey.model.positions;
+    camera.view = Eigen::Vector3d::UnitY();
+    camera.up = Eigen::Vector3d::UnitZ();
+    view_ = std::make_unique<app::StageView>(
+        app::makeStages(run_, camera.view), camera, "caps.ply");
+    window_ = std::make_unique<app::ViewerWindow>(
+        *view_, 700, 500, "caps", app::ScreenshotTaker());
+    desk_ = std::make_unique<app::DecisionDesk>(
+        proposeDecisions(run_.survey, {}), run_.survey, *view_, app::DecisionSaver());
+    window_->setDesk(*desk_);
+    window_->goTo(1);
+  }
+
+  /** Let the X server send events to the window, and answer them. */
+  void
+  send(const std::string& commands)
+  {
+    EXPECT_EQ(
+        0,
+        runInShell("xdotool search --name '^caps$' mousemove --window %1 " + commands)
+            .exit_code);
+    for (int i = 0; i < 10; ++i)
+      window_->update();
+  }
+
+  /** Where the model shows this colour, from the upper left corner. */
+  std::string
+  placeOf(const app::Rgb& color)
+  {
+    const Picture picture = decodePng(window_->picture());
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = picture.width / 2; x < picture.width; ++x)
+        if (picture.pixels[static_cast<std::size_t>(y * picture.width + x)] == color)
+          return std::to_string(x) + " " + std::to_string(y);
+    ADD_FAILURE() << "the colour is not to be seen";
+    return "0 0";
+  }
+
+  std::size_t
+  chosen() const
+  {
+    return desk_->editor().chosen();
+  }
+
+  std::unique_ptr<app::Display> display_;
+  app::ViewerRun run_ = runForViewer(twoCaps());
+  std::unique_ptr<app::StageView> view_;
+  std::unique_ptr<app::ViewerWindow> window_;
+  std::unique_ptr<app::DecisionDesk> desk_;
+};
+
+TEST_F(RenderViewerEvents, AClickPicksALoopOrJunctionAndNothingWhereThereIsNone)
+{
+  ASSERT_EQ(0U, chosen());
+  send(placeOf(app::colorOf(pcl::repair::BoundaryClass::ISLAND_RIM)) + " click 1");
+  EXPECT_EQ(1U, chosen());
+  send("690 300 click 1");
+  EXPECT_EQ(1U, chosen());
+  send(placeOf(app::TO_BE_CLOSED) + " click 1");
+  EXPECT_EQ(2U, chosen()) << "the line of the junction is picked";
+}
+
+TEST_F(RenderViewerEvents, ADragTurnsTheModelAndPicksNothing)
+{
+  const std::string loop =
+      placeOf(app::colorOf(pcl::repair::BoundaryClass::ISLAND_RIM));
+  const std::string before = window_->picture();
+  send(loop + " mousedown 1 mousemove_relative 40 30 mouseup 1");
+  EXPECT_EQ(0U, chosen());
+  EXPECT_TRUE(before != window_->picture());
+}
+
+TEST_F(RenderViewerEvents, KeysOfTheKeyboardDecide)
+{
+  send("400 300 key x period a");
+  EXPECT_EQ(pcl::repair::LoopWish::LEAVE_OPEN,
+            desk_->editor().decisions().loops[0].wish);
+  EXPECT_EQ(pcl::repair::LoopWish::CLOSE, desk_->editor().decisions().loops[1].wish);
+  send("400 300 key u");
+  EXPECT_EQ(pcl::repair::LoopWish::AUTO, desk_->editor().decisions().loops[1].wish);
+}
+
+} // namespace
+} // namespace app_test
