@@ -201,6 +201,7 @@ showWindow(const ViewerSettings& settings, const ViewerRun& run, StageView& view
   if (!run.from_cloud && run.problem.empty()) {
     desk.emplace(proposeDecisions(run.survey, settings.task.method),
                  run.survey,
+                 repairTask(settings.task, run),
                  view,
                  [&](const pcl::repair::Decisions& decisions) {
                    return keepDecisions(settings, decisions);

@@ -10,10 +10,12 @@
 #include "inspect/inspection_colors.h"
 #include "inspect/layer_builder.h"
 #include "render/mesh_parts.h"
+#include "viewer/local_repair.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace app {
@@ -25,6 +27,8 @@ using pcl::repair::LoopWish;
 
 constexpr double LOOP_WIDTH = 6.0; // pixels
 constexpr double LINK_WIDTH = 2.0;
+/** Edges of loops whose result is there in the blink of an eye. */
+constexpr std::size_t QUICK_EDGES = 300;
 constexpr double PICK_REACH = 10.0;
 /** Of the depth of the picture: lines lie in the surface. */
 constexpr double DEPTH_MARGIN = 0.01;
@@ -112,10 +116,12 @@ projectionOf(vtkRenderer& model)
 
 DecisionDesk::DecisionDesk(pcl::repair::Decisions decisions,
                            const pcl::repair::ModelSurvey& survey,
+                           const RepairTask& task,
                            StageView& view,
                            DecisionSaver save)
 : editor_(std::move(decisions))
 , survey_(survey)
+, task_(task)
 , view_(view)
 , save_(std::move(save))
 , lines_(linesOf(editor_.decisions(), survey.loops))
@@ -135,17 +141,15 @@ DecisionDesk::apply(Command command)
     editor_.choosePrevious();
     break;
   case Command::ACCEPT:
-    editor_.accept();
-    break;
   case Command::REJECT:
-    editor_.reject();
-    break;
   case Command::CHANGE_CAP:
-    editor_.changeCap();
+    more = decide(command);
+    break;
+  case Command::SHOW_RESULT:
+    more = showResult();
     break;
   case Command::UNDO:
-    if (!editor_.undo())
-      more = "There is nothing to take back.";
+    more = undo();
     break;
   case Command::SAVE:
     editor_.setSaved();
@@ -156,6 +160,69 @@ DecisionDesk::apply(Command command)
   }
   show(more);
   return true;
+}
+
+std::string
+DecisionDesk::decide(Command command)
+{
+  const std::size_t steps = editor_.steps();
+  if (command == Command::ACCEPT)
+    editor_.accept();
+  else if (command == Command::REJECT)
+    editor_.reject();
+  else
+    editor_.changeCap();
+  if (editor_.steps() == steps)
+    return "";
+  before_.push_back(results_);
+  hideResult();
+  return command == Command::REJECT ? "" : showResultIfQuick();
+}
+
+std::string
+DecisionDesk::undo()
+{
+  if (!editor_.undo())
+    return "There is nothing to take back.";
+  results_ = std::move(before_.back());
+  before_.pop_back();
+  return "";
+}
+
+/** Also of other choices about the same loops. */
+void
+DecisionDesk::hideResult()
+{
+  const auto loops = regionOf(editor_.decisions(), editor_.chosen());
+  for (auto at = results_.begin(); at != results_.end();) {
+    const auto others = regionOf(editor_.decisions(), at->first);
+    const bool is_other =
+        std::find_first_of(loops.begin(), loops.end(), others.begin(), others.end()) ==
+        loops.end();
+    at = is_other ? std::next(at) : results_.erase(at);
+  }
+}
+
+std::string
+DecisionDesk::showResult()
+{
+  if (editor_.size() == 0)
+    return "";
+  hideResult();
+  const LocalRepair local =
+      repairLocally(task_, survey_, editor_.decisions(), editor_.chosen());
+  if (local.triangles > 0)
+    results_[editor_.chosen()] = makePart(local.patches);
+  return local.told;
+}
+
+std::string
+DecisionDesk::showResultIfQuick()
+{
+  std::size_t edges = 0;
+  for (const std::size_t loop : regionOf(editor_.decisions(), editor_.chosen()))
+    edges += survey_.loops[loop].vertices.size();
+  return edges > QUICK_EDGES ? "v shows the result here." : showResult();
 }
 
 bool
@@ -220,6 +287,8 @@ DecisionDesk::show(const std::string& more)
     overlay.lines.push_back({makePart(coloredLoops()), LOOP_WIDTH});
   if (!editor_.decisions().junctions.empty())
     overlay.lines.push_back({makePart(coloredLinks()), LINK_WIDTH});
+  for (const auto& result : results_)
+    overlay.faces.push_back(result.second);
   overlay.labels = labelsOf(editor_.decisions());
   view_.setOverlay(overlay);
 }

@@ -2,13 +2,16 @@
 // Part of PclSurfaceRepair: shows decisions in the viewer, and makes them by its keys.
 #pragma once
 
+#include "cli/repair_run.h"
 #include "survey/model_survey.h"
 #include "viewer/decision_editor.h"
 #include "viewer/picking.h"
 #include "viewer/stage_view.h"
 
 #include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -20,9 +23,11 @@ using DecisionSaver = std::function<std::string(const pcl::repair::Decisions&)>;
  */
 class DecisionDesk {
 public:
-  /** \brief Survey and view have to outlive it. */
+  /** \brief Survey and view have to outlive it. \param[in] task by which the survey
+   * was made, for the results of single regions */
   DecisionDesk(pcl::repair::Decisions decisions,
                const pcl::repair::ModelSurvey& survey,
+               const RepairTask& task,
                StageView& view,
                DecisionSaver save);
 
@@ -44,6 +49,19 @@ public:
   }
 
 private:
+  /** What has come of single regions: new triangles by what was chosen. */
+  using Results = std::map<std::size_t, vtkSmartPointer<vtkPolyData>>;
+
+  std::string
+  decide(Command command);
+  std::string
+  undo();
+  void
+  hideResult();
+  std::string
+  showResult();
+  std::string
+  showResultIfQuick();
   void
   show(const std::string& more = "");
   InspectionLayer
@@ -53,8 +71,11 @@ private:
 
   DecisionEditor editor_;
   const pcl::repair::ModelSurvey& survey_;
+  RepairTask task_;
   StageView& view_;
   DecisionSaver save_;
+  Results results_;             /**< that are shown */
+  std::vector<Results> before_; /**< each step of the editor */
   std::vector<PickLine> lines_; /**< of the loops, then of the junctions */
 };
 

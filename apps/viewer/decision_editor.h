@@ -81,6 +81,13 @@ public:
   bool
   undo();
 
+  /** \brief Changes that undo() can take back. */
+  std::size_t
+  steps() const
+  {
+    return steps_.size();
+  }
+
   /** \brief Whether anything is not as it was when it was saved last. */
   bool
   isChanged() const

@@ -124,8 +124,8 @@ StageView::showParts(const ViewState& state, int height)
       part.actor->GetProperty()->SetLineWidth(part.size > 0.0 ? size : 1.0F);
       part.actor->GetProperty()->SetPointSize(size);
     }
-  for (const auto& prop : overlay_)
-    prop->SetVisibility(showsOverlay(state) && state.shows(Layer::LINES) ? 1 : 0);
+  for (const auto& [layer, prop] : overlay_)
+    prop->SetVisibility(showsOverlay(state) && state.shows(layer) ? 1 : 0);
 }
 
 bool
@@ -138,14 +138,20 @@ StageView::showsOverlay(const ViewState& state) const
 void
 StageView::setOverlay(const StageOverlay& overlay)
 {
-  for (const auto& prop : overlay_)
-    model_->RemoveViewProp(prop);
+  for (const auto& layer_and_prop : overlay_)
+    model_->RemoveViewProp(layer_and_prop.second);
   overlay_.clear();
   note_ = overlay.note;
   for (const StageOverlay::Lines& lines : overlay.lines) {
     auto marks = makeMarks(lines.part, {0.0, 0.0, 0.0}, lines.width);
     showColors(lines.part, *marks);
-    overlay_.emplace_back(marks);
+    overlay_.emplace_back(Layer::LINES, marks);
+  }
+  for (const auto& part : overlay.faces) {
+    auto faces = makeFaces(part, {1.0, 1.0, 1.0}, {1.0, 1.0, 1.0});
+    brighten(*faces);
+    showColors(part, *faces);
+    overlay_.emplace_back(Layer::SURFACE, faces);
   }
   for (const StageLabel& label : overlay.labels) {
     const auto text = vtkSmartPointer<vtkBillboardTextActor3D>::New();
@@ -156,10 +162,10 @@ StageView::setOverlay(const StageOverlay& overlay)
     text->GetTextProperty()->BoldOn();
     text->GetTextProperty()->SetJustificationToCentered();
     text->GetTextProperty()->SetVerticalJustificationToCentered();
-    overlay_.emplace_back(text);
+    overlay_.emplace_back(Layer::LINES, text);
   }
-  for (const auto& prop : overlay_)
-    model_->AddViewProp(prop);
+  for (const auto& layer_and_prop : overlay_)
+    model_->AddViewProp(layer_and_prop.second);
 }
 
 std::vector<vtkSmartPointer<vtkRenderer>>

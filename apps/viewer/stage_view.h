@@ -13,6 +13,7 @@
 #include "viewer/view_state.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -41,6 +42,7 @@ struct StageOverlay {
   };
   std::string note; /**< in place of the stage's text */
   std::vector<Lines> lines;
+  std::vector<vtkSmartPointer<vtkPolyData>> faces; /**< with a colour a point */
   std::vector<StageLabel> labels;
 };
 
@@ -94,7 +96,7 @@ private:
   std::string subject_;
   vtkSmartPointer<vtkRenderer> model_;
   std::string note_; /**< of the overlay; empty: there is none */
-  std::vector<vtkSmartPointer<vtkProp>> overlay_;
+  std::vector<std::pair<Layer, vtkSmartPointer<vtkProp>>> overlay_;
 };
 
 /** \brief A picture of one stage with its legend, for a painter of this size: the bytes

@@ -37,6 +37,7 @@ commandKeys()
       {"a", Command::ACCEPT},
       {"x", Command::REJECT},
       {"c", Command::CHANGE_CAP},
+      {"v", Command::SHOW_RESULT},
       {"u", Command::UNDO},
       {"w", Command::SAVE},
       {"h", Command::HELP},

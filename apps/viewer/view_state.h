@@ -29,6 +29,7 @@ enum class Command : std::uint8_t {
   ACCEPT,
   REJECT,
   CHANGE_CAP,
+  SHOW_RESULT,
   UNDO,
   SAVE,
   HELP,
@@ -71,11 +72,12 @@ constexpr std::array<KeyHelp, 8> OTHER_KEYS{{{"n b", "next stage, back"},
                                              {"q", "quit"}}};
 
 /** \brief The keys by which decisions are made, for the help. */
-constexpr std::array<KeyHelp, 7> DECISION_KEYS{{{". ,", "next, previous"},
+constexpr std::array<KeyHelp, 8> DECISION_KEYS{{{". ,", "next, previous"},
                                                 {"click k", "what is at the mouse"},
                                                 {"a", "close, join"},
                                                 {"x", "leave open, apart"},
                                                 {"c", "flat or smooth"},
+                                                {"v", "result here"},
                                                 {"u", "undo"},
                                                 {"w", "write the file"}}};
 

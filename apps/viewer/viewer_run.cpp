@@ -3,7 +3,6 @@
 #include "viewer/viewer_run.h"
 
 #include "cli/reconstruct_run.h"
-#include "cli/repair_run.h"
 #include "io/interrupt.h"
 #include "io/model_io.h"
 #include "io/position_check.h"
@@ -78,6 +77,14 @@ readForViewer(const ViewerTask& task, ViewerRun& run)
     require(readCloud(task.free_points, run.free_points));
 }
 
+RepairTask
+repairTask(const ViewerTask& task, const ViewerRun& run)
+{
+  return {task.method,
+          task.free_points.empty() ? nullptr : &run.free_points.mesh.cloud,
+          task.threads};
+}
+
 void
 runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
 {
@@ -91,10 +98,7 @@ runForViewer(const ViewerTask& task, ProgressBar& bar, ViewerRun& run)
     run.problem = "no triangle could be made of these points";
     return;
   }
-  const RepairTask repair{task.method,
-                          task.free_points.empty() ? nullptr
-                                                   : &run.free_points.mesh.cloud,
-                          task.threads};
+  const RepairTask repair = repairTask(task, run);
   run.survey = surveyMesh(repair, run.input.viewpoint, bar, run.result);
   run.problem = run.survey.reading.problem;
   if (!run.problem.empty() && task.method.survey.decisions)

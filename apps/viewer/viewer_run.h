@@ -7,6 +7,7 @@
 #include <pcl/PolygonMesh.h>
 
 #include "cli/progress.h"
+#include "cli/repair_run.h"
 #include "io/model.h"
 #include "survey/model_survey.h"
 
@@ -44,6 +45,10 @@ struct ViewerRun {
 /** \brief Read the input and the free points; fails for input that is of no use. */
 void
 readForViewer(const ViewerTask& task, ViewerRun& run);
+
+/** \brief The repair of a run. The run has to outlive it. */
+RepairTask
+repairTask(const ViewerTask& task, const ViewerRun& run);
 
 /** \brief Make a mesh of a cloud, survey and repair it. After a signal the run is of no
  * use. */

@@ -38,8 +38,11 @@ protected:
         app::makeStages(run_, camera.view), camera, "caps.ply");
     window_ = std::make_unique<app::ViewerWindow>(
         *view_, 700, 500, "caps", app::ScreenshotTaker());
-    desk_ = std::make_unique<app::DecisionDesk>(
-        proposeDecisions(run_.survey, {}), run_.survey, *view_, app::DecisionSaver());
+    desk_ = std::make_unique<app::DecisionDesk>(proposeDecisions(run_.survey, {}),
+                                                run_.survey,
+                                                app::RepairTask(),
+                                                *view_,
+                                                app::DecisionSaver());
     window_->setDesk(*desk_);
     window_->goTo(1);
   }
@@ -101,6 +104,24 @@ TEST_F(RenderViewerEvents, ADragTurnsTheModelAndPicksNothing)
   send(loop + " mousedown 1 mousemove_relative 40 30 mouseup 1");
   EXPECT_EQ(0U, chosen());
   EXPECT_TRUE(before != window_->picture());
+}
+
+TEST_F(RenderViewerEvents, TheResultOfOneRegionIsShownAtOnceAndUndone)
+{
+  const auto patches = [&] {
+    return countShaded(decodePng(window_->picture()),
+                       app::colorOf(pcl::TriangleOrigin::COMPLETION));
+  };
+  ASSERT_EQ(0U, patches());
+  send("400 300 key comma v"); // the junction
+  const std::size_t joined = patches();
+  EXPECT_GT(joined, 1000U);
+  send("400 300 key x");
+  EXPECT_EQ(0U, patches());
+  send("400 300 key u");
+  EXPECT_EQ(joined, patches());
+  send("400 300 key v");
+  EXPECT_EQ(joined, patches()) << "the same again";
 }
 
 TEST_F(RenderViewerEvents, KeysOfTheKeyboardDecide)

@@ -143,6 +143,7 @@ TEST_F(RenderViewerWindow, MakesDecisionsByKeysAndSavesThem)
   std::vector<pcl::repair::Decisions> saved;
   app::DecisionDesk desk(proposeDecisions(run_.survey, {}),
                          run_.survey,
+                         {},
                          view,
                          [&](const pcl::repair::Decisions& decisions) {
                            saved.push_back(decisions);
