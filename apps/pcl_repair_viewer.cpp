@@ -4,8 +4,10 @@
 #include "cli/progress.h"
 #include "io/decisions_file.h"
 #include "io/interrupt.h"
+#include "io/model_io.h"
 #include "io/output_file.h"
 #include "io/output_folder.h"
+#include "io/overwriting.h"
 #include "io/point_columns.h"
 #include "render/camera.h"
 #include "render/display.h"
@@ -16,6 +18,7 @@
 #include "viewer/decision_desk.h"
 #include "viewer/stage_view.h"
 #include "viewer/stages.h"
+#include "viewer/viewer_files.h"
 #include "viewer/viewer_options.h"
 #include "viewer/viewer_window.h"
 
@@ -44,10 +47,14 @@ checkOutputs(const ViewerSettings& settings)
     throw Failure(
         "no X display to open a window on: set DISPLAY, or use --screenshot FILE.png");
   checkDifferentFiles({settings.task.input, settings.task.free_points},
-                      {settings.screenshot});
+                      {settings.screenshot, settings.decisions, settings.output});
   for (const std::string& file : {settings.screenshot, settings.decisions})
     if (!file.empty())
       require(OutputFile::check(file));
+  if (!settings.output.empty()) {
+    require(checkReplaceable(settings.output));
+    require(checkMeshOutput(settings.output));
+  }
   if (!settings.folder.empty())
     require(OutputFolder::check(settings.folder));
 }
@@ -149,53 +156,22 @@ writePictures(const ViewerSettings& settings, StageView& view)
   return false;
 }
 
-/** The picture goes beside no earlier one of the same name. */
-void
-keepScreenshot(const ViewerSettings& settings,
-               const std::string& stage,
-               const std::string& bytes)
-{
-  const std::string stem = fs::path(settings.task.input).stem().string() + "_" + stage;
-  std::string name = stem + ".png";
-  std::error_code ignored;
-  for (int i = 2; fs::exists(name, ignored); ++i)
-    name = stem + "_" + std::to_string(i) + ".png";
-  OutputFile file;
-  Status status = file.open(name);
-  if (status.ok()) {
-    file.text(bytes);
-    status = file.commit();
-  }
-  if (!status.ok())
-    std::cerr << "pcl_repair_viewer: " << status.message() << std::endl;
-  else if (!settings.quiet)
-    std::cout << "screenshot: " << name << std::endl;
-}
-
-std::string
-keepDecisions(const ViewerSettings& settings, const pcl::repair::Decisions& decisions)
-{
-  if (settings.decisions.empty())
-    return "There is no file to write: it is named by --decisions FILE.";
-  OutputFile file;
-  Status status = file.open(settings.decisions);
-  if (status.ok()) {
-    writeDecisions(settings.task.input, decisions, file);
-    status = file.commit();
-  }
-  return status.ok() ? "Written to " + settings.decisions + "." : status.message();
-}
-
 /** \return whether a signal closed it */
 bool
 showWindow(const ViewerSettings& settings, const ViewerRun& run, StageView& view)
 {
+  const ViewerFiles files(settings, run);
+  const auto say = [&](const std::string& told) {
+    if (!settings.quiet)
+      std::cout << told << std::endl;
+    return told;
+  };
   ViewerWindow window(view,
                       settings.view.width,
                       settings.view.height,
                       "pcl_repair_viewer: " + settings.task.input,
                       [&](const std::string& stage, const std::string& bytes) {
-                        keepScreenshot(settings, stage, bytes);
+                        say(files.savePicture(stage, bytes));
                       });
   std::optional<DecisionDesk> desk;
   if (!run.from_cloud && run.problem.empty()) {
@@ -203,9 +179,12 @@ showWindow(const ViewerSettings& settings, const ViewerRun& run, StageView& view
                  run.survey,
                  repairTask(settings.task, run),
                  view,
-                 [&](const pcl::repair::Decisions& decisions) {
-                   return keepDecisions(settings, decisions);
-                 });
+                 DecisionSavers{[&](const pcl::repair::Decisions& decisions) {
+                                  return say(files.saveDecisions(decisions));
+                                },
+                                [&](const pcl::repair::Decisions& decisions) {
+                                  return say(files.saveMesh(decisions));
+                                }});
     window.setDesk(*desk);
   }
   window.goTo(chosenStage(settings, view.stages(), 0));

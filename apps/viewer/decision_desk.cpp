@@ -118,12 +118,12 @@ DecisionDesk::DecisionDesk(pcl::repair::Decisions decisions,
                            const pcl::repair::ModelSurvey& survey,
                            const RepairTask& task,
                            StageView& view,
-                           DecisionSaver save)
+                           DecisionSavers savers)
 : editor_(std::move(decisions))
 , survey_(survey)
 , task_(task)
 , view_(view)
-, save_(std::move(save))
+, savers_(std::move(savers))
 , lines_(linesOf(editor_.decisions(), survey.loops))
 {
   show();
@@ -153,7 +153,10 @@ DecisionDesk::apply(Command command)
     break;
   case Command::SAVE:
     editor_.setSaved();
-    more = save_(editor_.decisions());
+    more = savers_.decisions(editor_.decisions());
+    break;
+  case Command::SAVE_MESH:
+    more = savers_.mesh(editor_.decisions());
     break;
   default:
     return false;

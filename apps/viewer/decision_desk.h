@@ -15,8 +15,15 @@
 
 namespace app {
 
-/** \brief Writes decisions to their file. \return a sentence about how that went */
+/** \brief Writes decisions, or what comes of them. \return a sentence about how that
+ * went */
 using DecisionSaver = std::function<std::string(const pcl::repair::Decisions&)>;
+
+/** \brief What is written by keys. */
+struct DecisionSavers {
+  DecisionSaver decisions;
+  DecisionSaver mesh; /**< that comes of them */
+};
 
 /** \brief Between keys, a DecisionEditor and the stages "boundaries" and "holes", in
  * which loops and junctions have their numbers and the colour of what is decided.
@@ -29,7 +36,7 @@ public:
                const pcl::repair::ModelSurvey& survey,
                const RepairTask& task,
                StageView& view,
-               DecisionSaver save);
+               DecisionSavers savers);
 
   /** \brief Do what a key asks for, if it is about decisions. \return whether the
    * picture is another one now */
@@ -41,6 +48,13 @@ public:
    * without drawing. \return false where there is none: nothing changes */
   bool
   chooseAt(int x, int y);
+
+  /** \brief Say something below what is chosen, until the next key. */
+  void
+  say(const std::string& text)
+  {
+    show(text);
+  }
 
   const DecisionEditor&
   editor() const
@@ -73,7 +87,7 @@ private:
   const pcl::repair::ModelSurvey& survey_;
   RepairTask task_;
   StageView& view_;
-  DecisionSaver save_;
+  DecisionSavers savers_;
   Results results_;             /**< that are shown */
   std::vector<Results> before_; /**< each step of the editor */
   std::vector<PickLine> lines_; /**< of the loops, then of the junctions */

@@ -40,6 +40,7 @@ commandKeys()
       {"v", Command::SHOW_RESULT},
       {"u", Command::UNDO},
       {"w", Command::SAVE},
+      {"y", Command::SAVE_MESH},
       {"h", Command::HELP},
       {"q", Command::QUIT},
       {"Escape", Command::QUIT}};

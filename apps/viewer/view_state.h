@@ -32,6 +32,7 @@ enum class Command : std::uint8_t {
   SHOW_RESULT,
   UNDO,
   SAVE,
+  SAVE_MESH,
   HELP,
   QUIT
 };
@@ -79,7 +80,7 @@ constexpr std::array<KeyHelp, 8> DECISION_KEYS{{{". ,", "next, previous"},
                                                 {"c", "flat or smooth"},
                                                 {"v", "result here"},
                                                 {"u", "undo"},
-                                                {"w", "write the file"}}};
+                                                {"w y", "save decisions, mesh"}}};
 
 /** \brief The stage and the layers that are shown. Edges and normals are hidden at
  * first: they would hide the rest. */

@@ -74,7 +74,10 @@ addViewerOptions(CommandLine& command_line, ViewerSettings& settings)
                settings.task.free_points)("a cloud of points of the missing regions");
   options.text("decisions", settings.decisions)(
       "JSON file of decisions about boundaries and junctions of a mesh: read if it is "
-      "there, written by the key w");
+      "there, written by the key w; without it that writes INPUT_decisions.json");
+  options.name("output,o", settings.output)(
+      "file for the mesh that the key y repairs as decided; without it "
+      "INPUT_repaired.ply beside the input");
   addThreads(command_line, settings.task.threads);
   command_line.then([&settings] { return checkChoices(settings); });
   addMethodOptions(command_line, settings.task.method);

@@ -18,6 +18,7 @@ struct ViewerSettings {
   std::string folder;     /**< for a picture of every stage; empty: none */
   InspectionView view{1280, 800, {}, {}};
   std::string decisions; /**< file; empty: none */
+  std::string output;    /**< file of the mesh; empty: one beside the input */
   bool quiet = false;
 
   /** \brief Whether pictures are asked for and no window. */

@@ -135,8 +135,14 @@ ViewerWindow::act(const Action& action)
 bool
 ViewerWindow::decide(Command command)
 {
-  if (desk_ == nullptr || command != Command::CHOOSE_HERE)
-    return desk_ != nullptr && desk_->apply(command);
+  if (desk_ == nullptr)
+    return false;
+  if (command == Command::SAVE_MESH) {
+    desk_->say("The whole mesh is being repaired.");
+    show();
+  }
+  if (command != Command::CHOOSE_HERE)
+    return desk_->apply(command);
   const int* const mouse = window_->GetInteractor()->GetEventPosition();
   chooseAt(mouse[0], mouse[1]);
   return false;

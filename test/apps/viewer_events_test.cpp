@@ -42,7 +42,7 @@ protected:
                                                 run_.survey,
                                                 app::RepairTask(),
                                                 *view_,
-                                                app::DecisionSaver());
+                                                app::DecisionSavers());
     window_->setDesk(*desk_);
     window_->goTo(1);
   }
@@ -132,6 +132,60 @@ TEST_F(RenderViewerEvents, KeysOfTheKeyboardDecide)
   EXPECT_EQ(pcl::repair::LoopWish::CLOSE, desk_->editor().decisions().loops[1].wish);
   send("400 300 key u");
   EXPECT_EQ(pcl::repair::LoopWish::AUTO, desk_->editor().decisions().loops[1].wish);
+}
+
+/** The program as a user runs it, on a display of its own. */
+class RenderViewerProgram : public testing::Test {
+protected:
+  void
+  SetUp() override
+  {
+    if (runInShell("command -v xdotool").exit_code != 0)
+      GTEST_SKIP() << "no xdotool here, which sends events: install it";
+    unsetenv("DISPLAY");
+    display_ = std::make_unique<app::Display>();
+    ASSERT_TRUE(display_->ready());
+    save(folder_.path("caps.ply"), twoCaps());
+  }
+
+  /** Start it in the folder, do something, and wait for its end. */
+  RunResult
+  runAndDo(const std::string& arguments, const std::string& commands)
+  {
+    return runInShell("cd " + folder_.path("") + "; pcl_repair_viewer " + arguments +
+                      " --stage boundaries --size 700x500 & viewer=$!\n"
+                      "until_there() { for i in $(seq 600); do [[ -e $1 ]] && return; "
+                      "sleep 0.1; done; }\n"
+                      "point() { xdotool search --sync --onlyvisible --name \"$1\" "
+                      "mousemove --sync --window %1 400 300; }\n"
+                      "patience() { sleep 60; kill $viewer; }; patience & guard=$!\n" +
+                      commands + "\nwait $viewer; code=$?; kill $guard; exit $code");
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<app::Display> display_;
+};
+
+TEST_F(RenderViewerProgram, SavesTheMeshThatARepairMakesWithTheDecisionsSaved)
+{
+  const RunResult run = runAndDo("caps.ply",
+                                 "point '^pcl_repair_viewer: caps'\n"
+                                 "xdotool key a period x w\n"
+                                 "until_there caps_decisions.json; xdotool key y\n"
+                                 "until_there caps_repaired.ply; xdotool key q");
+  EXPECT_EQ(0, run.exit_code) << run.errors;
+  EXPECT_NE(std::string::npos, run.output.find("Written to caps_repaired.ply. "))
+      << run.output;
+  const RunResult direct = runApp("pcl_repair_holes",
+                                  {folder_.path("caps.ply"),
+                                   folder_.path("direct.ply"),
+                                   "--decisions",
+                                   folder_.path("caps_decisions.json")});
+  EXPECT_EQ(2, direct.exit_code) << "half of the surface is new: " << direct.errors;
+  EXPECT_TRUE(readFile(folder_.path("direct.ply")) ==
+              readFile(folder_.path("caps_repaired.ply")));
+  EXPECT_GT(loadMesh(folder_.path("direct.ply")).mesh.polygons.size(),
+            twoCaps().polygons.size());
 }
 
 } // namespace

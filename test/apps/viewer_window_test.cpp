@@ -145,10 +145,11 @@ TEST_F(RenderViewerWindow, MakesDecisionsByKeysAndSavesThem)
                          run_.survey,
                          {},
                          view,
-                         [&](const pcl::repair::Decisions& decisions) {
-                           saved.push_back(decisions);
-                           return "";
-                         });
+                         {[&](const pcl::repair::Decisions& decisions) {
+                            saved.push_back(decisions);
+                            return "";
+                          },
+                          {}});
   window.setDesk(desk);
   window.press("n");
   const auto count = [&] {
