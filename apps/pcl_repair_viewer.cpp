@@ -16,6 +16,7 @@
 #include "report/hole_report.h"
 #include "report/verdict.h"
 #include "viewer/decision_desk.h"
+#include "viewer/file_dialog.h"
 #include "viewer/stage_view.h"
 #include "viewer/stages.h"
 #include "viewer/viewer_files.h"
@@ -23,9 +24,12 @@
 #include "viewer/viewer_window.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace app {
 namespace {
@@ -156,44 +160,6 @@ writePictures(const ViewerSettings& settings, StageView& view)
   return false;
 }
 
-/** \return whether a signal closed it */
-bool
-showWindow(const ViewerSettings& settings, const ViewerRun& run, StageView& view)
-{
-  const ViewerFiles files(settings, run);
-  const auto say = [&](const std::string& told) {
-    if (!settings.quiet)
-      std::cout << told << std::endl;
-    return told;
-  };
-  ViewerWindow window(view,
-                      settings.view.width,
-                      settings.view.height,
-                      "pcl_repair_viewer: " + settings.task.input,
-                      [&](const std::string& stage, const std::string& bytes) {
-                        say(files.savePicture(stage, bytes));
-                      });
-  std::optional<DecisionDesk> desk;
-  if (!run.from_cloud && run.problem.empty()) {
-    desk.emplace(proposeDecisions(run.survey, settings.task.method),
-                 run.survey,
-                 repairTask(settings.task, run),
-                 view,
-                 DecisionSavers{[&](const pcl::repair::Decisions& decisions) {
-                                  return say(files.saveDecisions(decisions));
-                                },
-                                [&](const pcl::repair::Decisions& decisions) {
-                                  return say(files.saveMesh(decisions));
-                                }});
-    window.setDesk(*desk);
-  }
-  window.goTo(chosenStage(settings, view.stages(), 0));
-  while (window.update())
-    if (interrupted())
-      return true;
-  return false;
-}
-
 void
 sumUp(const ViewerSettings& settings, const ViewerRun& run)
 {
@@ -210,29 +176,147 @@ tellVerdict(const ViewerRun& run)
   return run.repaired ? tellSurface(surfaceFacts(run.repair)) : "shown";
 }
 
-Outcome
-run(ViewerSettings& settings)
-{
+/** A file that is open. The view looks into the run. */
+struct Session {
+  ViewerSettings settings;
   ViewerRun run;
-  checkOutputs(settings);
-  require(
-      readDecisionsIfAny(settings.decisions, settings.task.method.survey.decisions));
-  settings.task.repairs = needsRepair(settings);
+  std::unique_ptr<StageView> view;
+};
+
+/** Everything up to what is drawn. \return null after a signal */
+std::unique_ptr<Session>
+load(const ViewerSettings& settings)
+{
+  auto session = std::make_unique<Session>();
+  session->settings = settings;
+  ViewerTask& task = session->settings.task;
+  require(readDecisionsIfAny(settings.decisions, task.method.survey.decisions));
+  task.repairs = needsRepair(settings);
   ProgressBar bar(settings.quiet);
   bar.show("reading", 0);
-  readForViewer(settings.task, run);
-  checkStage(settings, run.from_cloud);
-  runForViewer(settings.task, bar, run);
+  readForViewer(task, session->run);
+  checkStage(settings, session->run.from_cloud);
+  runForViewer(task, bar, session->run);
   if (!bar.show("drawing", 0))
-    return {INTERRUPTED, stopped_by_signal, {}};
-  StageView view = makeView(settings, run);
+    return nullptr;
+  session->view =
+      std::make_unique<StageView>(makeView(session->settings, session->run));
   bar.clear();
-  sumUp(settings, run);
-  if (!settings.offScreen() && showWindow(settings, run, view))
-    return {INTERRUPTED, "stopped by a signal", {}};
-  if (settings.offScreen() && writePictures(settings, view))
+  sumUp(settings, session->run);
+  return session;
+}
+
+/** Ask for a file until one can be read, or none is chosen: null then, and after a
+ * signal. */
+std::unique_ptr<Session>
+askAndLoad(ViewerSettings settings)
+{
+  if (settings.offScreen() || !hasFileDialog())
+    throw Failure("INPUT is missing (try --help)");
+  for (std::string title = "Open a cloud or mesh";;) {
+    settings.task.input = askForFile(title, "");
+    if (settings.task.input.empty())
+      return nullptr;
+    try {
+      return load(settings);
+    }
+    catch (const std::exception& error) {
+      title = error.what();
+    }
+  }
+}
+
+/** Another file in place of one that is open, with the same options but those that name
+ * files or a stage. Null where none is chosen or it cannot be read: the window says
+ * why. */
+std::unique_ptr<Session>
+loadAnother(const Session& session, ViewerWindow& window)
+{
+  if (!hasFileDialog()) {
+    window.tell("Without Qt this program has no dialog to open files.");
+    return nullptr;
+  }
+  ViewerSettings settings = session.settings;
+  std::string& input = settings.task.input;
+  input = askForFile("Open a cloud or mesh", input);
+  if (input.empty())
+    return nullptr;
+  for (std::string* name : {&settings.stage,
+                            &settings.decisions,
+                            &settings.output,
+                            &settings.task.free_points})
+    name->clear();
+  settings.task.method.survey.decisions = nullptr;
+  window.tell("Opening " + input + ".");
+  try {
+    return load(settings);
+  }
+  catch (const std::exception& error) {
+    window.tell(error.what());
+    return nullptr;
+  }
+}
+
+/** \return what was opened in its place; null when it was closed, or by a signal */
+std::unique_ptr<Session>
+showWindow(const Session& session)
+{
+  const ViewerSettings& settings = session.settings;
+  const ViewerRun& run = session.run;
+  const ViewerFiles files(settings, run);
+  const auto say = [&](const std::string& told) {
+    if (!settings.quiet)
+      std::cout << told << std::endl;
+    return told;
+  };
+  ViewerWindow window(*session.view,
+                      settings.view.width,
+                      settings.view.height,
+                      "pcl_repair_viewer: " + settings.task.input,
+                      [&](const std::string& stage, const std::string& bytes) {
+                        say(files.savePicture(stage, bytes));
+                      });
+  std::optional<DecisionDesk> desk;
+  if (!run.from_cloud && run.problem.empty()) {
+    desk.emplace(proposeDecisions(run.survey, settings.task.method),
+                 run.survey,
+                 repairTask(settings.task, run),
+                 *session.view,
+                 DecisionSavers{[&](const pcl::repair::Decisions& decisions) {
+                                  return say(files.saveDecisions(decisions));
+                                },
+                                [&](const pcl::repair::Decisions& decisions) {
+                                  return say(files.saveMesh(decisions));
+                                }});
+    window.setDesk(*desk);
+  }
+  window.goTo(chosenStage(settings, session.view->stages(), 0));
+  std::unique_ptr<Session> next;
+  while (!next && !interrupted() && window.update())
+    if (window.takeOpenWish())
+      next = loadAnother(session, window);
+  return next;
+}
+
+Outcome
+run(const ViewerSettings& settings)
+{
+  checkOutputs(settings);
+  std::unique_ptr<Session> session =
+      settings.task.input.empty() ? askAndLoad(settings) : load(settings);
+  if (interrupted())
     return {INTERRUPTED, stopped_by_signal, {}};
-  return {DONE, "", run.input.warnings, {tellVerdict(run), &std::cout}};
+  if (!session)
+    return {DONE, "", {}, {"nothing was opened", &std::cout}};
+  if (settings.offScreen() && writePictures(settings, *session->view))
+    return {INTERRUPTED, stopped_by_signal, {}};
+  if (!settings.offScreen())
+    while (std::unique_ptr<Session> next = showWindow(*session))
+      session = std::move(next);
+  if (interrupted())
+    return {INTERRUPTED, "stopped by a signal", {}};
+  const ViewerRun& shown = session->run;
+  return {DONE, "", shown.input.warnings, {tellVerdict(shown), &std::cout}};
 }
 
 } // namespace

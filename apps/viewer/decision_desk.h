@@ -49,13 +49,6 @@ public:
   bool
   chooseAt(int x, int y);
 
-  /** \brief Say something below what is chosen, until the next key. */
-  void
-  say(const std::string& text)
-  {
-    show(text);
-  }
-
   const DecisionEditor&
   editor() const
   {

@@ -177,6 +177,8 @@ StageView::arrange(const ViewState& state, int width, int height, bool with_keys
   legend.title = std::to_string(state.stage() + 1) + "/" +
                  std::to_string(stages_.size()) + " " + stage.title;
   legend.text = showsOverlay(state) ? note_ : stage.text;
+  if (!message_.empty())
+    legend.text += (legend.text.empty() ? "" : " ") + message_;
   for (const StageColor& color : stage.legend)
     if (state.shows(color.layer))
       legend.entries.push_back(color.entry);

@@ -76,6 +76,14 @@ public:
   void
   setOverlay(const StageOverlay& overlay);
 
+  /** \brief Something to be said below what the legend says; empty: nothing.
+   * \return whether there was something before */
+  bool
+  setMessage(const std::string& text)
+  {
+    return !std::exchange(message_, text).empty();
+  }
+
   /** \brief Whether there is something to be drawn over the stage that is shown. */
   bool
   showsOverlay(const ViewState& state) const;
@@ -95,6 +103,7 @@ private:
   StageCamera camera_;
   std::string subject_;
   vtkSmartPointer<vtkRenderer> model_;
+  std::string message_;
   std::string note_; /**< of the overlay; empty: there is none */
   std::vector<std::pair<Layer, vtkSmartPointer<vtkProp>>> overlay_;
 };

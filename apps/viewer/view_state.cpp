@@ -41,6 +41,7 @@ commandKeys()
       {"u", Command::UNDO},
       {"w", Command::SAVE},
       {"y", Command::SAVE_MESH},
+      {"f", Command::OPEN_FILE},
       {"h", Command::HELP},
       {"q", Command::QUIT},
       {"Escape", Command::QUIT}};

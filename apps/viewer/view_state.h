@@ -33,6 +33,7 @@ enum class Command : std::uint8_t {
   UNDO,
   SAVE,
   SAVE_MESH,
+  OPEN_FILE,
   HELP,
   QUIT
 };
@@ -63,12 +64,13 @@ constexpr std::array<KeyHelp, LAYERS> LAYER_KEYS{{{"s", "surface"},
                                                   {"p", "points"}}};
 
 /** \brief All other keys, for the help. */
-constexpr std::array<KeyHelp, 8> OTHER_KEYS{{{"n b", "next stage, back"},
+constexpr std::array<KeyHelp, 9> OTHER_KEYS{{{"n b", "next stage, back"},
                                              {"1-9", "go to a stage"},
                                              {"+ -", "thicker, thinner"},
                                              {"r", "see the whole model"},
                                              {"o", "from the other side"},
                                              {"j", "screenshot"},
+                                             {"f", "open a file"},
                                              {"h", "hide or show keys"},
                                              {"q", "quit"}}};
 

@@ -41,12 +41,14 @@ viewerUsage()
 {
   return {
       "pcl_repair_viewer",
-      "INPUT [options]",
+      "[INPUT] [options]",
       "Shows how a cloud becomes a surface and a surface is repaired, stage by stage:\n"
       "cloud, start, filter, base, boundaries, lines, bridges, holes, result. A mesh\n"
       "begins with itself (stage mesh) in place of the first four. In the window n and "
       "b\n"
-      "step through the stages; the other keys are listed there.\n\n"
+      "step through the stages; the other keys are listed there. Without INPUT a "
+      "dialog\n"
+      "asks for it.\n\n"
       "INPUT   cloud " +
           std::string(cloud_endings) + "\n        or mesh " + mesh_endings,
       "  pcl_repair_viewer bunny.pcd\n"
@@ -81,7 +83,10 @@ addViewerOptions(CommandLine& command_line, ViewerSettings& settings)
   addThreads(command_line, settings.task.threads);
   command_line.then([&settings] { return checkChoices(settings); });
   addMethodOptions(command_line, settings.task.method);
-  command_line.positional("INPUT", settings.task.input);
+  command_line.positional("INPUT", settings.inputs, false);
+  command_line.then([&settings] {
+    settings.task.input = settings.inputs.empty() ? "" : settings.inputs.front();
+  });
 }
 
 } // namespace app

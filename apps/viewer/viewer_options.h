@@ -7,11 +7,13 @@
 #include "viewer/viewer_run.h"
 
 #include <string>
+#include <vector>
 
 namespace app {
 
 /** \brief What the user asked pcl_repair_viewer for. */
 struct ViewerSettings {
+  std::vector<std::string> inputs; /**< none or one: the task's */
   ViewerTask task;
   std::string stage;      /**< empty: the first in a window, the last in a picture */
   std::string screenshot; /**< file; empty: none */

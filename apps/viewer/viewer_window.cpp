@@ -119,14 +119,16 @@ void
 ViewerWindow::act(const Action& action)
 {
   const int* const size = window_->GetSize();
-  const bool changed = state_.apply(action);
+  const bool had_message = view_.setMessage("");
+  const bool changed = state_.apply(action) || had_message;
+  wants_file_ = wants_file_ || action.command == Command::OPEN_FILE;
   if (action.command == Command::FIT_VIEW)
     view_.fit(size[0], size[1]);
   else if (action.command == Command::OPPOSITE_VIEW)
     view_.turnRound();
   else if (action.command == Command::SCREENSHOT)
     take_(view_.stages()[state_.stage()].name, picture());
-  else if (!changed && !decide(action.command))
+  else if (!decide(action.command) && !changed)
     return;
   show();
 }
@@ -137,10 +139,8 @@ ViewerWindow::decide(Command command)
 {
   if (desk_ == nullptr)
     return false;
-  if (command == Command::SAVE_MESH) {
-    desk_->say("The whole mesh is being repaired.");
-    show();
-  }
+  if (command == Command::SAVE_MESH)
+    tell("The whole mesh is being repaired.");
   if (command != Command::CHOOSE_HERE)
     return desk_->apply(command);
   const int* const mouse = window_->GetInteractor()->GetEventPosition();
@@ -169,6 +169,13 @@ ViewerWindow::show()
   for (const auto& panel : panels_)
     window_->AddRenderer(panel);
   window_->Render();
+}
+
+void
+ViewerWindow::tell(const std::string& text)
+{
+  view_.setMessage(text);
+  show();
 }
 
 void

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -47,6 +48,17 @@ public:
   /** \brief Let keys make decisions. \a desk has to outlive the window. */
   void
   setDesk(DecisionDesk& desk);
+
+  /** \brief Say something in the legend, until the next key. */
+  void
+  tell(const std::string& text);
+
+  /** \brief Whether a key has asked for another file since this was called last. */
+  bool
+  takeOpenWish()
+  {
+    return std::exchange(wants_file_, false);
+  }
 
   /** \brief Show the stage with this number, from 0. */
   void
@@ -89,6 +101,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> window_;
   std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
   std::vector<vtkSmartPointer<vtkRenderer>> panels_;
+  bool wants_file_ = false;
   int width_ = 0;
   int height_ = 0;
 };

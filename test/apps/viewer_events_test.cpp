@@ -8,6 +8,7 @@
 #include "repair/decision_proposal.h"
 #include "repair_fixture.h"
 #include "viewer/decision_desk.h"
+#include "viewer/file_dialog.h"
 #include "viewer/stage_view.h"
 #include "viewer/stages.h"
 #include "viewer/viewer_window.h"
@@ -158,7 +159,7 @@ protected:
                       "sleep 0.1; done; }\n"
                       "point() { xdotool search --sync --onlyvisible --name \"$1\" "
                       "mousemove --sync --window %1 400 300; }\n"
-                      "patience() { sleep 60; kill $viewer; }; patience & guard=$!\n" +
+                      "patience() { sleep 200; kill $viewer; }; patience & guard=$!\n" +
                       commands + "\nwait $viewer; code=$?; kill $guard; exit $code");
   }
 
@@ -186,6 +187,43 @@ TEST_F(RenderViewerProgram, SavesTheMeshThatARepairMakesWithTheDecisionsSaved)
               readFile(folder_.path("caps_repaired.ply")));
   EXPECT_GT(loadMesh(folder_.path("direct.ply")).mesh.polygons.size(),
             twoCaps().polygons.size());
+}
+
+TEST_F(RenderViewerProgram, OpensAFileFromADialogAndSaysWhenItCannotBeRead)
+{
+  if (!app::hasFileDialog())
+    GTEST_SKIP() << "built without Qt's widgets";
+  writeFile(folder_.path("bad.ply"), "no mesh");
+  const std::string caps = folder_.path("caps.ply");
+  const RunResult run =
+      runAndDo("",
+               "choose() { point \"$1\"; xdotool type \"$2\"; xdotool key Return; }\n"
+               "choose '^Open a cloud' " +
+                   folder_.path("bad.ply") +
+                   "\n"
+                   "choose bad.ply " +
+                   caps +
+                   "\n"
+                   "point '^pcl_repair_viewer: '; xdotool key f\n"
+                   "choose '^Open a cloud' " +
+                   folder_.path("bad.ply") +
+                   "\n"
+                   "sleep 1; point '^pcl_repair_viewer: '; xdotool key f\n"
+                   "point '^Open a cloud'; xdotool key Escape; sleep 0.5\n"
+                   "point '^pcl_repair_viewer: '; xdotool key period a w\n"
+                   "until_there caps_decisions.json; xdotool key q");
+  EXPECT_EQ(0, run.exit_code) << run.errors;
+  EXPECT_NE(std::string::npos, run.output.find("complete: ")) << run.output;
+  EXPECT_FALSE(readFile(folder_.path("caps_decisions.json")).empty());
+}
+
+TEST_F(RenderViewerProgram, EndsWhenNothingIsChosen)
+{
+  if (!app::hasFileDialog())
+    GTEST_SKIP() << "built without Qt's widgets";
+  const RunResult run = runAndDo("", "point '^Open a cloud'; xdotool key Escape");
+  EXPECT_EQ(0, run.exit_code) << run.errors;
+  EXPECT_EQ("complete: nothing was opened\n", run.output);
 }
 
 } // namespace
