@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: picking by a place of a picture, without a window.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "viewer/picking.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "repair/hole_regions.h"
 
+#include "boundary/extraction.h"
 #include "mesh/disjoint_sets.h"
 
 #include <algorithm>

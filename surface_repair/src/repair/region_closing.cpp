@@ -5,6 +5,7 @@
 
 #include "fairing/sample_growth.h"
 #include "filling/completion_filling.h"
+#include "icadm/model_assembly.h"
 #include "junction/depth_jump.h"
 #include "repair/patch_fairing.h"
 #include "repair/patch_mending.h"
