@@ -96,6 +96,16 @@ ends(pid_t server)
 } // namespace
 
 bool
+waitForEvents(void* display, int milliseconds)
+{
+  auto* const opened = static_cast<::Display*>(display);
+  pollfd wait{ConnectionNumber(opened), POLLIN, 0};
+  if (XPending(opened) == 0)
+    poll(&wait, 1, milliseconds);
+  return XPending(opened) > 0;
+}
+
+bool
 hasDisplay()
 {
   // Never closed: a virtual server starts afresh when its last client leaves, and for a

@@ -29,6 +29,11 @@ private:
   pid_t server_ = -1; /**< the virtual display, if one was started */
 };
 
+/** \brief Wait until events have come from a display that X's library has opened.
+ * \return false where none came in time */
+bool
+waitForEvents(void* display, int milliseconds);
+
 /** \brief Whether $DISPLAY names a display that answers, for a window that somebody is
  * to see. */
 bool

@@ -207,6 +207,16 @@ StageView::fit(int width, int height)
 }
 
 void
+StageView::setMoving(bool moving, const ViewState& state)
+{
+  light_.restore();
+  if (moving)
+    for (const StagePart& part : stages_[state.stage()].parts)
+      if (part.actor->GetVisibility() != 0)
+        light_.lighten(*part.actor);
+}
+
+void
 StageView::turnRound()
 {
   model_->GetActiveCamera()->Azimuth(180.0);

@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include "viewer/light_drawing.h"
 #include "viewer/stages.h"
 #include "viewer/view_state.h"
 
@@ -88,6 +89,11 @@ public:
   bool
   showsOverlay(const ViewState& state) const;
 
+  /** \brief Draw the stage that is shown quickly rather than well, while the camera
+   * moves, or well again. Nothing is drawn by this. */
+  void
+  setMoving(bool moving, const ViewState& state);
+
   /** \brief The renderer of the model. */
   vtkRenderer&
   model()
@@ -100,6 +106,7 @@ private:
   showParts(const ViewState& state, int height);
 
   std::vector<Stage> stages_;
+  LightDrawing light_;
   StageCamera camera_;
   std::string subject_;
   vtkSmartPointer<vtkRenderer> model_;

@@ -4,11 +4,13 @@
 
 #include <pcl/visualization/pcl_visualizer.h>
 
+#include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include "render/display.h"
 #include "render/drawing.h"
 #include "viewer/decision_desk.h"
 #include "viewer/stage_view.h"
@@ -24,8 +26,30 @@ namespace {
 /** Milliseconds after which update() returns where nothing happens. */
 constexpr int UPDATE_INTERVAL = 20;
 
+/** Of a pixel, for smooth lines. */
+constexpr int SAMPLES = 8;
+
+/** After which what moved is drawn well: turns of a wheel follow each other. */
+constexpr std::chrono::milliseconds REST{300};
+
 /** Pixels that a mouse moves in a click, which is no drag yet. */
 constexpr int CLICK_REACH = 3;
+
+/** \brief Something is called when an event comes. */
+void
+observe(vtkObject& object, unsigned long event, std::function<void()> call)
+{
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetClientData(new std::function<void()>(std::move(call)));
+  command->SetClientDataDeleteCallback(
+      [](void* data) { delete static_cast<std::function<void()>*>(data); });
+  command->SetCallback(
+      [](vtkObject* /*caller*/,
+         unsigned long /*event*/,
+         void* data,
+         void* /*call_data*/) { (*static_cast<std::function<void()>*>(data))(); });
+  object.AddObserver(event, command);
+}
 
 /** \brief PCL's mouse with our keys: the latter would do two things at once. */
 class StageStyle : public pcl::visualization::PCLVisualizerInteractorStyle {
@@ -90,8 +114,12 @@ ViewerWindow::ViewerWindow(StageView& view,
 {
   const auto style = vtkSmartPointer<StageStyle>::New();
   style->on_key = [this](const std::string& key) { act(actionOf(key)); };
+  observe(*style, vtkCommand::StartInteractionEvent, [this] { beginMoving(); });
+  observe(*style, vtkCommand::EndInteractionEvent, [this] {
+    moved_ = std::chrono::steady_clock::now();
+  });
   style->on_click = [this](int x, int y) { chooseAt(x, y); };
-  window_->SetMultiSamples(8);
+  window_->SetMultiSamples(SAMPLES);
   int no_arguments = 0;
   const vtkSmartPointer<vtkRenderer> model(&view.model());
   viewer_ = std::make_unique<pcl::visualization::PCLVisualizer>(
@@ -99,7 +127,6 @@ ViewerWindow::ViewerWindow(StageView& view,
   viewer_->setShowFPS(false);
   viewer_->setSize(width, height);
   viewer_->setWindowName(title);
-  window_->GetInteractor()->CreateRepeatingTimer(UPDATE_INTERVAL);
   view_.fit(width, height);
   show();
 }
@@ -119,6 +146,7 @@ void
 ViewerWindow::act(const Action& action)
 {
   const int* const size = window_->GetSize();
+  rest();
   const bool had_message = view_.setMessage("");
   const bool changed = state_.apply(action) || had_message;
   wants_file_ = wants_file_ || action.command == Command::OPEN_FILE;
@@ -153,6 +181,28 @@ ViewerWindow::chooseAt(int x, int y)
 {
   if (desk_ != nullptr && view_.showsOverlay(state_) && desk_->chooseAt(x, y))
     show();
+}
+
+void
+ViewerWindow::beginMoving()
+{
+  moved_ = std::chrono::steady_clock::time_point::max(); // until the mouse lets go
+  if (!std::exchange(is_moving_, true))
+    setMoving(true);
+}
+
+void
+ViewerWindow::setMoving(bool moving)
+{
+  view_.setMoving(moving, state_);
+  window_->SetMultiSamples(moving ? 0 : SAMPLES);
+}
+
+void
+ViewerWindow::rest()
+{
+  if (std::exchange(is_moving_, false))
+    setMoving(false);
 }
 
 /** Put the stage and its legend in the window. */
@@ -206,10 +256,15 @@ bool
 ViewerWindow::update()
 {
   // PCL's spinOnce() draws all the time: with millions of triangles nothing else is
-  // answered then.
-  window_->GetInteractor()->ProcessEvents();
+  // answered then. VTK's timers miss, and without them it waits for long.
+  if (waitForEvents(window_->GetGenericDisplayId(), UPDATE_INTERVAL))
+    window_->GetInteractor()->ProcessEvents();
   if (viewer_->wasStopped() || state_.quits())
     return false;
+  if (is_moving_ && moved_ < std::chrono::steady_clock::now() - REST) {
+    rest();
+    window_->Render();
+  }
   const int* const size = window_->GetSize();
   if (size[0] != width_ || size[1] != height_)
     show();

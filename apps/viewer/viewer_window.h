@@ -8,6 +8,7 @@
 
 #include "viewer/view_state.h"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -92,6 +93,12 @@ private:
   void
   chooseAt(int x, int y);
   void
+  beginMoving();
+  void
+  setMoving(bool moving);
+  void
+  rest();
+  void
   show();
 
   StageView& view_;
@@ -102,6 +109,8 @@ private:
   std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
   std::vector<vtkSmartPointer<vtkRenderer>> panels_;
   bool wants_file_ = false;
+  bool is_moving_ = false;                      /**< the stage is drawn quickly */
+  std::chrono::steady_clock::time_point moved_; /**< when the mouse let go of it */
   int width_ = 0;
   int height_ = 0;
 };

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what is drawn of large parts while the camera moves.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkSmartPointer.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+/** \brief Draws surfaces and dots coarsely that are too many to be drawn many times a
+ * second. Coarse ones are made when they are needed first, and kept. */
+class LightDrawing {
+public:
+  /** \brief Draw an actor coarsely from now on, if it is large. Cost, the first time:
+   * linear in its triangles or dots. */
+  void
+  lighten(vtkActor& actor);
+
+  /** \brief Draw all actors as they are again. */
+  void
+  restore();
+
+private:
+  using MapperPtr = vtkSmartPointer<vtkMapper>;
+
+  std::map<vtkDataObject*, MapperPtr> coarse_;        /**< of what is drawn */
+  std::vector<std::pair<vtkActor*, MapperPtr>> full_; /**< of actors drawn coarsely */
+};
+
+} // namespace app
