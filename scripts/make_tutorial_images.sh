@@ -41,6 +41,24 @@ lines() {
   cp "inspected/${layer:-lines}.png" "$images/$1.png"
 }
 
+# window NAME MESH "KEYS" OPTIONS...: the window of the viewer at the stage "boundaries",
+# after keys that an X server sends. Needs xvfb-run and xdotool.
+window() {
+  local shot
+  shot=$(basename "${2%.*}")_boundaries.png
+  rm -f "$shot"
+  # shellcheck disable=SC2016 # for the inner shell
+  xvfb-run -a -s '-screen 0 1280x1024x24' bash -euc '
+    pcl_repair_viewer "$1" --stage boundaries --quiet "${@:3}" &
+    xdotool search --sync --onlyvisible --name "^pcl_repair_viewer" \
+      mousemove --window %1 600 300
+    xdotool key --delay 200 $2 j
+    for _ in {1..300}; do [[ ! -f $0 ]] || break; sleep 0.1; done
+    xdotool key q
+    wait' "$shot" "$2" "$3" "${@:4}"
+  mv "$shot" "$images/$1.png"
+}
+
 tutorial_1() {
   run_commands 1_scan_to_mesh
   pcl_ccaa_reconstruct scan.xyz start.ply --until start
@@ -156,6 +174,12 @@ tutorial_7() {
   picture 7_decided decided.ply "${view[@]}" --new-since scene.ply
   pcl_repair_viewer scene.ply --stage holes --quiet --screenshot "$images/7_holes.png" \
     --size 560x380 "${view[@]}"
+  local next=period
+  view+=(--size 640x470)
+  window 7_window scene.ply "h" "${view[@]}"
+  # The hole on the flank is closed, then the strip joined.
+  window 7_result scene.ply "h $(printf "$next %.0s" {1..8}) a $(printf "$next %.0s" {1..6}) v" \
+    "${view[@]}"
 }
 
 [[ -f build/demo/bunny_cloud.obj && -x build/release/bin/scan_to_mesh ]] || {
