@@ -7,6 +7,7 @@
 
 #include "inspect/inspection_colors.h"
 #include "inspect/layer_builder.h"
+#include "mesh/box_tree.h"
 #include "mesh/cloud_access.h"
 #include "viewer/mesh_part.h"
 
@@ -63,8 +64,7 @@ boxAround(const ModelSurvey& survey, const std::vector<std::size_t>& loops)
   for (const std::size_t loop : loops)
     for (const Eigen::Vector3d& point : survey.loops[loop].curve.points)
       box.extend(point);
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(box.diagonal().norm());
-  return {box.min() - margin, box.max() + margin};
+  return pcl::ccaa::widened(box, box.diagonal().norm());
 }
 
 /** \brief The loop of a part that is a loop of the whole. */

@@ -3,6 +3,8 @@
 #include "viewer/mesh_part.h"
 
 #include "io/cloud_assembler.h"
+#include "mesh/corners.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 
@@ -66,23 +68,19 @@ cutPart(const IncompleteModel& model, const Eigen::AlignedBox3d& box)
   for (const Triangle* triangle : triangles)
     for (const pcl::index_t corner : *triangle)
       part.point_of.push_back(pointAt(corner));
-  std::sort(part.point_of.begin(), part.point_of.end());
-  part.point_of.erase(std::unique(part.point_of.begin(), part.point_of.end()),
-                      part.point_of.end());
+  pcl::ccaa::sortUnique(part.point_of);
   std::vector<Eigen::Vector3d> places(part.point_of.size());
   std::vector<Eigen::Vector3d> normals(places.size(), Eigen::Vector3d::Zero());
   for (const Triangle* triangle : triangles) {
     pcl::Vertices polygon;
-    std::array<Eigen::Vector3d, 3> corners;
+    const pcl::ccaa::Corners corners = pcl::ccaa::cornersOf(*triangle, model.positions);
     for (std::size_t i = 0; i < 3; ++i) {
       const pcl::index_t corner = (*triangle)[i];
-      corners[i] = model.positions[static_cast<std::size_t>(corner)];
       polygon.vertices.push_back(part.pointFor(pointAt(corner)));
       places[static_cast<std::size_t>(polygon.vertices.back())] = corners[i];
     }
     for (const pcl::index_t point : polygon.vertices)
-      normals[static_cast<std::size_t>(point)] +=
-          (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+      normals[static_cast<std::size_t>(point)] += pcl::ccaa::areaNormal(corners);
     part.mesh.polygons.push_back(std::move(polygon));
   }
   std::vector<double> positions;

@@ -20,8 +20,8 @@
 namespace app_test {
 namespace {
 
-/** A window with the stage "boundaries" of two halves of a sphere. */
-class RenderViewerEvents : public testing::Test {
+/** A display that events are sent to. */
+class WithEvents : public testing::Test {
 protected:
   void
   SetUp() override
@@ -31,6 +31,20 @@ protected:
     unsetenv("DISPLAY");
     display_ = std::make_unique<app::Display>();
     ASSERT_TRUE(display_->ready());
+  }
+
+  std::unique_ptr<app::Display> display_;
+};
+
+/** A window with the stage "boundaries" of two halves of a sphere. */
+class RenderViewerEvents : public WithEvents {
+protected:
+  void
+  SetUp() override
+  {
+    WithEvents::SetUp();
+    if (IsSkipped() || HasFatalFailure())
+      return;
     app::StageCamera camera;
     camera.positions = run_.survey.model.positions;
     camera.view = Eigen::Vector3d::UnitY();
@@ -79,7 +93,6 @@ protected:
     return desk_->editor().chosen();
   }
 
-  std::unique_ptr<app::Display> display_;
   app::ViewerRun run_ = runForViewer(twoCaps());
   std::unique_ptr<app::StageView> view_;
   std::unique_ptr<app::ViewerWindow> window_;
@@ -136,16 +149,12 @@ TEST_F(RenderViewerEvents, KeysOfTheKeyboardDecide)
 }
 
 /** The program as a user runs it, on a display of its own. */
-class RenderViewerProgram : public testing::Test {
+class RenderViewerProgram : public WithEvents {
 protected:
   void
   SetUp() override
   {
-    if (runInShell("command -v xdotool").exit_code != 0)
-      GTEST_SKIP() << "no xdotool here, which sends events: install it";
-    unsetenv("DISPLAY");
-    display_ = std::make_unique<app::Display>();
-    ASSERT_TRUE(display_->ready());
+    WithEvents::SetUp();
     save(folder_.path("caps.ply"), twoCaps());
   }
 
@@ -164,7 +173,6 @@ protected:
   }
 
   TemporaryFolder folder_;
-  std::unique_ptr<app::Display> display_;
 };
 
 TEST_F(RenderViewerProgram, SavesTheMeshThatARepairMakesWithTheDecisionsSaved)

@@ -5,15 +5,26 @@
 
 #include "icadm/incomplete_model.h"
 
+#include <set>
+#include <utility>
+
 namespace pcl {
 namespace repair {
 
-/** \brief Mark the islands that are fins: small, and with an edge that two triangles of
- * another island have, too, between the same points. They were cut off where three
- * triangles met; nothing is missing between them and the surface.
+/** \brief Points of the cloud, the lower one first. */
+using PointEdge = std::pair<pcl::index_t, pcl::index_t>;
+
+/** \brief Edges of small islands that two triangles of another island have, too,
+ * between the same points. The islands were cut off where three triangles met; nothing
+ * is missing between them and the surface. To be asked of the input: a patch may have
+ * an edge of a crumb that it covers. Linear in the triangles of the model. */
+std::set<PointEdge>
+edgesWithFins(const IncompleteModel& model);
+
+/** \brief Mark small islands on such edges as fins.
  * Cost: linear in the triangles of the model. */
 void
-markFins(IncompleteModel& model);
+markFins(const std::set<PointEdge>& edges, IncompleteModel& model);
 
 } // namespace repair
 } // namespace pcl

@@ -137,11 +137,9 @@ CrumbLaying::lookAround(const ccaa::Box& crumb)
 {
   around_ = ccaa::widened(crumb, ROOM * reach_);
   const ccaa::Box within = ccaa::widened(crumb, reach_);
-  for (const std::size_t t : surface_.near(within)) {
-    const ccaa::Box box = boxAt(t);
-    if (surface_.hole[t] != NONE && box.intersects(within))
-      around_.extend(ccaa::widened(box, box.diagonal().norm()));
-  }
+  for (const std::size_t t : surface_.near(within))
+    if (surface_.hole[t] != NONE)
+      around_.extend(ccaa::widened(boxAt(t), boxAt(t).diagonal().norm()));
   near_ = surface_.near(around_);
 }
 

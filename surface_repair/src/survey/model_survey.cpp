@@ -136,6 +136,8 @@ readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
   if (parameters.dropped.any() && read.report.problem.empty())
     dropIslands(parameters.dropped, stage, read);
   survey.model = std::move(read.model);
+  survey.fin_edges = edgesWithFins(survey.model);
+  markFins(survey.fin_edges, survey.model);
   survey.reading = std::move(read.report);
   if (survey.reading.problem.empty())
     survey.mesh = fingerprintOf(*mesh);
@@ -186,7 +188,6 @@ classifyBoundaries(const SurveyParameters& parameters,
                    ModelSurvey& survey)
 {
   const ccaa::StageClock clock;
-  markFins(survey.model);
   survey.classes = classifyBoundaries(survey.model,
                                       survey.loops,
                                       parameters.classification,
@@ -217,6 +218,7 @@ putInOrder(ModelSurvey before,
   const ccaa::StageClock clock;
   survey.sight = std::move(before.sight);
   survey.wishes = std::move(before.wishes);
+  survey.fin_edges = std::move(before.fin_edges);
   IncompleteModel& old = before.model;
   IncompleteModel& model = survey.model;
   model = assembleModel(
@@ -228,8 +230,10 @@ putInOrder(ModelSurvey before,
       model.free_points.push_back(old.free_points[i]);
       model.point_of_free_point.push_back(old.point_of_free_point[i]);
     }
-  if (!context.cancelled()) // else the model is not whole
+  if (!context.cancelled()) { // else the model is not whole
+    markFins(survey.fin_edges, model);
     survey.loops = extractBoundaries(model);
+  }
   survey.seconds.emplace_back("assembly", clock.seconds());
   return survey;
 }

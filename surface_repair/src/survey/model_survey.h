@@ -13,6 +13,7 @@
 #include "field/shielding.h"
 #include "force_line/line_origins.h"
 #include "hole/hole_contour.h"
+#include "icadm/fins.h"
 #include "icadm/icm_class.h"
 #include "icadm/island_dropping.h"
 #include "icadm/model_reading.h"
@@ -78,6 +79,7 @@ struct ModelSurvey {
   std::vector<LoopClass> classes; /**< one a loop */
   MeshFingerprint mesh;           /**< that was read */
   LoopWishes wishes;              /**< about the loops of the input */
+  std::set<PointEdge> fin_edges;  /**< of the input, see edgesWithFins() */
   IcmCounts counts;
   IcmClass icm_class = IcmClass::ICM1;
   double facing = 0.0;           /**< of the model, see facingOf() */

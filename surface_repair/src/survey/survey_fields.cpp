@@ -153,6 +153,8 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
   for (std::size_t k = 0; k < survey.loops.size(); ++k) {
     is_hole.push_back(survey.classes[k].boundary_class == BoundaryClass::HOLE &&
                       opposed[k] == NONE && !mayBeStump(survey.classes[k].evidence));
+    if (survey.model.islands[survey.loops[k].island].is_fin)
+      continue;
     all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
     all.back().island = sideOf(k, survey, opposed);
   }

@@ -21,7 +21,7 @@ std::vector<std::size_t>
 finsOf(const Shape& shape)
 {
   IncompleteModel model = read(shape).model;
-  markFins(model);
+  markFins(edgesWithFins(model), model);
   std::vector<std::size_t> fins;
   for (const Island& island : model.islands)
     if (island.is_fin)
@@ -29,25 +29,23 @@ finsOf(const Shape& shape)
   return fins;
 }
 
-/** A sphere with triangles over its first edge, to a corner of its own each. */
+/** A sphere with one more triangle over its first edge. */
 Shape
-withFins(Shape shape, int count)
+withFin(Shape shape)
 {
   const Triangle first = shape.triangles.front();
   const Position middle = 0.5 * (shape.vertices[static_cast<std::size_t>(first[0])] +
                                  shape.vertices[static_cast<std::size_t>(first[1])]);
-  for (int k = 0; k < count; ++k) {
-    const auto corner = static_cast<pcl::index_t>(shape.vertices.size());
-    shape.vertices.push_back((1.3 + 0.3 * k) * middle);
-    shape.triangles.push_back({first[0], first[1], corner});
-  }
+  shape.triangles.push_back(
+      {first[0], first[1], static_cast<pcl::index_t>(shape.vertices.size())});
+  shape.vertices.push_back(1.3 * middle);
   return shape;
 }
 
 TEST(Fins, StandOnAnEdgeThatIsWholeWithoutThem)
 {
   EXPECT_TRUE(finsOf(icosphere(2)).empty());
-  EXPECT_EQ(std::vector<std::size_t>{1}, finsOf(withFins(icosphere(2), 1)));
+  EXPECT_EQ(std::vector<std::size_t>{1}, finsOf(withFin(icosphere(2))));
 }
 
 TEST(Fins, TrianglesBetweenGapsThatTouchOthersAreNone)
