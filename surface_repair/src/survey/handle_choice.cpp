@@ -23,7 +23,7 @@ namespace {
  * to 3.5; a coarse torus has 120 with odds of 3.9. */
 constexpr double MOST_BENT = 2.1;
 constexpr double CARRYING_ODDS = 3.6;
-/** Bridges, and junctions, that are tried for each handle. */
+/** Junctions that are tried for each handle. */
 constexpr std::size_t MOST_TRIES = 64;
 /** Times in all that contours are extracted anew. */
 constexpr std::size_t MOST_EXTRACTIONS = 1024;
@@ -58,12 +58,6 @@ without(const Dropped& is_dropped,
   left.holes = extractContours(boundaries, left.bridges);
   return left;
 }
-
-/** What may be given up: a single bridge, or all of a junction. */
-struct Candidate {
-  const Junction* junction = nullptr;
-  std::size_t bridge = NONE; /**< NONE: all of them */
-};
 
 /** The contours on both sides of each bridge, NONE for one that none passes. */
 class BridgeSides {
@@ -108,37 +102,133 @@ private:
   std::vector<std::array<std::size_t, 2>> sides_;
 };
 
-/** Of junctions that may not make a handle: single bridges first, so that most of them
- * can stay, then whole junctions. The most bent ones first. */
-std::vector<Candidate>
-candidatesOf(const ModelSurvey& survey, const SurveyedBridges& joined)
+bool
+mayMakeHandle(const Junction& junction)
 {
-  std::map<CurvePair, std::vector<std::size_t>> bridges_of;
-  for (std::size_t b = joined.bridges.size(); b-- > 0;) // the best was chosen first
-    bridges_of[curvesOf(joined.bridges[b])].push_back(b);
+  return bendOf(junction) <= MOST_BENT || junction.evidence.logOdds() >= CARRYING_ODDS;
+}
+
+using Bridges = std::vector<std::size_t>; // ascending
+
+/** Bridges of the same two boundaries with nothing but them between each two neighbours
+ * are a strip of surface. Of each pair of boundaries the narrowest strips come first.
+ */
+std::map<CurvePair, std::vector<Bridges>>
+stripsOf(const SurveyedBridges& joined)
+{
+  ccaa::DisjointSets sets(joined.bridges.size());
+  for (const HoleContour& contour : joined.holes.contours)
+    if (const auto& steps = contour.steps;
+        steps.size() == 2 && steps[0].bridge != NONE && steps[1].bridge != NONE &&
+        curvesOf(joined.bridges[steps[0].bridge]) ==
+            curvesOf(joined.bridges[steps[1].bridge]))
+      sets.join(steps[0].bridge, steps[1].bridge);
+  std::map<std::size_t, Bridges> strip_of;
+  for (std::size_t b = 0; b < joined.bridges.size(); ++b)
+    strip_of[sets.find(b)].push_back(b);
+  std::map<CurvePair, std::vector<Bridges>> strips;
+  for (auto& [root, strip] : strip_of)
+    strips[curvesOf(joined.bridges[root])].push_back(std::move(strip));
+  for (auto& [curves, some] : strips)
+    std::stable_sort(some.begin(), some.end(), [](const auto& a, const auto& b) {
+      return a.size() < b.size();
+    });
+  return strips;
+}
+
+/** Bridges that may be given up together: of each junction single strips, so that most
+ * can stay, then all.
+ * \param[in] of_sure_ones of junctions that may make a handle, the least likely ones
+ * first; else of those that may not, the most bent ones first */
+std::vector<Bridges>
+candidatesOf(const ModelSurvey& survey,
+             const SurveyedBridges& joined,
+             bool of_sure_ones)
+{
+  const std::map<CurvePair, std::vector<Bridges>> strips = stripsOf(joined);
   std::vector<const Junction*> junctions;
   for (const Junction& junction : joined.junctions)
-    if (bridges_of.count(junction.curves) > 0 && !isWanted(junction, survey) &&
+    if (strips.count(junction.curves) > 0 && !isWanted(junction, survey) &&
         joined.ahead[joined.loops[junction.curves[0]]] !=
             joined.loops[junction.curves[1]] &&
-        bendOf(junction) > MOST_BENT && junction.evidence.logOdds() < CARRYING_ODDS)
+        mayMakeHandle(junction) == of_sure_ones)
       junctions.push_back(&junction);
   std::stable_sort(
-      junctions.begin(), junctions.end(), [](const Junction* a, const Junction* b) {
-        return bendOf(*a) > bendOf(*b);
+      junctions.begin(), junctions.end(), [&](const Junction* a, const Junction* b) {
+        return of_sure_ones ? a->evidence.logOdds() < b->evidence.logOdds()
+                            : bendOf(*a) > bendOf(*b);
       });
-  std::vector<Candidate> candidates;
-  for (const Junction* junction : junctions)
-    for (const std::size_t bridge : bridges_of.at(junction->curves))
-      candidates.push_back({junction, bridge});
-  if (candidates.size() > MOST_TRIES)
-    candidates.resize(MOST_TRIES);
   if (junctions.size() > MOST_TRIES)
     junctions.resize(MOST_TRIES);
-  for (const Junction* junction : junctions)
-    candidates.push_back({junction, NONE});
+  std::vector<Bridges> candidates;
+  for (const Junction* junction : junctions) {
+    const std::vector<Bridges>& some = strips.at(junction->curves);
+    candidates.insert(candidates.end(), some.begin(), some.end());
+    Bridges all;
+    for (const Bridges& strip : some)
+      all.insert(all.end(), strip.begin(), strip.end());
+    std::sort(all.begin(), all.end());
+    candidates.push_back(std::move(all));
+  }
   return candidates;
 }
+
+std::size_t
+rootsOf(const ccaa::DisjointSets& sets, std::size_t count)
+{
+  std::size_t roots = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    roots += sets.isRoot(i) ? 1 : 0;
+  return roots;
+}
+
+class HandleDropping {
+public:
+  HandleDropping(const ModelSurvey& survey,
+                 const BoundaryEdges& boundaries,
+                 SurveyedBridges& joined)
+  : survey_(survey)
+  , boundaries_(boundaries)
+  , joined_(joined)
+  , now_(bridgedTopology(survey, joined))
+  {}
+
+  /** \param[in] in_gap only a handle of the new surface alone, of any junction
+   * \return whether there is one less */
+  bool
+  dropOne(bool in_gap)
+  {
+    if ((in_gap ? now_.in_gaps : now_.handles) <= 0)
+      return false;
+    const BridgeSides sides(joined_);
+    for (const Bridges& candidate : candidatesOf(survey_, joined_, in_gap)) {
+      const auto is_dropped = [&](std::size_t bridge) {
+        return std::binary_search(candidate.begin(), candidate.end(), bridge);
+      };
+      if (!sides.mayTakeHandle(is_dropped))
+        continue;
+      if (++tries_ > MOST_EXTRACTIONS)
+        return false;
+      SurveyedBridges left = without(is_dropped, boundaries_, joined_);
+      const BridgedTopology then = bridgedTopology(survey_, left);
+      if (then.pieces != now_.pieces || then.handles >= now_.handles ||
+          (in_gap && then.in_gaps >= now_.in_gaps))
+        continue;
+      joined_.bridges = std::move(left.bridges);
+      joined_.holes = std::move(left.holes);
+      now_ = then;
+      return true;
+    }
+    return false;
+  }
+
+private:
+  const ModelSurvey& survey_;
+  const BoundaryEdges& boundaries_;
+  SurveyedBridges& joined_;
+  BridgedTopology now_;
+  std::size_t tries_ = 0;
+};
 
 } // namespace
 
@@ -149,22 +239,25 @@ bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined)
     return survey.loops[joined.loops[end.curve]].island;
   };
   const std::size_t islands = survey.model.islands.size();
-  ccaa::DisjointSets sets(islands);
+  ccaa::DisjointSets pieces(islands);
+  ccaa::DisjointSets gaps(joined.loops.size());
   long bridges = 0; // each is passed twice
   for (const HoleContour& contour : joined.holes.contours)
     for (const ContourStep& step : contour.steps)
       if (step.bridge != NONE) {
         const Bridge& bridge = joined.bridges[step.bridge];
-        sets.join(island_at(bridge.begin), island_at(bridge.end));
+        pieces.join(island_at(bridge.begin), island_at(bridge.end));
+        gaps.join(bridge.begin.curve, bridge.end.curve);
         ++bridges;
       }
   BridgedTopology topology;
-  for (std::size_t i = 0; i < islands; ++i)
-    topology.pieces += sets.isRoot(i) ? 1 : 0;
-  const auto contours = static_cast<long>(joined.holes.contours.size());
+  topology.pieces = rootsOf(pieces, islands);
   const auto boundaries = static_cast<long>(joined.loops.size());
+  const long discs = static_cast<long>(joined.holes.contours.size()) - bridges / 2;
   topology.handles = static_cast<long>(topology.pieces) - static_cast<long>(islands) -
-                     (contours - bridges / 2 - boundaries) / 2;
+                     (discs - boundaries) / 2;
+  topology.in_gaps =
+      static_cast<long>(rootsOf(gaps, joined.loops.size())) - (discs + boundaries) / 2;
   return topology;
 }
 
@@ -173,32 +266,9 @@ dropHandles(const ModelSurvey& survey,
             const BoundaryEdges& boundaries,
             SurveyedBridges& joined)
 {
-  BridgedTopology now = bridgedTopology(survey, joined);
-  std::size_t tries = 0;
-  for (bool dropped = true; dropped && now.handles > 0;) {
-    dropped = false;
-    const BridgeSides sides(joined);
-    for (const Candidate& candidate : candidatesOf(survey, joined)) {
-      const auto is_dropped = [&](std::size_t bridge) {
-        return candidate.bridge == NONE
-                   ? curvesOf(joined.bridges[bridge]) == candidate.junction->curves
-                   : bridge == candidate.bridge;
-      };
-      if (!sides.mayTakeHandle(is_dropped))
-        continue;
-      if (++tries > MOST_EXTRACTIONS)
-        return;
-      SurveyedBridges left = without(is_dropped, boundaries, joined);
-      const BridgedTopology then = bridgedTopology(survey, left);
-      if (then.pieces != now.pieces || then.handles >= now.handles)
-        continue;
-      joined.bridges = std::move(left.bridges);
-      joined.holes = std::move(left.holes);
-      now = then;
-      dropped = true;
-      break;
-    }
-  }
+  HandleDropping dropping(survey, boundaries, joined);
+  while (dropping.dropOne(false) || dropping.dropOne(true))
+    continue;
 }
 
 } // namespace repair

@@ -15,17 +15,21 @@ namespace repair {
 struct BridgedTopology {
   std::size_t pieces = 0;
   long handles = 0; /**< beyond those that the islands have */
+  long in_gaps = 0; /**< of them, those of the new surface alone: in a gap whose
+                         boundaries bridges connect */
 };
 
 /** \brief Count pieces and handles: with I islands in P pieces, N boundaries, B bridges
- * that pass C contours, bridges add P - I - (C - B - N) / 2 handles (Euler).
- * \param[in] joined bridges and contours of boundaries of the survey */
+ * that pass C contours, bridges add P - I - (C - B - N) / 2 handles (Euler). The
+ * surface in G gaps has G - (C - B + N) / 2 of its own; the others lead through several
+ * gaps. \param[in] joined bridges and contours of boundaries of the survey */
 BridgedTopology
 bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined);
 
 /** \brief Give up bridges that make a handle, of the most bent junction first, until
  * none is left that evidence does not carry: at a true handle that was cut through the
- * surfaces go on straight.
+ * surfaces go on straight. A handle that lies in one gap as a whole has no evidence at
+ * all: there the least likely junctions give way, too.
  *
  * No piece falls apart. Cost: some dozen extractions of contours for each handle.
  * \param[in,out] joined bridges and contours of boundaries of the survey */

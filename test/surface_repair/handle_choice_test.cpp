@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of counting the handles that bridges make, and of
+// giving up those that nothing supports.
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+#include "surface_repair/boundary/boundary_models.h"
+#include "survey/handle_choice.h"
+#include "survey/survey_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+namespace repair {
+namespace {
+
+using namespace ccaa::test;
+using test::without;
+
+/** Two halves of a sphere, the boundaries of both, and three pairs of bridges
+ * between them. */
+class HandleChoice : public testing::Test {
+protected:
+  HandleChoice()
+  : survey_(surveyModel(
+        pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(without(
+            icosphere(4), [](const Position& p) { return std::abs(p.z()) < 0.08; }))),
+        nullptr,
+        {},
+        {}))
+  , boundaries_(boundariesOf(survey_))
+  {
+    std::vector<Bridge>& bridges = survey_.joined.bridges;
+    for (Bridge& bridge : bridges)
+      if (bridge.begin.curve != 0)
+        std::swap(bridge.begin, bridge.end);
+    std::sort(bridges.begin(), bridges.end(), [](const Bridge& a, const Bridge& b) {
+      return angleOf(a) < angleOf(b);
+    });
+    const std::size_t third = bridges.size() / 3;
+    bridges = {bridges[0],
+               bridges[1],
+               bridges[third],
+               bridges[third + 1],
+               bridges[2 * third],
+               bridges[2 * third + 1]};
+    extract();
+  }
+
+  static double
+  angleOf(const Bridge& bridge)
+  {
+    return std::atan2(bridge.begin.position.y(), bridge.begin.position.x());
+  }
+
+  static BoundaryEdges
+  boundariesOf(const ModelSurvey& survey)
+  {
+    SourceSet sources;
+    for (const std::size_t loop : survey.joined.loops) {
+      sources.curves.emplace_back();
+      sources.curves.back().loop = loop;
+      sources.curves.back().island = survey.loops[loop].island;
+    }
+    return targetsOf(sources, survey.loops);
+  }
+
+  void
+  extract()
+  {
+    survey_.joined.holes = extractContours(boundaries_, survey_.joined.bridges);
+  }
+
+  /** Two of the pairs cross, as if one led through a tube. */
+  void
+  twist()
+  {
+    std::vector<Bridge>& bridges = survey_.joined.bridges;
+    std::swap(bridges[0].end, bridges[2].end);
+    std::swap(bridges[1].end, bridges[3].end);
+    extract();
+  }
+
+  BridgedTopology
+  topology() const
+  {
+    return bridgedTopology(survey_, survey_.joined);
+  }
+
+  ModelSurvey survey_;
+  BoundaryEdges boundaries_;
+};
+
+TEST_F(HandleChoice, BridgesSideBySideMakeNoHandle)
+{
+  ASSERT_EQ(2U, survey_.joined.loops.size());
+  EXPECT_EQ(1U, topology().pieces);
+  EXPECT_EQ(0, topology().handles);
+  EXPECT_EQ(0, topology().in_gaps);
+}
+
+TEST_F(HandleChoice, CrossedPairsMakeAHandleWithinTheGap)
+{
+  twist();
+  EXPECT_EQ(1U, topology().pieces);
+  EXPECT_EQ(1, topology().handles);
+  EXPECT_EQ(1, topology().in_gaps);
+}
+
+TEST_F(HandleChoice, OfCrossedPairsOneGoesHoweverLikelyTheJunctionIs)
+{
+  twist();
+  ASSERT_EQ(1U, survey_.joined.junctions.size());
+  ASSERT_GT(survey_.joined.junctions.front().confidence, 0.95);
+  dropHandles(survey_, boundaries_, survey_.joined);
+  EXPECT_EQ(1U, topology().pieces);
+  EXPECT_EQ(0, topology().handles);
+  EXPECT_EQ(4U, survey_.joined.bridges.size());
+}
+
+} // namespace
+} // namespace repair
+} // namespace pcl
