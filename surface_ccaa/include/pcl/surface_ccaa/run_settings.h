@@ -10,9 +10,9 @@ namespace pcl {
 namespace ccaa {
 
 /** \brief Called from the thread that started the run with the name of the stage and
- * the share of that stage that is done, 0 to 1. Return false to cancel the run: it
- * stops within 100 ms of work and leaves an empty result. An exception counts as false:
- * it may not cross the parallel loops of a run. */
+ * the share of a whole chain or repair that is done, else of the stage, 0 to 1. False
+ * cancels the run: it stops within 100 ms of work and leaves an empty result, as an
+ * exception does, which may not cross the parallel loops of a run. */
 using ProgressCallback = std::function<bool(const std::string& stage, double fraction)>;
 
 /** \brief Base of every class of this library that computes: how many threads it uses,
