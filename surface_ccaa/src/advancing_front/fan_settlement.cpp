@@ -3,11 +3,15 @@
 #include "advancing_front/fan_settlement.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 namespace pcl {
 namespace ccaa {
 namespace {
+
+/** Operations for a point that is looked at. */
+constexpr std::uint64_t SETTLING_WORK = 30;
 
 using Fans = std::vector<std::vector<pcl::index_t>>;
 
@@ -51,10 +55,12 @@ fansAt(const PartialSurface& surface, pcl::index_t vertex)
 void
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
-           bool keep_given)
+           bool keep_given,
+           RunControl* control)
 {
+  WorkCount work(control);
   std::vector<pcl::index_t> waiting = points;
-  while (!waiting.empty()) {
+  while (!waiting.empty() && work.add(SETTLING_WORK)) {
     const pcl::index_t vertex = waiting.back();
     waiting.pop_back();
     const Fans fans = fansAt(surface, vertex);

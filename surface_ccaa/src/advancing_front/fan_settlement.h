@@ -18,11 +18,13 @@ namespace ccaa {
  * \param[in] points whose fans may be several; points of removed triangles are looked
  * at as well
  * \param[in] keep_given never take a given triangle; the given mesh must then have a
- * single fan at each point */
+ * single fan at each point \param[in,out] control told the work, may be null; after
+ * cancelling some points may have several */
 void
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
-           bool keep_given);
+           bool keep_given,
+           RunControl* control = nullptr);
 
 } // namespace ccaa
 } // namespace pcl

@@ -26,7 +26,7 @@ growRegion(const OpenSurface& region,
            const std::vector<pcl::index_t>& vertices,
            const NearbyTriangles& nearby,
            const CompletionParameters& parameters,
-           const RunControl* control)
+           RunControl* control)
 {
   SurfaceGrowth growth(region, parameters, &nearby);
   growth.run(control);
@@ -53,7 +53,8 @@ growRegions(const OpenSurface& gap,
     context.threads = 1;
   forEachBlock(regions.size(), context, [&](std::size_t i, std::size_t, std::size_t) {
     std::vector<pcl::index_t> vertices;
-    const OpenSurface region = regionOf(gap, regions[i], rims[i], vertices);
+    const OpenSurface region =
+        regionOf(gap, regions[i], rims[i], vertices, context.control);
     grown[i] = growRegion(region, vertices, nearby, parameters, context.control);
   });
   return grown;
@@ -67,12 +68,15 @@ openGap(PartialSurface& surface,
         std::vector<pcl::index_t> table,
         double usual_spacing,
         unsigned int k,
-        const NeighborSearch& search)
+        const NeighborSearch& search,
+        RunControl* control)
 {
   Gap gap;
   gap.open = std::move(open);
   for (int round = 0;; ++round) {
-    gap.surface = surface.openAt(gap.open, {}, gap.vertices);
+    gap.surface = surface.openAt(gap.open, {}, gap.vertices, control);
+    if (isCancelled(control))
+      return gap;
     gap.surface.neighbor_table = std::move(table);
     gap.surface.neighbors = {gap.surface.neighbor_table.data(), k};
     if (round == tuning::SCATTER_ROUNDS)
@@ -117,10 +121,12 @@ growInto(const Gap& gap,
     for (const pcl::index_t point : region.obstructed)
       obstructed.push_back(gap.vertices[static_cast<std::size_t>(point)]);
   }
+  spend(context.control, all.size());
   const Triangles made =
       largeComponents(all, gap.surface.rim.size(), gap.surface.positions, rule);
   for (const Triangle& triangle : inTheWhole(made, gap.vertices))
     surface.add(triangle);
+  spend(context.control, all.size());
   return obstructed;
 }
 
@@ -144,7 +150,9 @@ dropCrossings(PartialSurface& surface,
 }
 
 std::vector<pcl::index_t>
-touchedVertices(const PartialSurface& surface, const std::vector<pcl::index_t>& open)
+touchedVertices(const PartialSurface& surface,
+                const std::vector<pcl::index_t>& open,
+                RunControl* control)
 {
   std::vector<pcl::index_t> touched = open;
   for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
@@ -152,7 +160,9 @@ touchedVertices(const PartialSurface& surface, const std::vector<pcl::index_t>& 
     if (surface.isGiven(triangle) != surface.isAlive(triangle))
       touched.insert(touched.end(), surface[triangle].begin(), surface[triangle].end());
   }
+  spend(control, touched.size());
   sortUnique(touched);
+  spend(control, touched.size());
   return touched;
 }
 

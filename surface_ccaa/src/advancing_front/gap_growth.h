@@ -36,6 +36,7 @@ struct Gap {
  * \param[in,out] surface is told the spacing of points without triangles
  * \param[in] open points as \a search has ordered them \param[in] table of these
  * \param[in] usual_spacing of the given triangles
+ * \param[in,out] control told the work, may be null
  * \return nothing of use after cancelling */
 Gap
 openGap(PartialSurface& surface,
@@ -43,7 +44,8 @@ openGap(PartialSurface& surface,
         std::vector<pcl::index_t> table,
         double usual_spacing,
         unsigned int k,
-        const NeighborSearch& search);
+        const NeighborSearch& search,
+        RunControl* control);
 
 /** \brief Grow into a gap (see SurfaceGrowth), all its regions at the same time: these
  * know nothing of each other.
@@ -68,7 +70,9 @@ dropCrossings(PartialSurface& surface,
 
 /** \brief The open points, and the corners of triangles that went or came. */
 std::vector<pcl::index_t>
-touchedVertices(const PartialSurface& surface, const std::vector<pcl::index_t>& open);
+touchedVertices(const PartialSurface& surface,
+                const std::vector<pcl::index_t>& open,
+                RunControl* control);
 
 } // namespace ccaa
 } // namespace pcl

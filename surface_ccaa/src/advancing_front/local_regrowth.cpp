@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 namespace pcl {
@@ -80,15 +81,14 @@ LocalRegrowth::applyAll(const std::vector<Group>& waiting,
                         const std::vector<Attempt>& attempts)
 {
   std::vector<Group> again;
-  std::vector<pcl::index_t> changed;
+  std::unordered_set<pcl::index_t> changed;
   for (std::size_t i = 0; i < attempts.size(); ++i) {
     const Attempt& attempt = attempts[i];
     if (!attempt.is_better)
       continue;
-    std::sort(changed.begin(), changed.end());
     const bool overlaps =
         std::any_of(attempt.open.begin(), attempt.open.end(), [&](pcl::index_t point) {
-          return std::binary_search(changed.begin(), changed.end(), point);
+          return changed.count(point) > 0;
         });
     if (overlaps) {
       again.push_back(waiting[i]);
@@ -98,7 +98,7 @@ LocalRegrowth::applyAll(const std::vector<Group>& waiting,
       surface_.remove(t);
     for (const Triangle& triangle : attempt.made)
       surface_.add(triangle);
-    changed.insert(changed.end(), attempt.open.begin(), attempt.open.end());
+    changed.insert(attempt.open.begin(), attempt.open.end());
     if (attempt.flaws > 0 && !has_many_groups_ &&
         waiting[i].improvements < tuning::IMPROVEMENTS)
       again.push_back({waiting[i].points, waiting[i].improvements + 1});
@@ -139,7 +139,7 @@ LocalRegrowth::groups(const std::vector<pcl::index_t>& points) const
 
 /** The best of all tries around some points. */
 LocalRegrowth::Attempt
-LocalRegrowth::regrow(std::vector<pcl::index_t> points, const RunControl* control) const
+LocalRegrowth::regrow(std::vector<pcl::index_t> points, RunControl* control) const
 {
   Attempt best;
   for (int ring = 0; ring < (has_many_groups_ ? tuning::RINGS_OF_MANY : tuning::RINGS);
@@ -158,7 +158,7 @@ LocalRegrowth::regrow(std::vector<pcl::index_t> points, const RunControl* contro
 /** One try: all removable triangles at the points are taken away. */
 LocalRegrowth::Attempt
 LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
-                        const RunControl* control) const
+                        RunControl* control) const
 {
   Attempt best;
   best.removed = removableAt(points);
@@ -192,7 +192,7 @@ LocalRegrowth::Attempt
 LocalRegrowth::growInto(const OpenSurface& gap,
                         const std::vector<pcl::index_t>& vertices,
                         double smooth_fold,
-                        const RunControl* control) const
+                        RunControl* control) const
 {
   CompletionParameters parameters = parameters_;
   parameters.smooth_fold = smooth_fold;

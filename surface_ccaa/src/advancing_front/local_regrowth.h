@@ -76,14 +76,14 @@ private:
   std::vector<Group>
   groups(const std::vector<pcl::index_t>& points) const;
   Attempt
-  regrow(std::vector<pcl::index_t> points, const RunControl* control) const;
+  regrow(std::vector<pcl::index_t> points, RunControl* control) const;
   Attempt
-  growAnew(const std::vector<pcl::index_t>& points, const RunControl* control) const;
+  growAnew(const std::vector<pcl::index_t>& points, RunControl* control) const;
   Attempt
   growInto(const OpenSurface& gap,
            const std::vector<pcl::index_t>& vertices,
            double smooth_fold,
-           const RunControl* control) const;
+           RunControl* control) const;
   std::vector<Group>
   applyAll(const std::vector<Group>& waiting, const std::vector<Attempt>& attempts);
   std::vector<pcl::index_t>

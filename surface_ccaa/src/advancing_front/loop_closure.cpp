@@ -232,7 +232,7 @@ LoopClosure::apply(std::size_t i, std::size_t j)
 }
 
 std::vector<pcl::index_t>
-closeLoops(GrowingSurface& surface, TriangleTrial& trial)
+closeLoops(GrowingSurface& surface, TriangleTrial& trial, RunControl* control)
 {
   LoopClosure closure(surface, trial);
   const Front& front = surface.front();
@@ -246,7 +246,10 @@ closeLoops(GrowingSurface& surface, TriangleTrial& trial)
          j != FrontEdge::NONE && seen[static_cast<std::size_t>(j)] == 0;
          j = front[j].next)
       seen[static_cast<std::size_t>(j)] = 1;
-    if (closure.close(edge) == LoopClosure::Outcome::OBSTRUCTED)
+    const LoopClosure::Outcome outcome = closure.close(edge);
+    if (!spend(control, closure.work()))
+      break;
+    if (outcome == LoopClosure::Outcome::OBSTRUCTED)
       obstructed.insert(
           obstructed.end(), closure.corners().begin(), closure.corners().end());
   }

@@ -4,8 +4,10 @@
 
 #include "advancing_front/growing_surface.h"
 #include "advancing_front/triangle_trial.h"
+#include "run/run_control.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -42,6 +44,14 @@ public:
   corners() const
   {
     return corners_;
+  }
+
+  /** \brief Operations that it took: a weight for each pair of corners and each corner
+   * between them, and a look at what is in the way for some. */
+  std::uint64_t
+  work() const
+  {
+    return corners_.size() * corners_.size() * corners_.size();
   }
 
 private:
@@ -104,10 +114,11 @@ private:
 };
 
 /** \brief Close all loops of a surface's front that can be closed.
+ * \param[in,out] control told the work, may be null
  * \return open points, ascending, on loops that the samples support but other triangles
- * obstruct, or where several fans meet */
+ * obstruct, or where several fans meet; nothing of use after cancelling */
 std::vector<pcl::index_t>
-closeLoops(GrowingSurface& surface, TriangleTrial& trial);
+closeLoops(GrowingSurface& surface, TriangleTrial& trial, RunControl* control);
 
 } // namespace ccaa
 } // namespace pcl

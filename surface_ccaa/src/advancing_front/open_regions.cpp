@@ -5,11 +5,15 @@
 #include "mesh/disjoint_sets.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace pcl {
 namespace ccaa {
 namespace {
+
+/** Operations for a point of a region, in each of two steps. */
+constexpr std::uint64_t REGION_WORK = 30;
 
 void
 joinNeighbors(const OpenSurface& open, double reach, DisjointSets& sets)
@@ -77,8 +81,10 @@ OpenSurface
 regionOf(const OpenSurface& open,
          const std::vector<pcl::index_t>& points,
          const std::vector<pcl::index_t>& rim,
-         std::vector<pcl::index_t>& vertices)
+         std::vector<pcl::index_t>& vertices,
+         RunControl* control)
 {
+  WorkCount work(control);
   if (points.size() == open.open_points) {
     vertices.resize(open.positions.size());
     std::iota(vertices.begin(), vertices.end(), 0);
@@ -94,11 +100,13 @@ regionOf(const OpenSurface& open,
   for (Triangle& triangle : region.rim)
     for (pcl::index_t& corner : triangle)
       corner = numbers[corner];
+  work.add(REGION_WORK * points.size());
   for (const pcl::index_t vertex : vertices)
     region.positions.push_back(open.positions[static_cast<std::size_t>(vertex)]);
   const unsigned int k = open.neighbors.k;
   region.neighbor_table.assign(points.size() * k, NeighborRows::NONE);
   for (std::size_t i = 0; i < points.size(); ++i) {
+    work.add(REGION_WORK);
     region.spacings.push_back(open.spacings[static_cast<std::size_t>(points[i])]);
     if (!open.normals.empty())
       region.normals.push_back(open.normals[static_cast<std::size_t>(points[i])]);

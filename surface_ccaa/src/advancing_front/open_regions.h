@@ -3,6 +3,7 @@
 #pragma once
 
 #include "advancing_front/open_surface.h"
+#include "run/run_control.h"
 
 #include <vector>
 
@@ -28,12 +29,14 @@ rimOfRegions(const OpenSurface& open,
 /** \brief One region as an open surface of its own.
  * \param[in] points of the region, ascending
  * \param[in] rim its rim triangles
- * \param[out] vertices what its vertices are in \a open */
+ * \param[out] vertices what its vertices are in \a open
+ * \param[in,out] control told the work, may be null */
 OpenSurface
 regionOf(const OpenSurface& open,
          const std::vector<pcl::index_t>& points,
          const std::vector<pcl::index_t>& rim,
-         std::vector<pcl::index_t>& vertices);
+         std::vector<pcl::index_t>& vertices,
+         RunControl* control = nullptr);
 
 } // namespace ccaa
 } // namespace pcl

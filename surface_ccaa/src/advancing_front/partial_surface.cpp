@@ -5,10 +5,14 @@
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pcl {
 namespace ccaa {
 namespace {
+
+/** Operations for a point that is open, in each of the steps that make it so. */
+constexpr std::uint64_t OPENING_WORK = 20;
 
 Position
 finiteOrZero(const Position& direction)
@@ -81,7 +85,8 @@ PartialSurface::add(const Triangle& triangle)
 OpenSurface
 PartialSurface::openAt(const std::vector<pcl::index_t>& open,
                        const std::vector<pcl::index_t>& removed,
-                       std::vector<pcl::index_t>& vertices) const
+                       std::vector<pcl::index_t>& vertices,
+                       RunControl* control) const
 {
   OpenSurface surface;
   surface.open_points = open.size();
@@ -89,17 +94,26 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
   for (const pcl::index_t t : trianglesAt(open))
     if (!std::binary_search(removed.begin(), removed.end(), t))
       surface.rim.push_back((*this)[t]);
+  if (!spend(control, OPENING_WORK * open.size()))
+    return {};
   vertices = open;
   const VertexNumbers numbers(surface.rim, vertices);
+  if (!spend(control, OPENING_WORK * open.size()))
+    return {};
   for (Triangle& triangle : surface.rim)
     for (pcl::index_t& corner : triangle)
       corner = numbers[corner];
+  WorkCount work(control);
   surface.positions.reserve(vertices.size());
   for (const pcl::index_t vertex : vertices)
     surface.positions.push_back(points_[vertex]);
-  for (const pcl::index_t vertex : open)
-    surface.spacings.push_back(spacingAt(vertex));
   for (const pcl::index_t vertex : open) {
+    surface.spacings.push_back(spacingAt(vertex));
+    if (!work.add(OPENING_WORK))
+      return {};
+  }
+  for (const pcl::index_t vertex : open) {
+    work.add(1);
     if (!hints_.normals.empty())
       surface.normals.push_back(finiteOrZero(hints_.normals[vertex]));
     surface.outward.push_back(outwardAt(vertex, points_, hints_));

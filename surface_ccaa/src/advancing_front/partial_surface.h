@@ -8,6 +8,7 @@
 #include "mesh/point_view.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_adjacency.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <vector>
@@ -91,11 +92,14 @@ public:
    * Spacings come from the given triangles, also those that have been removed, or from
    * noteSpacing().
    * \param[in] removed triangles to leave out, ascending
-   * \param[out] vertices what the vertices of the open surface are here */
+   * \param[out] vertices what the vertices of the open surface are here
+   * \param[in,out] control told the work, may be null \return nothing of use after
+   * cancelling */
   OpenSurface
   openAt(const std::vector<pcl::index_t>& open,
          const std::vector<pcl::index_t>& removed,
-         std::vector<pcl::index_t>& vertices) const;
+         std::vector<pcl::index_t>& vertices,
+         RunControl* control = nullptr) const;
 
   /** \brief Say what the spacing is around a vertex without given triangles. */
   void

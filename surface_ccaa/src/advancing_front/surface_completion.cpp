@@ -130,7 +130,8 @@ Completion::advanceFront()
                  std::move(table_),
                  usualSpacing(mesh_.given, mesh_.points),
                  parameters_.neighbors,
-                 search_);
+                 search_,
+                 &control_);
   if (control_.cancelled())
     return;
   nearby_.emplace(mesh_.given,
@@ -158,7 +159,10 @@ void
 Completion::settle()
 {
   dropCrossings(*surface_, mesh_.points, context_);
-  settleFans(*surface_, touchedVertices(*surface_, gap_.open), parameters_.keep_given);
+  settleFans(*surface_,
+             touchedVertices(*surface_, gap_.open, &control_),
+             parameters_.keep_given,
+             &control_);
   for (std::size_t t = 0; t < surface_->triangleCount(); ++t) {
     const auto triangle = static_cast<pcl::index_t>(t);
     if (!surface_->isAlive(triangle))

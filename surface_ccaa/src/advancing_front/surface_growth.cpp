@@ -29,25 +29,26 @@ SurfaceGrowth::SurfaceGrowth(const OpenSurface& open,
 {}
 
 bool
-SurfaceGrowth::run(const RunControl* control)
+SurfaceGrowth::run(RunControl* control)
 {
   if (!growFront(control) || !growFromSeeds(control, tuning::MOST_THICKNESS))
     return false;
   if (surface_.triangles().empty() && !growFromSeeds(control, 1.0))
     return false;
-  obstructed_ = closeLoops(surface_, trial_);
-  return true;
+  obstructed_ = closeLoops(surface_, trial_, control);
+  return !isCancelled(control);
 }
 
 bool
-SurfaceGrowth::growFromSeeds(const RunControl* control, double thickness)
+SurfaceGrowth::growFromSeeds(RunControl* control, double thickness)
 {
   for (std::size_t i = 0; i < open_.open_points; ++i) {
     const auto vertex = static_cast<pcl::index_t>(i);
-    if (i % tuning::POLL_INTERVAL == 0 && control != nullptr && control->cancelled())
+    if (surface_.hasTriangles(vertex))
+      continue;
+    if (!spend(control, tuning::GROWTH_WORK))
       return false;
-    if (!surface_.hasTriangles(vertex) &&
-        neighborhoodThickness(open_, vertex) <= thickness && plantSeed(vertex) &&
+    if (neighborhoodThickness(open_, vertex) <= thickness && plantSeed(vertex) &&
         !growFront(control))
       return false;
   }
@@ -55,12 +56,11 @@ SurfaceGrowth::growFromSeeds(const RunControl* control, double thickness)
 }
 
 bool
-SurfaceGrowth::growFront(const RunControl* control)
+SurfaceGrowth::growFront(RunControl* control)
 {
   proposeNew();
-  for (std::size_t steps = 1; !proposals_.empty(); ++steps) {
-    if (steps % tuning::POLL_INTERVAL == 0 && control != nullptr &&
-        control->cancelled())
+  while (!proposals_.empty()) {
+    if (!spend(control, tuning::GROWTH_WORK))
       return false;
     const Proposal best = proposals_.top();
     proposals_.pop();

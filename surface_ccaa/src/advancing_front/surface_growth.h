@@ -42,10 +42,10 @@ public:
                 const NearbyTriangles* nearby = nullptr);
 
   /** \brief Grow until nothing more can be added.
-   * \param[in] control polled, may be null
+   * \param[in,out] control told the work, may be null
    * \return false when cancelled */
   bool
-  run(const RunControl* control);
+  run(RunControl* control);
 
   const GrowingSurface&
   surface() const
@@ -104,9 +104,9 @@ private:
   };
 
   bool
-  growFront(const RunControl* control);
+  growFront(RunControl* control);
   bool
-  growFromSeeds(const RunControl* control, double thickness);
+  growFromSeeds(RunControl* control, double thickness);
   void
   take(const Proposal& proposal);
   void

@@ -98,8 +98,8 @@ constexpr std::array<int, 2> AROUND = {10, 20};
 
 /** Open points that one thread completes in the time it takes to wake others. */
 constexpr std::size_t SMALL_GAP = 100;
-/** Triangles between two looks at the cancel flag. */
-constexpr std::size_t POLL_INTERVAL = 512;
+/** Operations for a triangle that is added or a seed that is looked for. */
+constexpr std::size_t GROWTH_WORK = 3000;
 /** Of the given triangles one in so many tells the usual spacing. */
 constexpr std::size_t SPACING_STRIDE = 16;
 /** Median distances of neighbors to a cell of the grid that chooses triangles. */

@@ -26,6 +26,9 @@ constexpr double MOST_INVERSE = 1e12;
 /** Parts of an order that each thread arranges, so that all have enough. */
 constexpr std::size_t STRETCHES_A_THREAD = 4;
 
+/** Operations for a box that is put into one of two halves. */
+constexpr std::uint64_t HALVING_WORK = 2;
+
 /** Boxes to a node: halves are a multiple of it, and of its powers. */
 constexpr std::size_t RUN = 8;
 
@@ -84,28 +87,32 @@ halve(const Stretch& all)
 /** Order boxes so that each run of RUN, and each run of as many runs and
  * so on, lies close together. Log-linear. */
 void
-arrange(const Stretch& all)
+arrange(const Stretch& all, WorkCount& work)
 {
   const Place middle = halve(all);
-  if (middle == all.end)
+  if (middle == all.end ||
+      !work.add(HALVING_WORK * static_cast<std::uint64_t>(all.end - all.begin)))
     return;
-  arrange({all.begin, middle});
-  arrange({middle, all.end});
+  arrange({all.begin, middle}, work);
+  arrange({middle, all.end}, work);
 }
 
 /** The same, with halves side by side once there are some. */
 void
-arrange(const Stretch& all, int threads)
+arrange(const Stretch& all, int threads, RunControl* control)
 {
-  const LoopContext one_by_one{threads, nullptr, "", 1};
+  RunControl part(control); // tells no stages
+  const LoopContext one_by_one{threads, control == nullptr ? nullptr : &part, "", 1};
   std::vector<Stretch> stretches{all};
   while (threads > 1 &&
          stretches.size() < STRETCHES_A_THREAD * static_cast<std::size_t>(threads)) {
-    std::vector<Place> middles(stretches.size());
+    std::vector<Place> middles(stretches.size(), all.end);
     forEachBlock(
         stretches.size(), one_by_one, [&](std::size_t i, std::size_t, std::size_t) {
           middles[i] = halve(stretches[i]);
         });
+    if (one_by_one.cancelled())
+      return;
     std::vector<Stretch> halves;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       halves.push_back({stretches[i].begin, middles[i]});
@@ -113,15 +120,17 @@ arrange(const Stretch& all, int threads)
     }
     stretches = std::move(halves);
   }
-  forEachBlock(stretches.size(),
-               one_by_one,
-               [&](std::size_t i, std::size_t, std::size_t) { arrange(stretches[i]); });
+  forEachBlock(
+      stretches.size(), one_by_one, [&](std::size_t i, std::size_t, std::size_t) {
+        WorkCount work(one_by_one.control);
+        arrange(stretches[i], work);
+      });
 }
 
 } // namespace
 
 std::vector<pcl::index_t>
-neighboringOrder(const std::vector<Box>& boxes, int threads)
+neighboringOrder(const std::vector<Box>& boxes, int threads, RunControl* control)
 {
   std::vector<Middle> middles;
   middles.reserve(boxes.size());
@@ -130,7 +139,8 @@ neighboringOrder(const std::vector<Box>& boxes, int threads)
     if (!boxes[i].isEmpty())
       middles.push_back({{sum.x(), sum.y(), sum.z()}, static_cast<pcl::index_t>(i)});
   }
-  arrange({middles.begin(), middles.end()}, threads);
+  spend(control, middles.size());
+  arrange({middles.begin(), middles.end()}, threads, control);
   std::vector<pcl::index_t> order;
   order.reserve(middles.size());
   for (const Middle& middle : middles)
@@ -138,8 +148,8 @@ neighboringOrder(const std::vector<Box>& boxes, int threads)
   return order;
 }
 
-BoxTree::BoxTree(const std::vector<Box>& boxes, int threads)
-: order_(neighboringOrder(boxes, threads))
+BoxTree::BoxTree(const std::vector<Box>& boxes, int threads, RunControl* control)
+: order_(neighboringOrder(boxes, threads, control))
 {
   build(order_.size(), {threads}, [&](std::size_t place) {
     return boxes[static_cast<std::size_t>(order_[place])];

@@ -41,9 +41,12 @@ widened(const Box& box, double room)
 
 /** \brief The boxes that are not empty, in an order in which those that follow each
  * other are close in space: halves along the widest axis, and so on. The same for any
- * number of threads. Log-linear, about 0.3 us a box. */
+ * number of threads. Log-linear, about 0.3 us a box. \param[in,out] control told the
+ * work, may be null; after cancelling they are in some order */
 std::vector<pcl::index_t>
-neighboringOrder(const std::vector<Box>& boxes, int threads = 1);
+neighboringOrder(const std::vector<Box>& boxes,
+                 int threads = 1,
+                 RunControl* control = nullptr);
 
 /** \brief A static tree over boxes in single precision, in a frame in which they fill a
  * unit box: eight to a node, whose bounds lie side by side so that one pass over them
@@ -59,7 +62,9 @@ public:
   BoxTree() = default;
 
   /** \brief Build from boxes in neighboringOrder(). */
-  explicit BoxTree(const std::vector<Box>& boxes, int threads = 1);
+  explicit BoxTree(const std::vector<Box>& boxes,
+                   int threads = 1,
+                   RunControl* control = nullptr);
 
   /** \brief Build from the boxes boxOf(0), ..., boxOf(count - 1) in their order. */
   template <typename BoxOf>

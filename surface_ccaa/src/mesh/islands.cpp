@@ -25,6 +25,7 @@ labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context)
           sets.join(t, static_cast<std::size_t>(other));
       }
   });
+  spend(context.control, count);
   Islands islands;
   islands.of_triangle.resize(count);
   for (std::size_t t = 0; t < count; ++t) { // the lowest of a set is its root

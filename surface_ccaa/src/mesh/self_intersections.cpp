@@ -57,7 +57,9 @@ findSelfIntersections(const Triangles& triangles,
 {
   SelfIntersections result;
   const std::vector<Box> boxes = boxesOf(triangles, positions, {threads});
-  const BoxTree tree(boxes, threads);
+  control.spend(triangles.size());
+  const BoxTree tree(boxes, threads, &control);
+  control.spend(triangles.size());
   const std::size_t count = tree.order().size();
   result.left_out = triangles.size() - count;
   LoopContext context{threads, &control, "self-intersections"};

@@ -145,6 +145,38 @@ spend(RunControl* control, std::uint64_t operations)
   return control == nullptr || control->spend(operations);
 }
 
+/** \brief The work of many small steps, told together so that counting costs next to
+ * nothing. Of one thread; tells what is left when it ends. */
+class WorkCount {
+public:
+  /** \param[in] control null, or else must outlive the count */
+  explicit WorkCount(RunControl* control) : control_(control) {}
+  WorkCount(const WorkCount&) = delete;
+  WorkCount&
+  operator=(const WorkCount&) = delete;
+  ~WorkCount() { tell(); }
+
+  /** \return false when the run or its part is to stop, as far as was asked */
+  bool
+  add(std::uint64_t operations)
+  {
+    untold_ += operations;
+    return untold_ < MOST_UNTOLD || tell();
+  }
+
+  /** \brief Tell what was not told yet. \return as spend() */
+  bool
+  tell()
+  {
+    return spend(control_, std::exchange(untold_, 0));
+  }
+
+private:
+  static constexpr std::uint64_t MOST_UNTOLD = 10000; /**< operations */
+  RunControl* control_;
+  std::uint64_t untold_ = 0;
+};
+
 inline bool
 isCancelled(const RunControl* control)
 {

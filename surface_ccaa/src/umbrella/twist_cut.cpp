@@ -140,6 +140,7 @@ private:
         });
     for (const std::vector<BentEdge>& part : bent)
       bent_.insert(bent_.end(), part.begin(), part.end());
+    spend(context_.control, size());
     std::stable_sort(
         bent_.begin(), bent_.end(), [](const BentEdge& e, const BentEdge& f) {
           return e.cosine > f.cosine;
@@ -188,6 +189,7 @@ private:
   void
   joinBentEdges()
   {
+    spend(context_.control, size());
     std::vector<char> is_wrong(size(), 0);
     for (const BentEdge& edge : bent_) {
       if (is_wrong[static_cast<std::size_t>(edge.lower)] != 0 ||
@@ -223,6 +225,7 @@ private:
       double triangles = 0;
       double wrong = 0;
     };
+    spend(context_.control, size());
     std::vector<Balance> balance(size());
     for (std::size_t i = 0; i < size(); ++i)
       ++balance[region(static_cast<index_t>(i))].triangles;

@@ -224,6 +224,22 @@ TEST_F(Interface, CancellingLeavesAnEmptyResult)
   }
 }
 
+TEST_F(Interface, GrowthAsksMoreOftenTheMoreItGrows)
+{
+  const auto calls = [&](std::size_t points) {
+    int count = 0;
+    completion_.setProgressCallback([&](const std::string& stage, double) {
+      count += stage == "neighbors" ? 1 : 0; // reported last before the only region
+      return true;
+    });
+    EXPECT_FALSE(reconstruct(bumpySphere(points)).empty());
+    return count;
+  };
+  const int few = calls(2000);
+  EXPECT_GT(few, 10);
+  EXPECT_GT(calls(8000), 3 * few);
+}
+
 TEST_F(Interface, CancellingAnywhereLeavesAnEmptyResult)
 {
   const Shape given = bumpyPartialMesh();

@@ -60,6 +60,33 @@ TEST(RunControl, PartStopsWhenItHasSpentWhatItMay)
   EXPECT_EQ(101U, whole.work());
 }
 
+TEST(WorkCount, TellsSmallStepsTogether)
+{
+  RunControl control;
+  {
+    WorkCount work(&control);
+    for (int i = 0; i < 100; ++i)
+      EXPECT_TRUE(work.add(1));
+    EXPECT_EQ(0U, control.work());
+    work.add(RunControl::PATIENCE);
+    EXPECT_EQ(100U + RunControl::PATIENCE, control.work());
+    work.add(7);
+  }
+  EXPECT_EQ(107U + RunControl::PATIENCE, control.work());
+  EXPECT_TRUE(WorkCount(nullptr).add(RunControl::PATIENCE));
+}
+
+TEST(WorkCount, StopsSoonAfterItsPartMay)
+{
+  RunControl part(nullptr, 1000000);
+  WorkCount work(&part);
+  std::uint64_t steps = 0;
+  while (work.add(10))
+    ++steps;
+  EXPECT_GE(10 * (steps + 1), 1000000U);
+  EXPECT_LE(10 * steps, 1100000U);
+}
+
 TEST(RunControl, PartStopsWithTheWholeAndTellsNoStages)
 {
   int told = 0;
