@@ -3,8 +3,6 @@
 
 #include "fairing/fairing_system.h"
 
-#include <Eigen/SparseCholesky>
-
 #include <cmath>
 #include <numeric>
 
@@ -14,8 +12,11 @@ namespace repair {
 namespace {
 
 using Triplet = Eigen::Triplet<double>;
-using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-using Solver = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>;
+
+/** Columns of a product that are computed in one go. */
+constexpr Eigen::Index COLUMNS_AT_ONCE = 1024;
+/** Operations to add a row to a system. */
+constexpr std::uint64_t ROW_WORK = 50;
 
 /** Number of each vertex among those that move; -1 for the others. */
 struct Unknowns {
@@ -63,10 +64,10 @@ public:
     return matrix;
   }
 
-  Coordinates
+  Columns
   targets() const
   {
-    Coordinates targets(static_cast<Eigen::Index>(targets_.size()), 3);
+    Columns targets(static_cast<Eigen::Index>(targets_.size()), 3);
     for (std::size_t i = 0; i < targets_.size(); ++i)
       targets.row(static_cast<Eigen::Index>(i)) = targets_[i].transpose();
     return targets;
@@ -114,28 +115,34 @@ addPulls(const JoinedSurface& surface, const FairingTask& task, Residuals& resid
   }
 }
 
-} // namespace
-
-bool
-FairingSolver::factorise(const SparseMatrix& matrix)
+/** A^T A, some columns after the other. */
+SparseMatrix
+squareOf(const SparseMatrix& matrix, ccaa::RunControl* control)
 {
-  const int* const starts = matrix.outerIndexPtr();
-  const int* const rows = matrix.innerIndexPtr();
-  std::vector<int> new_starts(starts, starts + matrix.outerSize() + 1);
-  std::vector<int> new_rows(rows, rows + matrix.nonZeros());
-  if (new_starts != starts_ || new_rows != rows_) {
-    solver_.analyzePattern(matrix);
-    starts_.swap(new_starts);
-    rows_.swap(new_rows);
+  const SparseMatrix transposed = matrix.transpose();
+  SparseMatrix square(matrix.cols(), matrix.cols());
+  for (Eigen::Index first = 0; first < matrix.cols(); first += COLUMNS_AT_ONCE) {
+    const Eigen::Index count = std::min(COLUMNS_AT_ONCE, matrix.cols() - first);
+    const SparseMatrix part = transposed * matrix.middleCols(first, count);
+    if (!ccaa::spend(control, 10 * static_cast<std::uint64_t>(part.nonZeros())))
+      return square;
+    for (Eigen::Index column = 0; column < count; ++column) {
+      square.startVec(first + column);
+      for (SparseMatrix::InnerIterator entry(part, column); entry; ++entry)
+        square.insertBack(entry.row(), first + column) = entry.value();
+    }
   }
-  solver_.factorize(matrix);
-  return solver_.info() == Eigen::Success;
+  square.finalize();
+  return square;
 }
+
+} // namespace
 
 Positions
 fairPositions(const JoinedSurface& surface,
               const FairingTask& task,
-              FairingSolver& solver)
+              SparseFactorisation& solver,
+              ccaa::RunControl* control)
 {
   const Unknowns unknowns(task.fixed);
   if (unknowns.count == 0)
@@ -143,12 +150,15 @@ fairPositions(const JoinedSurface& surface,
   Residuals residuals(surface, unknowns);
   addBending(surface, task, residuals);
   addPulls(surface, task, residuals);
-  const SparseMatrix matrix = residuals.matrix();
-  if (!solver.factorise(SparseMatrix(matrix.transpose() * matrix)))
+  if (!ccaa::spend(control, ROW_WORK * surface.patch_vertices))
     return {};
-  const Coordinates solution =
-      solver.solve(Coordinates(matrix.transpose() * residuals.targets()));
-  if (!solution.allFinite())
+  const SparseMatrix matrix = residuals.matrix();
+  ccaa::spend(control, ROW_WORK * surface.patch_vertices);
+  if (!solver.factorise(squareOf(matrix, control), control))
+    return {};
+  const Columns solution =
+      solver.solve(matrix.transpose() * residuals.targets(), control);
+  if (ccaa::isCancelled(control) || !solution.allFinite())
     return {};
   Positions positions(surface.positions.begin(),
                       surface.positions.begin() +
@@ -160,24 +170,27 @@ fairPositions(const JoinedSurface& surface,
 }
 
 std::vector<double>
-harmonicValues(const JoinedSurface& surface, const std::vector<double>& values)
+harmonicValues(const JoinedSurface& surface,
+               const std::vector<double>& values,
+               ccaa::RunControl* control)
 {
   const Triangles patch(surface.triangles.begin(),
                         surface.triangles.begin() +
                             static_cast<std::ptrdiff_t>(surface.patch_triangles));
   const SurfaceLaplacian laplacian = surfaceLaplacian(patch, surface.positions);
+  ccaa::spend(control, ROW_WORK * surface.patch_vertices);
   const auto rim = static_cast<Eigen::Index>(values.size());
   const auto inner = static_cast<Eigen::Index>(surface.patch_vertices) - rim;
   const Eigen::VectorXd known = Eigen::Map<const Eigen::VectorXd>(values.data(), rim);
   const SparseMatrix matrix = -laplacian.stiffness.block(rim, rim, inner, inner);
   const SparseMatrix border = laplacian.stiffness.block(rim, 0, inner, rim);
-  const Solver solver(matrix);
   const double mean = known.size() > 0 ? known.mean() : 0.0;
   std::vector<double> all(surface.patch_vertices, mean);
   std::copy(values.begin(), values.end(), all.begin());
-  if (inner == 0 || solver.info() != Eigen::Success)
+  SparseFactorisation solver;
+  if (inner == 0 || !solver.factorise(matrix, control))
     return all;
-  const Eigen::VectorXd solution = solver.solve(border * known);
+  const Eigen::VectorXd solution = solver.solve(border * known, control);
   const double low = known.minCoeff(), high = known.maxCoeff();
   for (Eigen::Index i = 0; i < inner; ++i)
     if (std::isfinite(solution[i]))

@@ -3,10 +3,8 @@
 
 #pragma once
 
-#include <Eigen/SparseCholesky>
-
 #include "fairing/joined_surface.h"
-#include "fairing/surface_laplacian.h"
+#include "fairing/sparse_factorisation.h"
 
 #include <cstddef>
 #include <vector>
@@ -29,26 +27,6 @@ struct FairingTask {
   std::vector<Pull> pulls;
 };
 
-/** \brief Solves system after system; the order of elimination is sought anew only
- * where the places of the entries have changed. */
-class FairingSolver {
-public:
-  /** \param[in] matrix symmetric \return whether there is a factorisation */
-  bool
-  factorise(const SparseMatrix& matrix);
-
-  Eigen::Matrix<double, Eigen::Dynamic, 3>
-  solve(const Eigen::Matrix<double, Eigen::Dynamic, 3>& sides) const
-  {
-    return solver_.solve(sides);
-  }
-
-private:
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> solver_;
-  std::vector<int> starts_; /**< of the columns analysed last */
-  std::vector<int> rows_;
-};
-
 /** \brief The positions x that make the integral of |Laplacian(x) + curvature n|^2
  * least, plus sum of w |x(pull) - target|^2, with metric and normals n of the surface
  * as it is.
@@ -59,17 +37,22 @@ private:
  * they make the tangent planes join.
  *
  * \param[in,out] solver of the rounds before, or a new one
- * \return of the vertices of the patch; empty where there is no finite solution */
+ * \param[in,out] control told the work, may be null
+ * \return of the vertices of the patch; empty where there is no finite solution, or
+ * after cancelling */
 Positions
 fairPositions(const JoinedSurface& surface,
               const FairingTask& task,
-              FairingSolver& solver);
+              SparseFactorisation& solver,
+              ccaa::RunControl* control);
 
 /** \brief Values at the rim, continued over the patch without a maximum or minimum
- * within. \param[in] values of the first vertices \return of all of the patch; the mean
- * of the values where that fails */
+ * within. \param[in] values of the first vertices \param[in,out] control told the work,
+ * may be null \return of all of the patch; the mean of the values where that fails */
 std::vector<double>
-harmonicValues(const JoinedSurface& surface, const std::vector<double>& values);
+harmonicValues(const JoinedSurface& surface,
+               const std::vector<double>& values,
+               ccaa::RunControl* control);
 
 } // namespace repair
 } // namespace pcl

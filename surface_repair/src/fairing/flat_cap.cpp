@@ -107,7 +107,7 @@ isBase(const BoundaryCurve& rim, const IncompleteModel& model, pcl::index_t tria
 }
 
 void
-flattenPatch(const IncompleteModel& model, Patch& patch)
+flattenPatch(const IncompleteModel& model, Patch& patch, ccaa::RunControl* control)
 {
   const std::size_t rim = patch.rim.size();
   const Positions points(patch.positions.begin(),
@@ -119,7 +119,7 @@ flattenPatch(const IncompleteModel& model, Patch& patch)
   for (const Position& point : points)
     heights.push_back(normal.dot(point - spread.center));
   const std::vector<double> wanted =
-      harmonicValues(joinSurface(model, patch, 0), heights);
+      harmonicValues(joinSurface(model, patch, 0), heights, control);
   for (std::size_t v = rim; v < patch.positions.size(); ++v) {
     const double height = normal.dot(patch.positions[v] - spread.center);
     if (!patch.isHeld(v))

@@ -34,7 +34,9 @@ isBase(const BoundaryCurve& rim, const IncompleteModel& model, pcl::index_t tria
  * heights that the rim's ones continue without a maximum or minimum: over a plane rim
  * into the plane. Held vertices stay. Cost: one sparse linear system. */
 void
-flattenPatch(const IncompleteModel& model, Patch& patch);
+flattenPatch(const IncompleteModel& model,
+             Patch& patch,
+             ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

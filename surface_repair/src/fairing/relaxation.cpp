@@ -25,8 +25,11 @@ constexpr double LARGEST_GROWTH = 4.0;
 /** In mean edge lengths, mean square over the vertices: rounds that move less end it.
  */
 constexpr double SETTLED = 0.05;
-/** Operations of a round for each triangle, the factorisation of usual patches too. */
-constexpr std::size_t ROUND_WORK = 200;
+/** Operations of a round for each triangle besides its systems, of these those that
+ * free points are attached in, and those before the first one. */
+constexpr std::size_t ROUND_WORK = 100;
+constexpr std::size_t ATTACHING_WORK = 50;
+constexpr std::size_t JOINING_WORK = 50;
 /** Rounds that are done in any case: the plate, and the first two with curvature. */
 constexpr std::size_t FEWEST_ROUNDS = 3;
 
@@ -107,20 +110,23 @@ relaxPatch(const IncompleteModel& model,
 {
   RelaxationReport report;
   JoinedSurface surface = joinSurface(model, patch, RINGS);
+  ccaa::spend(control, JOINING_WORK * surface.triangles.size());
   FairingTask task;
   task.fixed = fixedVertices(surface, patch);
   const std::vector<double> rim = rimCurvatures(surface, patch.rim.size());
   const FreePointPulls pulls(model, free_points, parameters, patch, surface);
-  FairingSolver solver;
+  ccaa::spend(control, JOINING_WORK * surface.triangles.size());
+  SparseFactorisation solver;
   bool settled = false;
   for (std::size_t round = 0; round < parameters.rounds && !settled; ++round) {
     if (!ccaa::spend(control, ROUND_WORK * surface.triangles.size()))
       break;
     if (round > 0) { // the first surface is the thin plate, with normals to go on from
-      task.curvatures = harmonicValues(surface, rim);
+      task.curvatures = harmonicValues(surface, rim, control);
       task.pulls = pulls.attach(surface);
+      ccaa::spend(control, ATTACHING_WORK * surface.triangles.size());
     }
-    const Positions positions = fairPositions(surface, task, solver);
+    const Positions positions = fairPositions(surface, task, solver, control);
     if (!isSane(surface, positions))
       break;
     settled = round + 1 >= FEWEST_ROUNDS && isSettled(surface, positions);

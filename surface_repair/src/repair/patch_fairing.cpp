@@ -75,7 +75,7 @@ Fairing::relax()
   RelaxationParameters relaxation = place_.parameters.relaxation;
   relaxation.trust = place_.parameters.survey.field.trust;
   if (how_.is_flat)
-    flattenPatch(place_.model, patch_);
+    flattenPatch(place_.model, patch_, context_.control);
   else
     relaxPatch(
         place_.model, place_.model.free_points, relaxation, patch_, context_.control);

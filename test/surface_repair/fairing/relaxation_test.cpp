@@ -199,6 +199,21 @@ TEST(RelaxPatch, GivesTheSameOnceMore)
   EXPECT_EQ(one.patch.positions, other.patch.positions);
 }
 
+TEST(RelaxPatch, LeavesThePatchAsItIsWhereItIsLeftBeforeTheFirstSurface)
+{
+  const PatchedHole hole = refined(cappedSphere(5, 1.2));
+  ccaa::RunControl whole;
+  Patch relaxed = hole.patch;
+  ASSERT_TRUE(relaxPatch(hole.model, {}, {}, relaxed, &whole).solved);
+  for (const std::uint64_t share : {1000, 100, 30}) {
+    ccaa::RunControl control(nullptr, whole.work() / share);
+    Patch patch = hole.patch;
+    EXPECT_FALSE(relaxPatch(hole.model, {}, {}, patch, &control).solved) << share;
+    EXPECT_EQ(hole.patch.positions, patch.positions) << share;
+    EXPECT_LT(control.work(), whole.work()) << share;
+  }
+}
+
 TEST(RelaxPatch, SurvivesPointsOfThePatchAtOnePlace)
 {
   PatchedHole hole = refined(cappedSphere(3, 0.9));
