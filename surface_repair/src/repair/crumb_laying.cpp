@@ -6,6 +6,7 @@
 #include "boundary/extraction.h"
 #include "fairing/triangle_search.h"
 #include "repair/opening.h"
+#include "repair/region_parts.h"
 #include "repair/ring_filling.h"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ constexpr double DEEPEST = 0.3;
 constexpr double NEARER = 0.5;
 /** Edges of an opening that is closed around a crumb. */
 constexpr std::size_t LONGEST_BORDER = 128;
+/** Operations for a triangle around a crumb each time that some are opened. */
+constexpr std::uint64_t OPENING_WORK = 5;
 /** What is looked at around a crumb, in the reach. */
 constexpr double ROOM = 4.0;
 
@@ -48,7 +51,11 @@ public:
   CrumbLaying(const std::vector<std::size_t>& crumb,
               const Course& course,
               GrowingSurface& surface)
-  : crumb_(crumb), course_(course), surface_(surface)
+  : crumb_(crumb)
+  , control_(course.context.control, workFor(crumb.size()))
+  , context_{1, &control_}
+  , course_(within(course, context_))
+  , surface_(surface)
   {}
 
   /** \return whether it is part of a patch now */
@@ -91,7 +98,9 @@ private:
   holeOf(const Opening& opening) const;
 
   const std::vector<std::size_t>& crumb_;
-  const Course& course_;
+  ccaa::RunControl control_;
+  const ccaa::LoopContext context_;
+  const Course course_;
   GrowingSurface& surface_;
   double reach_ = 0.0;
   ccaa::Box around_;
@@ -137,10 +146,10 @@ CrumbLaying::lookAround(const ccaa::Box& crumb)
 {
   around_ = ccaa::widened(crumb, ROOM * reach_);
   const ccaa::Box within = ccaa::widened(crumb, reach_);
-  for (const std::size_t t : surface_.near(within))
+  for (const std::size_t t : surface_.near(within, &control_))
     if (surface_.hole[t] != NONE)
       around_.extend(ccaa::widened(boxAt(t), boxAt(t).diagonal().norm()));
-  near_ = surface_.near(around_);
+  near_ = surface_.near(around_, &control_);
 }
 
 /** \param[in] reach in extents of the crumb */
@@ -151,7 +160,7 @@ CrumbLaying::tryWithin(double reach)
   for (const std::size_t t : crumb_)
     box.extend(boxAt(t));
   reach_ = reach * box.diagonal().norm();
-  if (!surface_.hasPatchIn(ccaa::widened(box, reach_)))
+  if (!surface_.hasPatchIn(ccaa::widened(box, reach_), &control_))
     return false;
   lookAround(box);
   part_ = {};
@@ -178,9 +187,10 @@ CrumbLaying::tryWithin(double reach)
     if (turned)
       turnCrumb();
     if (part_.triangles.empty()) // of the crumb only the places count
-      part_ = surface_.part(near_);
+      part_ = surface_.part(near_, &control_);
     for (const int rings : OPENED_RINGS)
-      if (layInto(*shadow, reach < FARTHEST ? rings : rings * shadow->slopes))
+      if (control_.spend(OPENING_WORK * part_.triangles.size()) &&
+          layInto(*shadow, reach < FARTHEST ? rings : rings * shadow->slopes))
         return true;
     if (turned)
       turnCrumb();
@@ -277,8 +287,11 @@ CrumbLaying::layInto(const Shadow& shadow, int rings)
   place_ = place_.intersection(around_); // beyond that nothing is known
   if (isKnown(opening))
     return false;
-  const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
-  const std::vector<std::size_t> meeting = surface_.meeting(crumb_);
+  const ModelPart left =
+      surface_.part(trianglesLeft(part_, opening, place_), &control_);
+  if (control_.cancelled())
+    return false;
+  const std::vector<std::size_t> meeting = surface_.meeting(crumb_, &control_);
   if (std::any_of(meeting.begin(), meeting.end(), [&](std::size_t t) {
         return std::binary_search(left.triangles.begin(), left.triangles.end(), t);
       }))
@@ -306,11 +319,12 @@ CrumbLaying::close(const Opening& opening,
     for (RingPolygon& ring : rings)
       for (pcl::index_t& vertex : ring.vertices)
         vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
-  const ModelPart left = surface_.part(trianglesLeft(part_, opening, place_));
+  const ModelPart left =
+      surface_.part(trianglesLeft(part_, opening, place_), &control_);
   const RingPlace place{part_, opening.is_open, left, place_};
   const std::size_t hole = holeOf(opening);
   const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
-    return closeRings(rings, place, hole, course_, surface_);
+    return !control_.cancelled() && closeRings(rings, place, hole, course_, surface_);
   });
   if (!is_closed) {
     std::map<pcl::index_t, pcl::index_t> back;

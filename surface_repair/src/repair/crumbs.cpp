@@ -19,8 +19,6 @@ namespace {
 /** Share of the largest island's triangles up to which one is a crumb, and up to which
  * it is laid where bridges have not joined it. */
 constexpr double LARGEST_SHARE = 0.03;
-/** Operations for a crumb that is laid, besides what closing takes. */
-constexpr std::size_t CRUMB_WORK = 200000;
 constexpr double LARGEST_LAID = 0.1;
 
 /** Of each island: a disc, small enough. */
@@ -184,9 +182,9 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
     if (are_crumbs[survey.model.island_of[t]])
       crumbs[survey.model.island_of[t]].push_back(t);
-  GrowingSurface surface(survey.model, course.report.hole_of);
+  GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
   for (const auto& [island, crumb] : crumbs) {
-    if (!ccaa::spend(course.context.control, CRUMB_WORK))
+    if (course.context.cancelled())
       return;
     if (surface.hole[crumb.front()] != NONE) { // a patch that hangs on bridges alone
       for (const std::size_t triangle : crumb)
@@ -194,7 +192,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
       continue;
     }
     if (survey.model.islands[island].is_fin || !layCrumb(crumb, course, surface))
-      for (const std::size_t triangle : surface.meeting(crumb))
+      for (const std::size_t triangle : surface.meeting(crumb, course.context.control))
         surface.is_there[triangle] = false;
   }
   if (surface.hasChanged())

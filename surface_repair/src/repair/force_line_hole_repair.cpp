@@ -151,7 +151,11 @@ ForceLineHoleRepair::write(repair::RepairedModel& repaired, pcl::PolygonMesh& ou
   if (report_.cancelled)
     return;
   auto next = static_cast<pcl::index_t>(ccaa::pointCount(output.cloud));
-  repair::AddedVertices added = addedVertices(repaired);
+  ccaa::RunControl control(wholeProgress());
+  repair::AddedVertices added = addedVertices(repaired, &control);
+  report_.cancelled = control.cancelled();
+  if (report_.cancelled)
+    return;
   const Eigen::Vector3d& shift = report_.reading.global_shift;
   for (ccaa::NewVertex& vertex : added.vertices)
     if (!shift.isZero(0.0)) // which would make 0 of -0

@@ -18,6 +18,12 @@ namespace repair {
 
 namespace {
 
+/** Operations for a triangle that is looked at or copied, that is found near a place,
+ * and that becomes part of a model. */
+constexpr std::uint64_t LOOK_WORK = 1;
+constexpr std::uint64_t NEAR_WORK = 5;
+constexpr std::uint64_t MODEL_WORK = 30;
+
 template <typename T>
 void
 keepMarked(const std::vector<bool>& is_marked, std::vector<T>& list)
@@ -32,7 +38,8 @@ keepMarked(const std::vector<bool>& is_marked, std::vector<T>& list)
 } // namespace
 
 GrowingSurface::GrowingSurface(const IncompleteModel& model,
-                               const std::vector<std::size_t>& of_hole)
+                               const std::vector<std::size_t>& of_hole,
+                               ccaa::RunControl* control)
 : triangles(model.triangles)
 , positions(model.positions)
 , point_of_vertex(model.point_of_vertex)
@@ -43,7 +50,8 @@ GrowingSurface::GrowingSurface(const IncompleteModel& model,
   std::vector<ccaa::Box> boxes;
   for (const Triangle& triangle : triangles)
     boxes.push_back(ccaa::boxOf(ccaa::cornersOf(triangle, positions)));
-  tree_ = ccaa::BoxTree(boxes);
+  ccaa::spend(control, NEAR_WORK * boxes.size());
+  tree_ = ccaa::BoxTree(boxes, 1, control);
 }
 
 void
@@ -59,22 +67,23 @@ GrowingSurface::weld(const std::vector<std::size_t>& some,
 }
 
 bool
-GrowingSurface::hasPatchIn(const ccaa::Box& box) const
+GrowingSurface::hasPatchIn(const ccaa::Box& box, ccaa::RunControl* control) const
 {
-  const std::vector<std::size_t> found = near(box);
+  const std::vector<std::size_t> found = near(box, control);
   return std::any_of(
       found.begin(), found.end(), [&](std::size_t t) { return hole[t] != NONE; });
 }
 
 std::vector<std::size_t>
-GrowingSurface::meeting(const std::vector<std::size_t>& some) const
+GrowingSurface::meeting(const std::vector<std::size_t>& some,
+                        ccaa::RunControl* control) const
 {
   const auto corners_of = [&](std::size_t t) {
     return ccaa::cornersOf(triangles[t], positions);
   };
   std::vector<std::size_t> found;
   for (const std::size_t own : some)
-    for (const std::size_t other : near(ccaa::boxOf(corners_of(own))))
+    for (const std::size_t other : near(ccaa::boxOf(corners_of(own)), control))
       if (hole[other] != NONE && !ccaa::isCollinear(corners_of(own)) &&
           !ccaa::isCollinear(corners_of(other)) &&
           ccaa::trianglesMeet(corners_of(own), corners_of(other)))
@@ -99,7 +108,7 @@ GrowingSurface::gone() const
 }
 
 std::vector<std::size_t>
-GrowingSurface::near(const ccaa::Box& box) const
+GrowingSurface::near(const ccaa::Box& box, ccaa::RunControl* control) const
 {
   std::vector<std::size_t> found;
   const auto look = [&](std::size_t t) {
@@ -110,14 +119,19 @@ GrowingSurface::near(const ccaa::Box& box) const
   tree_.forEachMeeting(box, [&](pcl::index_t t) { look(static_cast<std::size_t>(t)); });
   for (std::size_t t = in_tree_; t < triangles.size(); ++t)
     look(t);
+  ccaa::spend(control,
+              NEAR_WORK * (found.size() + 1) +
+                  LOOK_WORK * (triangles.size() - in_tree_));
   std::sort(found.begin(), found.end());
   return found;
 }
 
 ModelPart
-GrowingSurface::part(std::vector<std::size_t> chosen) const
+GrowingSurface::part(std::vector<std::size_t> chosen, ccaa::RunControl* control) const
 {
   ModelPart found;
+  ccaa::RunControl silent(control); // tells no stages
+  const ccaa::LoopContext context{1, control == nullptr ? nullptr : &silent};
   Triangles own;
   Positions places;
   found.number_of.reserve(chosen.size());
@@ -136,7 +150,8 @@ GrowingSurface::part(std::vector<std::size_t> chosen) const
     found.is_new.push_back(hole[t] != NONE);
   }
   found.triangles = std::move(chosen);
-  found.model = assembleModel(std::move(own), std::move(places), ccaa::LoopContext());
+  ccaa::spend(control, MODEL_WORK * own.size());
+  found.model = assembleModel(std::move(own), std::move(places), context);
   return found;
 }
 
@@ -205,6 +220,7 @@ takeOver(GrowingSurface surface, const Course& course)
   ModelSurvey& survey = course.survey;
   RepairReport& report = course.report;
   IncompleteModel& model = survey.model;
+  ccaa::spend(context.control, LOOK_WORK * surface.triangles.size());
   keepMarked(surface.is_there, surface.triangles);
   keepMarked(surface.is_there, surface.hole);
   report.hole_of = std::move(surface.hole);

@@ -28,20 +28,23 @@ struct ModelPart {
 /** \brief Triangles that come and go after holes were closed. */
 class GrowingSurface {
 public:
-  /** \param[in] of_hole the hole of each triangle, NONE for those of the input */
-  GrowingSurface(const IncompleteModel& model, const std::vector<std::size_t>& of_hole);
+  /** \param[in] of_hole the hole of each triangle, NONE for those of the input
+   * \param[in,out] control here and below: told the work, may be null */
+  GrowingSurface(const IncompleteModel& model,
+                 const std::vector<std::size_t>& of_hole,
+                 ccaa::RunControl* control = nullptr);
 
   /** \brief Triangles that are there and whose box meets another one, ascending. */
   std::vector<std::size_t>
-  near(const ccaa::Box& box) const;
+  near(const ccaa::Box& box, ccaa::RunControl* control = nullptr) const;
 
   /** \brief Whether triangles of holes are among them. */
   bool
-  hasPatchIn(const ccaa::Box& box) const;
+  hasPatchIn(const ccaa::Box& box, ccaa::RunControl* control = nullptr) const;
 
-  /** \brief Some triangles, ascending, as a model. */
+  /** \brief Some triangles, ascending, as a model; of no use after cancelling. */
   ModelPart
-  part(std::vector<std::size_t> chosen) const;
+  part(std::vector<std::size_t> chosen, ccaa::RunControl* control = nullptr) const;
 
   /** \brief Let some triangles have other vertices, at the same places. */
   void
@@ -50,7 +53,8 @@ public:
 
   /** \brief Triangles of holes that run through some triangles. */
   std::vector<std::size_t>
-  meeting(const std::vector<std::size_t>& some) const;
+  meeting(const std::vector<std::size_t>& some,
+          ccaa::RunControl* control = nullptr) const;
 
   /** \brief Take triangles of a part away and add a patch.
    * \param[in] is_gone of the part's triangles \param[in] left the rest of the part, of

@@ -156,7 +156,8 @@ closeHoles(const RepairParameters& parameters,
     weldPinches(list.replaced, context, survey.model);
   std::vector<Region> regions = regionsOf(list, parameters.filling.cap);
   if (survey.guides && survey.guides->free_points) {
-    auto shares = shareSamples(survey.model, *survey.guides->free_points, regions);
+    auto shares = shareSamples(
+        survey.model, *survey.guides->free_points, regions, context.control);
     for (std::size_t r = 0; r < regions.size(); ++r)
       regions[r].samples = std::move(shares[r]);
   }

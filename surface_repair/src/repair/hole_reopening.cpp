@@ -20,6 +20,8 @@ namespace {
 constexpr std::array<int, 4> WIDER_RINGS = {1, 2, 4, 8};
 /** What is looked at around a hole, in its extents. */
 constexpr double AROUND_EXTENTS = 3.0;
+/** Operations for a triangle around a hole each time that some are opened. */
+constexpr std::uint64_t WIDENING_WORK = 5;
 /** At least, in mean edges of the hole. */
 constexpr double AROUND_EDGES = 20.0;
 
@@ -58,9 +60,11 @@ HoleReopening::run(std::size_t of_hole)
   const double edge = loop_.length / static_cast<double>(loop_.vertices.size());
   around_ = ccaa::widened(
       box, std::max(AROUND_EXTENTS * box.diagonal().norm(), AROUND_EDGES * edge));
-  part_ = surface_.part(surface_.near(around_));
+  part_ = surface_.part(surface_.near(around_, context_.control), context_.control);
   HoleOutcome outcome;
   outcome.open = OpenReason::INTERSECTION;
+  if (context_.cancelled())
+    return outcome;
   std::vector<pcl::index_t> hole;
   std::vector<bool> at_hole(part_.triangles.size(), false);
   for (const pcl::index_t vertex : loop_.vertices) {
@@ -77,11 +81,13 @@ HoleReopening::run(std::size_t of_hole)
   }
   std::size_t opened = 0;
   for (const int rings : WIDER_RINGS) {
+    if (!ccaa::spend(context_.control, WIDENING_WORK * part_.triangles.size()))
+      break;
     const Opening opening =
         openFrom(part_, hole, ringsAround(part_, at_hole, rings - 1));
     const auto now = static_cast<std::size_t>(
         std::count(opening.is_open.begin(), opening.is_open.end(), true));
-    if (now == opened || context_.cancelled())
+    if (now == opened)
       break; // nothing more can be opened
     opened = now;
     outcome = closeOpening(
@@ -109,7 +115,10 @@ closeOpening(const Opening& opening,
   if (opening.border.empty() || !isWithin(around, part, opening))
     return outcome;
   const ccaa::Box box = placeOf(part, opening).intersection(around);
-  const ModelPart left = surface.part(trianglesLeft(part, opening, box));
+  const ModelPart left =
+      surface.part(trianglesLeft(part, opening, box), context.control);
+  if (context.cancelled())
+    return outcome;
   const BoundaryLoops loops = extractBoundaries(left.model);
   const BoundaryLoop* loop = loopOf(opening, part, left, loops);
   if (loop == nullptr)
@@ -117,11 +126,11 @@ closeOpening(const Opening& opening,
   Region region;
   region.holes.push_back(polygonOf(*loop));
   region.is_certain.push_back(true);
-  const SurfaceObstacle obstacle(left.model, {box});
+  const SurfaceObstacle obstacle(left.model, {box}, context.threads, context.control);
   const ClosedRegion closed =
       closeRegion(withinPart(left.model, parameters, frame), region, obstacle, context);
   if (closed.holes.front().open == OpenReason::NONE &&
-      !isFree(closed.patch, box, obstacle))
+      !isFree(closed.patch, box, obstacle, context.control))
     return outcome;
   outcome = closed.holes.front();
   if (outcome.open == OpenReason::NONE)
@@ -133,7 +142,7 @@ void
 reopenHoles(const Failures& failed, const Course& course)
 {
   ModelSurvey& survey = course.survey;
-  GrowingSurface surface(survey.model, course.report.hole_of);
+  GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
   for (const BoundaryLoop& loop : survey.loops) {
     const bool has_failed =
         std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t v) {

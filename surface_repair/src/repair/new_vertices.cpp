@@ -18,6 +18,9 @@ namespace repair {
 
 namespace {
 
+/** Operations for a new vertex. */
+constexpr std::uint64_t INHERITING_WORK = 300;
+
 /** Input vertices that a new one inherits from at the most. */
 constexpr std::size_t MOST_SOURCES = 12;
 
@@ -105,16 +108,20 @@ private:
 } // namespace
 
 AddedVertices
-addedVertices(const RepairedModel& repaired)
+addedVertices(const RepairedModel& repaired, ccaa::RunControl* control)
 {
   Inheritance inheritance(repaired);
   AddedVertices added;
   const IncompleteModel& model = repaired.model;
   const std::vector<bool> is_copy = copiesOfPoints(repaired.model.point_of_vertex);
+  ccaa::spend(control, model.positions.size());
+  ccaa::WorkCount work(control);
   for (std::size_t v = 0; v < model.positions.size(); ++v) {
     const pcl::index_t point = model.point_of_vertex[v];
     if (!is_copy[v] && point != pcl::UNAVAILABLE)
       continue; // a point of the input
+    if (!work.add(INHERITING_WORK))
+      return added;
     added.numbers.push_back(v);
     if (is_copy[v])
       added.vertices.push_back({model.positions[v], {{point, 1.0}}});

@@ -20,7 +20,7 @@ struct AddedVertices {
 /** \brief The vertices that have no point of the cloud, or none of their own. A new one
  * inherits from input vertices at the boundary of its patch, the nearer the more. */
 AddedVertices
-addedVertices(const RepairedModel& repaired);
+addedVertices(const RepairedModel& repaired, ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

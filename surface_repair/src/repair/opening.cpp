@@ -225,13 +225,16 @@ trianglesLeft(const ModelPart& part, const Opening& opening, const ccaa::Box& pl
 }
 
 bool
-isFree(const Patch& patch, const ccaa::Box& place, const SurfaceObstacle& obstacle)
+isFree(const Patch& patch,
+       const ccaa::Box& place,
+       const SurfaceObstacle& obstacle,
+       ccaa::RunControl* control)
 {
   return std::all_of(
              patch.positions.begin(),
              patch.positions.end(),
              [&](const Position& position) { return place.contains(position); }) &&
-         obstructedTriangles(patch, obstacle).empty();
+         obstructedTriangles(patch, obstacle, control).empty();
 }
 
 } // namespace repair

@@ -62,7 +62,10 @@ trianglesLeft(const ModelPart& part, const Opening& opening, const ccaa::Box& pl
 
 /** \brief Whether all of a patch lies in a place, and runs into nothing there. */
 bool
-isFree(const Patch& patch, const ccaa::Box& place, const SurfaceObstacle& obstacle);
+isFree(const Patch& patch,
+       const ccaa::Box& place,
+       const SurfaceObstacle& obstacle,
+       ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

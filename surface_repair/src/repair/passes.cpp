@@ -109,6 +109,20 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
 
 } // namespace
 
+Course
+within(const Course& course, const ccaa::LoopContext& context)
+{
+  return {course.parameters,
+          course.rounds,
+          course.frame,
+          context,
+          course.survey,
+          course.memory,
+          course.log,
+          course.report,
+          course.input_vertices};
+}
+
 std::vector<RepairParameters>
 roundsFor(const RepairParameters& wanted, double diagonal)
 {

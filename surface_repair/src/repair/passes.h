@@ -32,6 +32,10 @@ struct Course {
   std::size_t& input_vertices;
 };
 
+/** \brief The same of which something takes no more than a part of the work. */
+Course
+within(const Course& course, const ccaa::LoopContext& context);
+
 /** \brief What is done first, and, where all is to be closed, what once nothing more
  * can be joined: then each boundary is closed by itself. \param[in] diagonal of the
  * input, in shares of which lengths are wanted */

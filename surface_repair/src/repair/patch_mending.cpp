@@ -56,7 +56,7 @@ public:
   , box_(boxAround(patch))
   , most_(mostObstructed(patch))
   , obstacle_(obstacle)
-  , surface_(modelWith(patch), of_hole_)
+  , surface_(modelWith(patch), of_hole_, context.control)
   {}
 
   /** \return whether nothing of it runs into anything any more */
@@ -181,8 +181,10 @@ PatchMending::obstructedNow() const
 bool
 PatchMending::mend(const std::vector<std::size_t>& obstructed)
 {
-  const ModelPart whole = surface_.part(surface_.near(box_));
-  ccaa::spend(context_.control, PART_WORK * whole.triangles.size());
+  const ModelPart whole =
+      surface_.part(surface_.near(box_, context_.control), context_.control);
+  if (context_.cancelled())
+    return false;
   std::vector<bool> some(whole.triangles.size(), false);
   for (std::size_t i = 0; i < some.size(); ++i)
     some[i] =

@@ -100,8 +100,9 @@ RegionClosing::leavePierced()
       const pcl::index_t a = hole.vertices[from], b = hole.vertices[to];
       return a < given && b < given && areJoined(place_.model, a, b);
     };
-    const OpenReason reason = crossedEdges(hole.curve, is_given, obstacle_);
-    if (reason == OpenReason::NONE)
+    const OpenReason reason =
+        crossedEdges(hole.curve, is_given, obstacle_, context_.control);
+    if (reason == OpenReason::NONE || context_.cancelled()) // then all is crossed
       continue;
     strategy_[h] = GIVEN_UP;
     result_.holes[h].open = reason;

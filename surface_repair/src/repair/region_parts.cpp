@@ -17,11 +17,18 @@ namespace repair {
 namespace {
 
 /** Operations of a region: at least, and for each of its edges and samples by their
- * logarithm. The dearest of the scans' holes take a fifth of that. */
-constexpr std::uint64_t LEAST_WORK = 100000000;
-constexpr double WORK = 100000.0;
+ * logarithm. The dearest of the scans' holes take half of that. */
+constexpr std::uint64_t LEAST_WORK = 400000000;
+constexpr double WORK = 400000.0;
 
 } // namespace
+
+std::uint64_t
+workFor(std::size_t size)
+{
+  const auto n = static_cast<double>(size);
+  return LEAST_WORK + static_cast<std::uint64_t>(WORK * n * std::log2(n + 2.0));
+}
 
 std::uint64_t
 workFor(const Region& region)
@@ -29,8 +36,7 @@ workFor(const Region& region)
   std::size_t size = region.samples.size();
   for (const HolePolygon& hole : region.holes)
     size += hole.size();
-  const auto n = static_cast<double>(size);
-  return LEAST_WORK + static_cast<std::uint64_t>(WORK * n * std::log2(n + 2.0));
+  return workFor(size);
 }
 
 RegionParts::RegionParts(const ClosingPlace& place,

@@ -16,8 +16,12 @@
 namespace pcl {
 namespace repair {
 
-/** \brief Operations that closing a region may take (see ccaa::RunControl): n log n in
- * its edges and samples. What exceeds them is left for TOO_COSTLY. */
+/** \brief Operations that closing something of so many edges and samples may take (see
+ * ccaa::RunControl): n log n. What exceeds them is left for TOO_COSTLY. */
+std::uint64_t
+workFor(std::size_t size);
+
+/** \brief The same for a region. */
 std::uint64_t
 workFor(const Region& region);
 

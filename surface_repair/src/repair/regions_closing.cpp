@@ -73,7 +73,7 @@ public:
   std::vector<ClosedRegion>
   run(const std::function<void(double)>& tell)
   {
-    SurfaceObstacle obstacle(place_.model, places_, context_.threads);
+    SurfaceObstacle obstacle(place_.model, places_, context_.threads, context_.control);
     std::uint64_t all = 0;
     for (const Region& region : regions_)
       all += workFor(region);
@@ -142,9 +142,10 @@ private:
             positions.begin(),
             positions.end(),
             [&](const Position& position) { return places_[r].contains(position); }) &&
-        !obstructedTriangles(closed_[r].patch, obstacle).empty())
+        !obstructedTriangles(closed_[r].patch, obstacle, context_.control).empty())
       closed_[r] = close(r, obstacle, context_);
-    obstacle.add(closed_[r].patch.positions, closed_[r].patch.triangles);
+    obstacle.add(
+        closed_[r].patch.positions, closed_[r].patch.triangles, context_.control);
     remember(r);
   }
 

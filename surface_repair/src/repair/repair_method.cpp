@@ -101,7 +101,9 @@ proved(RepairedModel result,
       report.reading.problem = "the result would be no manifold, by a fault of ours";
     return {};
   }
+  ccaa::spend(context.control, result.model.triangles.size());
   report.doubts = doubtsAbout(result, report, parameters);
+  ccaa::spend(context.control, result.model.triangles.size());
   log.countSeconds("last check", clock.seconds());
   report.new_triangles = result.model.triangles.size() - result.input_triangles;
   return result;

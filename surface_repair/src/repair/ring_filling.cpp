@@ -154,7 +154,8 @@ namespace {
 Patch
 fillRings(const std::vector<RingPolygon>& rings,
           const ModelPart& part,
-          const SurfaceObstacle* obstacle)
+          const SurfaceObstacle* obstacle,
+          ccaa::RunControl* control)
 {
   Patch patch;
   Triangles triangles; // of vertices of the part
@@ -167,6 +168,7 @@ fillRings(const std::vector<RingPolygon>& rings,
       return part.number_of.at(ring.vertices[k]);
     };
     FillingTask task;
+    task.control = control;
     task.polygon = ring.curve;
     task.vertices = ring.vertices;
     const std::size_t last = ring.vertices.size() - 1;
@@ -186,7 +188,7 @@ fillRings(const std::vector<RingPolygon>& rings,
     if (last < 2) // an edge of both loops
       continue;
     const Filling filling = MinimumWeightFilling().close(task);
-    if (!filling.closed())
+    if (!filling.closed() || ccaa::isCancelled(control))
       return {};
     for (const Triangle& triangle : filling.triangles) {
       triangles.push_back({in_part(static_cast<std::size_t>(triangle[0])),
@@ -214,7 +216,8 @@ fillRings(const std::vector<RingPolygon>& rings,
 bool
 isPierced(const std::vector<RingPolygon>& rings,
           const ModelPart& part,
-          const SurfaceObstacle& obstacle)
+          const SurfaceObstacle& obstacle,
+          ccaa::RunControl* control)
 {
   return std::any_of(rings.begin(), rings.end(), [&](const RingPolygon& ring) {
     const auto is_given = [&](std::size_t from, std::size_t to) {
@@ -223,7 +226,7 @@ isPierced(const std::vector<RingPolygon>& rings,
       return a != part.number_of.end() && b != part.number_of.end() &&
              areJoined(part.model, a->second, b->second);
     };
-    return crossedEdges(ring.curve, is_given, obstacle) == OpenReason::PIERCED;
+    return crossedEdges(ring.curve, is_given, obstacle, control) == OpenReason::PIERCED;
   });
 }
 
@@ -232,20 +235,22 @@ void
 fair(const IncompleteModel& model,
      const SurfaceObstacle& obstacle,
      const RepairParameters& parameters,
+     ccaa::RunControl* control,
      Patch& patch)
 {
   if (!parameters.refine)
     return;
-  refinePatch(model, parameters.refinement, patch);
+  refinePatch(model, parameters.refinement, patch, false, control);
   if (!parameters.relax)
     return;
   const Positions before = patch.positions;
   RelaxationParameters relaxation = parameters.relaxation;
   relaxation.trust = 0.0;
-  relaxPatch(model, {}, relaxation, patch);
+  relaxPatch(model, {}, relaxation, patch, control);
   for (const std::size_t rings : UNRELAXED_RINGS) {
-    const std::vector<std::size_t> obstructed = obstructedTriangles(patch, obstacle);
-    if (obstructed.empty())
+    const std::vector<std::size_t> obstructed =
+        obstructedTriangles(patch, obstacle, control);
+    if (obstructed.empty() || ccaa::isCancelled(control))
       return;
     rollBackRelaxation(before, obstructed, rings, patch);
   }
@@ -261,25 +266,28 @@ closeRings(const std::vector<RingPolygon>& rings,
            GrowingSurface& surface)
 {
   const IncompleteModel& model = place.left.model;
-  const SurfaceObstacle obstacle(model, {place.box});
-  if (isPierced(rings, place.left, obstacle))
+  ccaa::RunControl* const control = course.context.control;
+  const SurfaceObstacle obstacle(model, {place.box}, 1, control);
+  if (isPierced(rings, place.left, obstacle, control))
     return false;
   const ClosingPlace here = withinPart(model, course.parameters, course.frame);
   const auto take = [&](const Patch& patch) {
-    if (!isFree(patch, place.box, obstacle) || !fitsModel(model, patch))
+    if (!isFree(patch, place.box, obstacle, control) || ccaa::isCancelled(control) ||
+        !fitsModel(model, patch))
       return false;
     surface.replace(place.part, place.is_open, place.left, patch, of_hole);
     return true;
   };
   std::vector<Patch> refined;
   for (const bool avoids : {false, true}) {
-    const Patch bare = fillRings(rings, place.left, avoids ? &obstacle : nullptr);
+    const Patch bare =
+        fillRings(rings, place.left, avoids ? &obstacle : nullptr, control);
     if (bare.triangles.empty() || !fitsModel(model, bare))
       continue;
     for (const bool is_refined : {true, false}) {
       Patch patch = bare;
       if (is_refined)
-        fair(model, obstacle, course.parameters, patch);
+        fair(model, obstacle, course.parameters, control, patch);
       if (course.frame.float_positions)
         roundToFloats(course.frame.origin, patch);
       if (is_refined)
@@ -289,7 +297,7 @@ closeRings(const std::vector<RingPolygon>& rings,
     }
   }
   for (Patch& patch : refined)
-    if (obstructedTriangles(patch, obstacle).size() <= MOST_MENDED &&
+    if (obstructedTriangles(patch, obstacle, control).size() <= MOST_MENDED &&
         mendPatch(here, obstacle, course.context, patch) && take(patch))
       return true;
   return false;

@@ -43,6 +43,10 @@ constexpr double LEAST_NEAR = 0.5;
 /** Hops between the samples of two regions that make these one, both ways counted. */
 constexpr std::size_t FEWEST_MEETINGS = 8;
 
+/** Operations for a sample, and for a triangle that may pass by. */
+constexpr std::uint64_t SAMPLE_WORK = 200;
+constexpr std::uint64_t TRIANGLE_WORK = 10;
+
 /** A free point and those around it. */
 struct Sample {
   std::vector<pcl::index_t> neighbours; /**< nearest first */
@@ -51,11 +55,12 @@ struct Sample {
 };
 
 std::vector<Sample>
-samplesOf(const FreePointField& free_points)
+samplesOf(const FreePointField& free_points, ccaa::RunControl* control)
 {
   const Positions& points = free_points.points();
   std::vector<Sample> samples(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  ccaa::WorkCount work(control);
+  for (std::size_t i = 0; i < points.size() && work.add(SAMPLE_WORK); ++i) {
     Sample& one = samples[i];
     one.neighbours = free_points.nearest(points[i], NEIGHBOURS + 1);
     one.neighbours.erase(std::remove(one.neighbours.begin(),
@@ -81,6 +86,7 @@ isOnBoundary(const IncompleteModel& model, pcl::index_t vertex)
 void
 markGiven(const IncompleteModel& model,
           const Positions& points,
+          ccaa::RunControl* control,
           std::vector<Sample>& samples)
 {
   std::vector<ccaa::Box> boxes;
@@ -89,8 +95,11 @@ markGiven(const IncompleteModel& model,
     nearest.push_back(CLOSE * samples[i].spacing);
     boxes.push_back(ccaa::widened(ccaa::Box(points[i]), nearest.back()));
   }
-  const ccaa::BoxTree tree(boxes);
+  const ccaa::BoxTree tree(boxes, 1, control);
+  ccaa::WorkCount work(control);
   for (const Triangle& triangle : model.triangles) {
+    if (!work.add(TRIANGLE_WORK))
+      return;
     const ccaa::Corners corners = ccaa::cornersOf(triangle, model.positions);
     const bool at_boundary = std::any_of(triangle.begin(), triangle.end(), [&](auto v) {
       return isOnBoundary(model, v);
@@ -185,10 +194,12 @@ nearestRegions(const Positions& points,
 }
 
 std::vector<Sample>
-missingSamples(const IncompleteModel& model, const FreePointField& free_points)
+missingSamples(const IncompleteModel& model,
+               const FreePointField& free_points,
+               ccaa::RunControl* control)
 {
-  std::vector<Sample> samples = samplesOf(free_points);
-  markGiven(model, free_points.points(), samples);
+  std::vector<Sample> samples = samplesOf(free_points, control);
+  markGiven(model, free_points.points(), control, samples);
   return samples;
 }
 
@@ -197,12 +208,13 @@ missingSamples(const IncompleteModel& model, const FreePointField& free_points)
 std::vector<std::vector<std::size_t>>
 shareSamples(const IncompleteModel& model,
              const FreePointField& free_points,
-             const std::vector<Region>& regions)
+             const std::vector<Region>& regions,
+             ccaa::RunControl* control)
 {
   const Positions& points = free_points.points();
   if (regions.empty() || points.size() < FEWEST)
     return std::vector<std::vector<std::size_t>>(regions.size());
-  const std::vector<Sample> samples = missingSamples(model, free_points);
+  const std::vector<Sample> samples = missingSamples(model, free_points, control);
   auto shares = std::move(nearestRegions(points, samples, Rims(regions)).shares);
   for (std::vector<std::size_t>& share : shares)
     if (share.size() < FEWEST)
@@ -218,7 +230,7 @@ regionsThatSamplesLink(const IncompleteModel& model,
   const Positions& points = free_points.points();
   if (regions.size() < 2 || points.size() < FEWEST)
     return {};
-  const std::vector<Sample> samples = missingSamples(model, free_points);
+  const std::vector<Sample> samples = missingSamples(model, free_points, nullptr);
   const Ways ways = nearestRegions(points, samples, Rims(regions));
   std::vector<std::map<std::size_t, std::size_t>> meetings(regions.size());
   for (std::size_t i = 0; i < samples.size(); ++i)

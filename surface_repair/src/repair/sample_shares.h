@@ -24,7 +24,8 @@ namespace repair {
 std::vector<std::vector<std::size_t>>
 shareSamples(const IncompleteModel& model,
              const FreePointField& free_points,
-             const std::vector<Region>& regions);
+             const std::vector<Region>& regions,
+             ccaa::RunControl* control = nullptr);
 
 /** \brief Regions between which samples go on: where ways from both meet at several
  * places, each region and the one that it meets most, if that is mutual.

@@ -19,17 +19,20 @@ namespace {
  */
 constexpr std::uint64_t SEARCH_WORK = 50;
 constexpr std::uint64_t TEST_WORK = 5;
+/** Of a triangle that may come near. */
+constexpr std::uint64_t TAKING_WORK = 3;
 /** Operations that are told together. */
 constexpr std::uint64_t MOST_UNTOLD = 10000;
 
 ccaa::BoxTree
-treeOver(const std::vector<ccaa::Corners>& triangles)
+treeOver(const std::vector<ccaa::Corners>& triangles, ccaa::RunControl* control)
 {
   std::vector<ccaa::Box> boxes;
   boxes.reserve(triangles.size());
   for (const ccaa::Corners& corners : triangles)
     boxes.push_back(ccaa::boxOf(corners));
-  return ccaa::BoxTree(boxes);
+  ccaa::spend(control, TAKING_WORK * boxes.size());
+  return ccaa::BoxTree(boxes, 1, control);
 }
 
 /** Whether a way from a corner of a triangle, the first one, runs within it. */
@@ -90,15 +93,18 @@ private:
 
 SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
                                  const std::vector<ccaa::Box>& places,
-                                 int threads)
+                                 int threads,
+                                 ccaa::RunControl* control)
 {
   const NearPlaces near_places(places);
-  const ccaa::LoopContext context{threads};
+  ccaa::RunControl silent(control); // tells no stages
+  const ccaa::LoopContext context{threads, control == nullptr ? nullptr : &silent};
   std::vector<std::vector<ccaa::Corners>> found(
       context.blockCount(model.triangles.size()));
   ccaa::forEachBlock(model.triangles.size(),
                      context,
                      [&](std::size_t block, std::size_t begin, std::size_t end) {
+                       ccaa::spend(context.control, TAKING_WORK * (end - begin));
                        for (std::size_t t = begin; t < end; ++t) {
                          const ccaa::Corners corners =
                              ccaa::cornersOf(model.triangles[t], model.positions);
@@ -107,11 +113,13 @@ SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
                            found[block].push_back(corners);
                        }
                      });
-  addLayer(ccaa::joinBlocks(found));
+  addLayer(ccaa::joinBlocks(found), control);
 }
 
 void
-SurfaceObstacle::add(const Positions& positions, const Triangles& triangles)
+SurfaceObstacle::add(const Positions& positions,
+                     const Triangles& triangles,
+                     ccaa::RunControl* control)
 {
   std::vector<ccaa::Corners> layer;
   for (const Triangle& triangle : triangles) {
@@ -119,11 +127,12 @@ SurfaceObstacle::add(const Positions& positions, const Triangles& triangles)
     if (!ccaa::isCollinear(corners))
       layer.push_back(corners);
   }
-  addLayer(std::move(layer));
+  addLayer(std::move(layer), control);
 }
 
 void
-SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles)
+SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles,
+                          ccaa::RunControl* control)
 {
   // Layers that are no larger become part of it, so that there are few: log n of them.
   while (!layers_.empty() && layers_.back().triangles.size() <= triangles.size()) {
@@ -134,7 +143,8 @@ SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles)
   Layer layer;
   for (const ccaa::Corners& corners : triangles)
     layer.box.extend(ccaa::boxOf(corners));
-  layer.tree = treeOver(triangles);
+  ccaa::spend(control, TAKING_WORK * triangles.size());
+  layer.tree = treeOver(triangles, control);
   layer.triangles = std::move(triangles);
   layers_.push_back(std::move(layer));
 }
@@ -193,12 +203,13 @@ avoid(const SurfaceObstacle& obstacle, FillingTask& task)
 OpenReason
 crossedEdges(const BoundaryCurve& polygon,
              const std::function<bool(std::size_t, std::size_t)>& is_given,
-             const SurfaceObstacle& obstacle)
+             const SurfaceObstacle& obstacle,
+             ccaa::RunControl* control)
 {
   OpenReason reason = OpenReason::NONE;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const std::size_t next = polygon.next(k);
-    if (!obstacle.isCrossedBy(polygon.points[k], polygon.points[next]))
+    if (!obstacle.isCrossedBy(polygon.points[k], polygon.points[next], control))
       continue;
     if (is_given(k, next))
       return OpenReason::PIERCED;
@@ -215,7 +226,7 @@ obstructedTriangles(const Patch& patch,
   std::vector<ccaa::Corners> triangles;
   for (const Triangle& triangle : patch.triangles)
     triangles.push_back(ccaa::cornersOf(triangle, patch.positions));
-  const ccaa::BoxTree tree = treeOver(triangles);
+  const ccaa::BoxTree tree = treeOver(triangles, control);
   std::vector<bool> obstructed(triangles.size(), false);
   std::vector<std::size_t> found;
   for (std::size_t t = 0; t < triangles.size(); ++t) {

@@ -23,15 +23,19 @@ namespace repair {
 class SurfaceObstacle {
 public:
   /** \brief Take the triangles of a model that come near to places. Cost: 20 ns a
-   * triangle of the model, and a tree over those that are taken. */
+   * triangle of the model, and a tree over those that are taken. \param[in,out] control
+   * told the work, may be null; after cancelling some are missing */
   SurfaceObstacle(const IncompleteModel& model,
                   const std::vector<ccaa::Box>& places,
-                  int threads = 1);
+                  int threads = 1,
+                  ccaa::RunControl* control = nullptr);
 
   /** \brief Triangles that are there from now on, too. Cost: log n trees over each of
    * the n that are added in all. */
   void
-  add(const Positions& positions, const Triangles& triangles);
+  add(const Positions& positions,
+      const Triangles& triangles,
+      ccaa::RunControl* control = nullptr);
 
   /** \brief Whether a triangle meets one that is there where it should not (see
    * ccaa::trianglesMeet()). Exact. One without an area meets nothing; all others do
@@ -61,7 +65,7 @@ private:
   };
 
   void
-  addLayer(std::vector<ccaa::Corners> triangles);
+  addLayer(std::vector<ccaa::Corners> triangles, ccaa::RunControl* control);
 
   std::deque<Layer> layers_; /**< stay where they are: trees cost much to copy */
 };
@@ -78,7 +82,8 @@ avoid(const SurfaceObstacle& obstacle, FillingTask& task);
 OpenReason
 crossedEdges(const BoundaryCurve& polygon,
              const std::function<bool(std::size_t, std::size_t)>& is_given,
-             const SurfaceObstacle& obstacle);
+             const SurfaceObstacle& obstacle,
+             ccaa::RunControl* control = nullptr);
 
 /** \brief Triangles of a patch that run through the surface or through each other,
  * ascending. */

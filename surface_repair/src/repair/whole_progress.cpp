@@ -34,6 +34,8 @@ WholeProgress::WholeProgress(ccaa::ProgressCallback told) : told_(std::move(told
 bool
 WholeProgress::tell(const std::string& stage, double share)
 {
+  if (stage.empty()) // asked before anything was reported
+    return !told_ || told_(stage_, whole_);
   if (stage != stage_) {
     stage_ = stage;
     begin_ = whole_;
