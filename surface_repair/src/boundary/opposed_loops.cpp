@@ -30,6 +30,8 @@ constexpr double WIDEST = 0.4;
  * cosine of half the opening of that view. */
 constexpr double AHEAD = 1.2;
 constexpr double AHEAD_VIEW = 0.8;
+/** Operations to look from a point at another loop. */
+constexpr std::uint64_t LOOKING_WORK = 10;
 /** Cosine from which two loops look the same way. */
 constexpr double SAME_WAY = 0.5;
 
@@ -110,7 +112,7 @@ public:
 
   /** The loop that most points of one see first, or NONE. */
   std::size_t
-  seenFrom(std::size_t loop) const
+  seenFrom(std::size_t loop, ccaa::RunControl* control) const
   {
     const LookingLoop& own = loops_[loop];
     const double widest = WIDEST * own.length;
@@ -122,6 +124,8 @@ public:
     std::sort(others.begin() + 1, others.end());
     std::map<std::size_t, std::size_t> seeing; // points, by the loop they see
     for (std::size_t i = 0; i < own.points.size(); ++i) {
+      if (!ccaa::spend(control, LOOKING_WORK * others.size()))
+        return NONE;
       double nearest = widest;
       std::size_t seen = NONE;
       for (const std::size_t other : others) {
@@ -178,12 +182,12 @@ loopAhead(const BoundaryLoops& loops, std::size_t mouth)
 }
 
 std::vector<std::size_t>
-opposedLoops(const BoundaryLoops& loops)
+opposedLoops(const BoundaryLoops& loops, ccaa::RunControl* control)
 {
   const Opposition opposition(loops);
   std::vector<std::size_t> seen;
   for (std::size_t loop = 0; loop < loops.size(); ++loop)
-    seen.push_back(opposition.seenFrom(loop));
+    seen.push_back(opposition.seenFrom(loop, control));
   std::vector<std::size_t> opposed(loops.size(), NONE);
   for (std::size_t loop = 0; loop < loops.size(); ++loop)
     if (seen[loop] != NONE && seen[seen[loop]] == loop)

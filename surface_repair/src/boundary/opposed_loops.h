@@ -4,6 +4,7 @@
 #pragma once
 
 #include "boundary/boundary_loop.h"
+#include "run/run_control.h"
 
 #include <cstddef>
 #include <vector>
@@ -19,9 +20,11 @@ namespace repair {
  * Most points of each loop, along their conormals, must meet the other loop before any
  * other and before their own loop's other side, no further away than a gap in a limb of
  * this girth is likely to be. Loops of one island may be opposed to each other, too.
- * Cost: some thousand operations for each pair of loops that lie near to each other. */
+ * Cost: some thousand operations for each pair of loops that lie near to each other.
+ * \param[in,out] control told the work, may be null; after cancelling some are missing
+ */
 std::vector<std::size_t>
-opposedLoops(const BoundaryLoops& loops);
+opposedLoops(const BoundaryLoops& loops, ccaa::RunControl* control = nullptr);
 
 /** \brief The loop that a mouth of a tube looks at, whether that looks back or not, no
  * further away than a few diameters; NONE where there is none. */

@@ -16,6 +16,8 @@ namespace {
 
 /** \brief Queries a thread takes at once. */
 constexpr std::size_t QUERY_BLOCK = 256;
+/** Operations for the tension at a place. */
+constexpr std::uint64_t QUERY_WORK = 2000;
 
 /** \brief A source nearer than this share of L_2 is the point itself. */
 constexpr double SAME_PLACE = 1e-12;
@@ -160,6 +162,8 @@ IndicatorField::tensionAt(const std::vector<FieldQuery>& queries,
           implementation_->answer(
               &queries[i], &queries[i] + count, &tensions[i], space);
           i += count;
+          if (!ccaa::spend(context.control, QUERY_WORK * count))
+            break;
         }
       });
   return tensions;

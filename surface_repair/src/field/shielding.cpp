@@ -11,6 +11,9 @@ namespace pcl {
 namespace repair {
 namespace {
 
+/** Operations for a triangle, in each of two steps. */
+constexpr std::uint64_t SHIELD_WORK = 5;
+
 /** \brief Box of a triangle that has an area; else empty, so that it is left out. */
 ccaa::Box
 boxOf(const ccaa::Corners& corners)
@@ -25,17 +28,23 @@ struct Shield::Implementation {
   std::vector<ccaa::Corners> triangles; /**< by place in the tree */
 };
 
-Shield::Shield(const IncompleteModel& model, int threads)
+Shield::Shield(const IncompleteModel& model, int threads, ccaa::RunControl* control)
 : implementation_(std::make_unique<Implementation>())
 {
   std::vector<ccaa::Box> boxes;
   boxes.reserve(model.triangles.size());
-  for (const Triangle& triangle : model.triangles)
+  ccaa::WorkCount work(control);
+  for (const Triangle& triangle : model.triangles) {
     boxes.push_back(boxOf(ccaa::cornersOf(triangle, model.positions)));
-  const std::vector<pcl::index_t> order = ccaa::neighboringOrder(boxes, threads);
-  for (const pcl::index_t i : order)
+    work.add(SHIELD_WORK);
+  }
+  const std::vector<pcl::index_t> order =
+      ccaa::neighboringOrder(boxes, threads, control);
+  for (const pcl::index_t i : order) {
     implementation_->triangles.push_back(
         ccaa::cornersOf(model.triangles[static_cast<std::size_t>(i)], model.positions));
+    work.add(SHIELD_WORK);
+  }
   implementation_->tree =
       ccaa::BoxTree(order.size(), {threads}, [&](std::size_t place) {
         return ccaa::boxOf(implementation_->triangles[place]);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "icadm/incomplete_model.h"
+#include "run/run_control.h"
 
 #include <memory>
 
@@ -16,7 +17,9 @@ class Shield {
 public:
   /** \brief Triangles without an area never stand in the way. Builds a tree: half a
    * microsecond a triangle. */
-  explicit Shield(const IncompleteModel& model, int threads = 1);
+  explicit Shield(const IncompleteModel& model,
+                  int threads = 1,
+                  ccaa::RunControl* control = nullptr);
   ~Shield();
 
   /** \brief Whether the open segment from a to b crosses the surface. Crossings closer

@@ -34,6 +34,8 @@ constexpr double NO_FORCE = 1e-12;
 
 /** Steps after which a line that is still short counts as too long: it circles. */
 constexpr int MOST_STEPS = 1000;
+/** Operations for a line. */
+constexpr std::uint64_t TRACING_WORK = 10000;
 
 /** Reach in L_1 below which a boundary is single sources rather than a curve. */
 constexpr double LEAST_REACH = 4.0;
@@ -335,12 +337,15 @@ ForceLineTracker::track(const std::vector<LineOrigin>& origins,
 {
   std::vector<ForceLine> lines(origins.size());
   ccaa::LoopContext small_blocks = context;
-  small_blocks.block_size = 16; // a line takes some 0.1 ms
+  small_blocks.block_size = 16;
   ccaa::forEachBlock(origins.size(),
                      small_blocks,
                      [&](std::size_t, std::size_t begin, std::size_t end) {
-                       for (std::size_t i = begin; i < end; ++i)
+                       for (std::size_t i = begin; i < end; ++i) {
                          lines[i] = track(origins[i]);
+                         if (!ccaa::spend(context.control, TRACING_WORK))
+                           break;
+                       }
                      });
   return lines;
 }

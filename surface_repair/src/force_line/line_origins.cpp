@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -20,6 +21,8 @@ namespace {
 
 /** Spacings around a place in which to look first for what lies across a hole. */
 constexpr double FIRST_LOOK = 4.0;
+/** Operations to find the distance to what lies across a gap. */
+constexpr std::uint64_t ACROSS_WORK = 100;
 
 PossibleOrigin
 originAt(const SourceCurve& curve,
@@ -107,10 +110,13 @@ originsBetweenIslands(const IndicatorField& field,
   const SourceSet& sources = field.sources();
   const GapFinder gaps(sources);
   std::vector<PossibleOrigin> origins;
+  ccaa::WorkCount work(context.control);
   for (std::size_t c = 0; c < sources.curves.size(); ++c)
     for (const FieldSource& source : sources.curves[c].sources) {
       PossibleOrigin origin = originAt(sources.curves[c], source, c, targets);
       origin.gap = gaps.gapAt(source.position, sources.curves[c].island);
+      if (!work.add(ACROSS_WORK))
+        return {};
       if (!std::isfinite(origin.gap))
         continue;
       origin.origin.query.falloff =
@@ -132,8 +138,11 @@ originsInHole(const IndicatorField& field,
   const SourceCurve& sources = field.sources().curves[curve];
   std::vector<PossibleOrigin> origins;
   double guess = FIRST_LOOK * sources.spacing;
+  ccaa::WorkCount work(context.control);
   for (const FieldSource& source : sources.sources) {
     PossibleOrigin origin = originAt(sources, source, curve, targets);
+    if (!work.add(ACROSS_WORK))
+      return {};
     const EffectiveCharge hole{source.tangent, source.arc, threshold, curve};
     origin.gap = gapAcross(origin.origin, hole, targets, guess);
     if (!std::isfinite(origin.gap))

@@ -14,6 +14,9 @@ namespace pcl {
 namespace repair {
 namespace {
 
+/** Operations for a triangle, to measure its island. */
+constexpr std::uint64_t MEASURING_WORK = 5;
+
 double
 areaOf(const Triangle& triangle, const Positions& positions)
 {
@@ -177,8 +180,14 @@ assembleModel(Triangles triangles,
   model.adjacency = std::move(adjacency);
   if (context.cancelled())
     return model;
-  model.island_of = ccaa::labelIslands(model.adjacency);
+  ccaa::RunControl silent(context.control); // tells no stages
+  const ccaa::LoopContext watched{1, context.control == nullptr ? nullptr : &silent};
+  model.island_of = ccaa::labelIslands(model.adjacency, watched);
+  ccaa::spend(context.control, MEASURING_WORK * model.triangles.size());
+  if (context.cancelled())
+    return model;
   model.islands = measureIslands(model);
+  ccaa::spend(context.control, MEASURING_WORK * model.triangles.size());
   model.normals = boundaryNormals(model, context);
   return model;
 }

@@ -28,6 +28,9 @@ constexpr std::array<double, 5> WEIGHTS = {2.2, 0.8, 4.1, 1.2, 1.4};
 /** Share of the way that must have been looked through to call it that. */
 constexpr double MOSTLY_EMPTY = 0.25;
 
+/** Operations for what a line says: some hundred triangles at each of its ends. */
+constexpr std::uint64_t EVIDENCE_WORK = 10000;
+
 double
 angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
@@ -197,7 +200,8 @@ findJunctions(const IncompleteModel& model,
               const std::vector<ForceLine>& lines,
               const SightLines* sight,
               double facing,
-              const JunctionParameters& parameters)
+              const JunctionParameters& parameters,
+              ccaa::RunControl* control)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> pairs;
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -213,6 +217,8 @@ findJunctions(const IncompleteModel& model,
                                    extentOf(boundaries.curves()[curves.second].curve));
     std::vector<JunctionEvidence> evidence;
     for (const std::size_t i : junction.lines) {
+      if (!ccaa::spend(control, EVIDENCE_WORK))
+        return junctions;
       evidence.push_back(evidenceOf(
           lines[i], ends.at(lines[i].origin), ends.at(lines[i].target), extent, sight));
       evidence.back().facing = facing;

@@ -10,6 +10,7 @@
 #include "force_line/boundary_edges.h"
 #include "force_line/force_line.h"
 #include "junction/sight_lines.h"
+#include "run/run_control.h"
 
 #include <array>
 #include <cstddef>
@@ -50,7 +51,9 @@ surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex);
  * \param[in] loop_of_curve the loop of each curve of the boundaries
  * \param[in] boundaries what the lines' ends refer to
  * \param[in] sight what sensors have seen, or null
- * \param[in] facing of the model, see facingOf() */
+ * \param[in] facing of the model, see facingOf()
+ * \param[in,out] control told the work, may be null; after cancelling some are missing
+ */
 std::vector<Junction>
 findJunctions(const IncompleteModel& model,
               const BoundaryLoops& loops,
@@ -59,7 +62,8 @@ findJunctions(const IncompleteModel& model,
               const std::vector<ForceLine>& lines,
               const SightLines* sight,
               double facing,
-              const JunctionParameters& parameters);
+              const JunctionParameters& parameters,
+              ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

@@ -144,7 +144,7 @@ lookAround(const IncompleteModel& model,
   Eigen::AlignedBox3d box;
   for (const Position& position : obstacles.positions)
     box.extend(position);
-  const Shield shield(obstacles, context.threads);
+  const Shield shield(obstacles, context.threads, context.control);
   const double diagonal = box.isEmpty() ? 0.0 : box.diagonal().norm();
   const Horizon horizon{1.01 * diagonal, 1e-6 * diagonal};
 

@@ -57,7 +57,7 @@ sliceField(const ModelSurvey& survey,
            std::size_t columns,
            const ccaa::LoopContext& context)
 {
-  const IslandSources islands = islandSources(survey, parameters);
+  const IslandSources islands = islandSources(survey, parameters, context);
   FieldSlice slice = placeSlice(survey, columns);
   if (slice.columns == 0)
     return slice;

@@ -27,6 +27,10 @@ constexpr double CARRYING_ODDS = 3.6;
 constexpr std::size_t MOST_TRIES = 64;
 /** Times in all that contours are extracted anew. */
 constexpr std::size_t MOST_EXTRACTIONS = 1024;
+/** Operations for a bridge and for a boundary, to try whether a handle goes, and to
+ * extract contours anew. */
+constexpr std::uint64_t TRIAL_WORK = 5;
+constexpr std::uint64_t EXTRACTION_WORK = 200;
 
 using CurvePair = std::array<std::size_t, 2>;
 
@@ -186,10 +190,12 @@ class HandleDropping {
 public:
   HandleDropping(const ModelSurvey& survey,
                  const BoundaryEdges& boundaries,
-                 SurveyedBridges& joined)
+                 SurveyedBridges& joined,
+                 ccaa::RunControl* control)
   : survey_(survey)
   , boundaries_(boundaries)
   , joined_(joined)
+  , control_(control)
   , now_(bridgedTopology(survey, joined))
   {}
 
@@ -205,9 +211,12 @@ public:
       const auto is_dropped = [&](std::size_t bridge) {
         return std::binary_search(candidate.begin(), candidate.end(), bridge);
       };
+      const std::uint64_t size = joined_.bridges.size() + survey_.loops.size();
+      if (!ccaa::spend(control_, TRIAL_WORK * size))
+        return false;
       if (!sides.mayTakeHandle(is_dropped))
         continue;
-      if (++tries_ > MOST_EXTRACTIONS)
+      if (++tries_ > MOST_EXTRACTIONS || !ccaa::spend(control_, EXTRACTION_WORK * size))
         return false;
       SurveyedBridges left = without(is_dropped, boundaries_, joined_);
       const BridgedTopology then = bridgedTopology(survey_, left);
@@ -226,6 +235,7 @@ private:
   const ModelSurvey& survey_;
   const BoundaryEdges& boundaries_;
   SurveyedBridges& joined_;
+  ccaa::RunControl* control_;
   BridgedTopology now_;
   std::size_t tries_ = 0;
 };
@@ -264,9 +274,10 @@ bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined)
 void
 dropHandles(const ModelSurvey& survey,
             const BoundaryEdges& boundaries,
-            SurveyedBridges& joined)
+            SurveyedBridges& joined,
+            ccaa::RunControl* control)
 {
-  HandleDropping dropping(survey, boundaries, joined);
+  HandleDropping dropping(survey, boundaries, joined, control);
   while (dropping.dropOne(false) || dropping.dropOne(true))
     continue;
 }

@@ -32,11 +32,13 @@ bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined);
  * all: there the least likely junctions give way, too.
  *
  * No piece falls apart. Cost: some dozen extractions of contours for each handle.
- * \param[in,out] joined bridges and contours of boundaries of the survey */
+ * \param[in,out] joined bridges and contours of boundaries of the survey
+ * \param[in,out] control told the work, may be null */
 void
 dropHandles(const ModelSurvey& survey,
             const BoundaryEdges& boundaries,
-            SurveyedBridges& joined);
+            SurveyedBridges& joined,
+            ccaa::RunControl* control = nullptr);
 
 } // namespace repair
 } // namespace pcl

@@ -22,6 +22,10 @@ namespace {
  * with origins so much closer to each other. */
 constexpr int MORE_ROUNDS = 2;
 constexpr double CLOSER = 0.25;
+/** Operations for a possible origin, to find the strongest. */
+constexpr std::uint64_t ORIGIN_WORK = 20;
+/** Operations for a line, to choose bridges among them. */
+constexpr std::uint64_t CHOICE_WORK = 1000;
 /** Lengths of a lost line around its ends where new ones begin. */
 constexpr double AROUND = 1.5;
 
@@ -74,6 +78,7 @@ void
 Joining::traceFrom(const std::vector<PossibleOrigin>& origins, double apart)
 {
   std::vector<LineOrigin> chosen;
+  ccaa::spend(context_.control, ORIGIN_WORK * origins.size());
   for (const std::size_t i : strongestOrigins(origins, targets_, apart)) {
     const BoundaryPoint& point = origins[i].origin.point;
     if (traced_.emplace(point.curve, targets_.arcAt(point)).second)
@@ -95,7 +100,10 @@ Joining::choose()
                                    lines(),
                                    survey_.sight.get(),
                                    survey_.facing,
-                                   parameters_.junction);
+                                   parameters_.junction,
+                                   context_.control);
+  if (context_.cancelled())
+    return;
   joinLoneStumps(parameters_.junction, survey_);
   joined.bridges = touchingBridges(survey_, targets_);
   const std::vector<Bridge> along_lines =
@@ -103,8 +111,9 @@ Joining::choose()
                     targets_,
                     {parameters_.bridge_spacing, 2.0 * spacing_});
   joined.bridges.insert(joined.bridges.end(), along_lines.begin(), along_lines.end());
+  ccaa::spend(context_.control, CHOICE_WORK * lines().size());
   survey_.joined.holes = extractContours(targets_, survey_.joined.bridges);
-  dropHandles(survey_, targets_, survey_.joined);
+  dropHandles(survey_, targets_, survey_.joined, context_.control);
 }
 
 /** Origins on boundaries that lines reach but no bridge that could be kept, and around
@@ -144,6 +153,8 @@ Joining::run()
       originsBetweenIslands(field_, targets_, reachOf(parameters_.field), context_);
   double apart = parameters_.line_spacing;
   traceFrom(survey_.between_islands.origins, apart);
+  if (context_.cancelled())
+    return;
   std::vector<ForceLine> chords = wantedChords(survey_, targets_, spacing_);
   std::move(chords.begin(), chords.end(), std::back_inserter(lines()));
   choose();

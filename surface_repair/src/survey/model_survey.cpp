@@ -66,7 +66,9 @@ traceFields(const SurveyParameters& parameters,
             const ccaa::LoopContext& context,
             ModelSurvey& survey)
 {
-  const IslandSources islands = islandSources(survey, parameters.field);
+  const IslandSources islands = islandSources(survey, parameters.field, context);
+  if (context.cancelled())
+    return;
   survey.spacing = islands.sources.spacing;
   const bool between = parameters.trace_between_islands && hasGap(islands.sources);
   std::vector<std::size_t> complex_holes;
@@ -77,7 +79,7 @@ traceFields(const SurveyParameters& parameters,
                              parameters.field,
                              islands.median_gap,
                              between || !complex_holes.empty(),
-                             context.threads);
+                             context);
   if (between)
     joinIslands(islands, parameters, context, survey);
   for (const std::size_t hole : complex_holes)

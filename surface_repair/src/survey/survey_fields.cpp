@@ -22,13 +22,18 @@ namespace {
 /** Share of an island's size that makes a hole a source (C4.46-1 says 1): of a limb
  * that was cut through the stump may be the thinner side. */
 constexpr double LEAST_HOLE = 0.5;
+/** Operations to find the distance across a gap, to place a free point in a tree, and
+ * to let free points pull a point of a line. */
+constexpr std::uint64_t GAP_WORK = 100;
+constexpr std::uint64_t POINT_WORK = 50;
+constexpr std::uint64_t LINE_WORK = 500;
 
 /** Loops that are two ends of one gap. Within one island they make a handle: both have
  * to be mouths of tubes for that, or the user wants it. */
 std::vector<std::size_t>
-facingLoops(const ModelSurvey& survey)
+facingLoops(const ModelSurvey& survey, ccaa::RunControl* control)
 {
-  std::vector<std::size_t> opposed = opposedLoops(survey.loops);
+  std::vector<std::size_t> opposed = opposedLoops(survey.loops, control);
   for (std::size_t k = 0; k < opposed.size(); ++k) {
     const std::size_t other = opposed[k];
     if (other != NONE && survey.loops[other].island == survey.loops[k].island &&
@@ -67,14 +72,17 @@ loopsAhead(const ModelSurvey& survey, const std::vector<std::size_t>& opposed)
 
 /** Median of the gaps of all sources; 0 when there is one island only. */
 double
-medianGap(const SourceSet& sources)
+medianGap(const SourceSet& sources, ccaa::RunControl* control)
 {
   const GapFinder gaps(sources);
   std::vector<double> finite;
-  for (const SourceCurve& curve : sources.curves)
+  for (const SourceCurve& curve : sources.curves) {
+    if (!ccaa::spend(control, GAP_WORK * curve.sources.size()))
+      return 0.0;
     for (const double gap : gapsAlong(curve, gaps))
       if (std::isfinite(gap))
         finite.push_back(gap);
+  }
   return ccaa::medianOf(std::move(finite));
 }
 
@@ -133,6 +141,8 @@ traceLines(const LineField& place,
   PerturbationParameters perturbation = parameters.perturbation;
   perturbation.trust = parameters.field.trust; // k_t is one number (4.424, 4.6)
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!ccaa::spend(context.control, LINE_WORK * (lines[i].points.size() + 1)))
+      break;
     lines[i] = resampled(lines[i], origins[i].query.falloff.near);
     if (lines[i].end == LineEnd::BRIDGE && place.guides.free_points)
       lines[i] = perturbed(lines[i], *place.guides.free_points, perturbation);
@@ -141,9 +151,11 @@ traceLines(const LineField& place,
 }
 
 IslandSources
-islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
+islandSources(const ModelSurvey& survey,
+              const FieldParameters& parameters,
+              const ccaa::LoopContext& context)
 {
-  std::vector<std::size_t> opposed = facingLoops(survey);
+  std::vector<std::size_t> opposed = facingLoops(survey, context.control);
   IslandSources islands;
   islands.ahead = loopsAhead(survey, opposed);
   for (std::size_t k = 0; k < opposed.size(); ++k)
@@ -158,7 +170,7 @@ islandSources(const ModelSurvey& survey, const FieldParameters& parameters)
     all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
     all.back().island = sideOf(k, survey, opposed);
   }
-  islands.median_gap = medianGap(gatherSources(std::move(all)));
+  islands.median_gap = medianGap(gatherSources(std::move(all)), context.control);
   const double reach =
       parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;
   std::vector<SourceCurve> curves =
@@ -181,20 +193,23 @@ makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
            double median_gap,
            bool with_surface,
-           int threads)
+           const ccaa::LoopContext& context)
 {
   auto guides = std::make_shared<SurveyGuides>();
   if (with_surface)
-    guides->surface = std::make_unique<Shield>(survey.model, threads);
+    guides->surface =
+        std::make_unique<Shield>(survey.model, context.threads, context.control);
   const Positions& points = survey.model.free_points;
   if (points.empty() || !(parameters.trust > 0.0))
     return guides;
+  ccaa::spend(context.control, POINT_WORK * points.size());
   const double spacing = parameters.free_point_near > 0.0 ? parameters.free_point_near
                                                           : meanSpacing(points);
   Falloff falloff =
       freePointFalloff(spacing, median_gap, parameters.free_point_exponent);
   if (parameters.free_point_far > 0.0)
     falloff.far = parameters.free_point_far;
+  ccaa::spend(context.control, POINT_WORK * points.size());
   guides->free_points = std::make_unique<FreePointField>(
       points, falloff, parameters.trust, parameters.search);
   return guides;

@@ -19,7 +19,9 @@ struct IslandSources {
 };
 
 IslandSources
-islandSources(const ModelSurvey& survey, const FieldParameters& parameters);
+islandSources(const ModelSurvey& survey,
+              const FieldParameters& parameters,
+              const ccaa::LoopContext& context);
 
 /** \brief Surface and free points as obstacles and guides (full mode needs both, the
  * tracker the surface, the perturbation the free points).
@@ -29,7 +31,7 @@ makeGuides(const ModelSurvey& survey,
            const FieldParameters& parameters,
            double median_gap,
            bool with_surface,
-           int threads);
+           const ccaa::LoopContext& context);
 
 Reach
 reachOf(const FieldParameters& parameters);
