@@ -99,14 +99,14 @@ struct LongestGap {
   std::string stages; /**< before and after it */
 };
 
-/** \param[in] now seconds of some clock */
+/** \param[in] work that tells a callback its progress \param[in] now seconds of some
+ * clock */
 LongestGap
-longestGap(const pcl::PolygonMesh::ConstPtr& mesh,
-           unsigned int threads,
+longestGap(const std::function<void(const pcl::ccaa::ProgressCallback&)>& work,
            const std::function<double()>& now)
 {
   LongestGap longest;
-  std::string stage;
+  std::string stage = "begin";
   double last = now();
   const auto note = [&](const std::string& next) {
     const double seconds = now() - last;
@@ -115,17 +115,21 @@ longestGap(const pcl::PolygonMesh::ConstPtr& mesh,
     stage = next;
     last = now();
   };
-  pcl::ForceLineHoleRepair repair;
-  repair.setInputMesh(mesh);
-  repair.setNumberOfThreads(threads);
-  repair.setProgressCallback([&](const std::string& next, double) {
+  work([&](const std::string& next, double) {
     note(next);
     return true;
   });
-  pcl::PolygonMesh output;
-  repair.process(output);
   note("end");
   return longest;
+}
+
+/** A reconstruction, or a repair, that tells its progress. */
+template <typename Run>
+void
+runWatched(Run& run, unsigned int threads, const pcl::ccaa::ProgressCallback& told)
+{
+  run.setNumberOfThreads(threads);
+  run.setProgressCallback(told);
 }
 
 /** One more row, with the exponent of time against what grows; the first has none. */
@@ -278,23 +282,45 @@ printScans(std::ostream& out, std::size_t repeats)
 void
 printGaps(std::ostream& out)
 {
+  using Told = pcl::ccaa::ProgressCallback;
   out << "Longest time between two calls of the progress callback, ms\n"
-         "scan                          threads      ms  in\n";
-  const auto print = [&](const std::string& name, const pcl::PolygonMesh::Ptr& mesh) {
+         "input                       what            threads      ms  in\n";
+  const auto print = [&](const std::string& name, const char* what, const auto& work) {
     for (const unsigned int threads : {1U, 2U}) {
-      const LongestGap gap =
-          longestGap(mesh, threads, threads == 1 ? ownSeconds : wallSeconds);
-      out << std::left << std::setw(28) << name << std::right << std::setw(9) << threads
-          << std::fixed << std::setprecision(0) << std::setw(8) << 1e3 * gap.seconds
-          << "  " << gap.stages << std::endl;
+      const LongestGap gap = longestGap([&](const Told& told) { work(threads, told); },
+                                        threads == 1 ? ownSeconds : wallSeconds);
+      out << std::left << std::setw(28) << name << std::setw(14) << what << std::right
+          << std::setw(9) << threads << std::fixed << std::setprecision(0)
+          << std::setw(8) << 1e3 * gap.seconds << "  " << gap.stages << std::endl;
     }
   };
-  print("one hole, 2 M triangles", meshOf(torusWithHoles(1000, 1000, 1, 1, 294.0)));
-  print("10 000 holes, 4 M triangles",
-        meshOf(torusWithHoles(2000, 1000, 100, 100, 3.2)));
+  const auto print_repair = [&](const std::string& name,
+                                const pcl::PolygonMesh::Ptr& mesh) {
+    print(name, "repair", [&](unsigned int threads, const Told& told) {
+      pcl::ForceLineHoleRepair repair;
+      repair.setInputMesh(mesh);
+      runWatched(repair, threads, told);
+      pcl::PolygonMesh output;
+      repair.process(output);
+    });
+  };
+  print_repair("one hole, 2 M triangles",
+               meshOf(torusWithHoles(1000, 1000, 1, 1, 294.0)));
+  print_repair("10 000 holes, 4 M triangles",
+               meshOf(torusWithHoles(2000, 1000, 100, 100, 3.2)));
   for (const std::string& word : scans())
     try {
-      print(shortName(word), scanOf(word));
+      if (std::find(RANGE_MAPS.begin(), RANGE_MAPS.end(), word) == RANGE_MAPS.end()) {
+        const Cloud::Ptr cloud = makeCloud(word);
+        print(shortName(word), "reconstruction", [&](auto threads, const Told& told) {
+          pcl::ConsecutiveReconstruction<pcl::PointXYZ> chain;
+          chain.setInputCloud(cloud);
+          runWatched(chain, threads, told);
+          pcl::PolygonMesh mesh;
+          chain.reconstruct(mesh);
+        });
+      }
+      print_repair(shortName(word), scanOf(word));
     }
     catch (const std::runtime_error& problem) {
       out << problem.what() << "\n";
