@@ -18,10 +18,11 @@ if(PSR_IS_TOP_LEVEL)
   find_program(PSR_CCACHE ccache)
   mark_as_advanced(PSR_CCACHE)
   if(PSR_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-    # Without this ccache does not look at sources with a precompiled header.
+    # The same object whatever folder is built in; and without the second setting ccache
+    # does not look at sources with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER
-        "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-        "${PSR_CCACHE}")
+        "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
+        CCACHE_SLOPPINESS=pch_defines,time_macros "${PSR_CCACHE}")
   endif()
 endif()
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Part of PclSurfaceRepair: pip makes a wheel without network, and the wheel works.
 #
-# usage: check_wheel.sh [PYTHON]      result: build/wheel/*.whl; what has not changed since the
-#                                     last time is not compiled again
+# usage: check_wheel.sh [PYTHON]      result: build/wheel/*.whl; ccache knows what the release
+#                                     preset has compiled with the same options
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,10 +11,11 @@ python=${1:-/usr/bin/python3}
 wheels=$PWD/build/wheel
 
 scripts/install_dependencies.sh python
-export PIP_NO_INDEX=1 PIP_DISABLE_PIP_VERSION_CHECK=1
+export CMAKE_GENERATOR=Ninja PIP_NO_INDEX=1 PIP_DISABLE_PIP_VERSION_CHECK=1
 rm -rf "$wheels"/*.whl "$wheels/venv"
 "$python" -m pip wheel . --no-deps --wheel-dir "$wheels" \
-  --config-settings "build-dir=$wheels/cmake"
+  --config-settings "build-dir=$PWD/build/wheel-objects" \
+  --config-settings "cmake-args=-DPSR_WARNINGS_AS_ERRORS=ON"
 "$python" -m venv --system-site-packages "$wheels/venv"
 "$wheels/venv/bin/pip" install --quiet "$wheels"/pclsurfacerepair-*.whl
 cd "$wheels"

@@ -2,12 +2,14 @@
 # Part of PclSurfaceRepair: builds the wheel with CMake and Python's own library alone.
 """What pip asks of a project (PEP 517). A wheel holds the libraries; PCL is that of the system.
 
-Setting build-dir: the folder that CMake builds in, for who builds again; else one that goes.
+Settings: build-dir, the folder that CMake builds in, for who builds again (else one that goes),
+and cmake-args, what else CMake is told.
 """
 import base64
 import hashlib
 import os
 import re
+import shlex
 import subprocess
 import sys
 import sysconfig
@@ -40,14 +42,14 @@ def _metadata(project):
     return "\n".join(lines)
 
 
-def _build(folder):
+def _build(folder, arguments):
     """The package, whole; our libraries become part of its module."""
     subprocess.run(["cmake", "-S", TOP, "-B", folder, "-DCMAKE_BUILD_TYPE=Release",
                     "-DBUILD_SHARED_LIBS=OFF", "-DPSR_UNITY_BUILD=ON", "-DPSR_BUILD_APPS=OFF",
                     "-DPSR_BUILD_TESTS=OFF", "-DPSR_BUILD_EXAMPLES=OFF",
                     "-DPSR_BUILD_PYTHON=REQUIRED", "-DPSR_WARNINGS_AS_ERRORS=OFF",
                     "-DCMAKE_SKIP_RPATH=ON", "-DCMAKE_MODULE_LINKER_FLAGS=-s",
-                    f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+                    f"-DPython_EXECUTABLE={sys.executable}", *arguments], check=True)
     subprocess.run(["cmake", "--build", folder, "--target", "pclsurfacerepair_python",
                     "--parallel", str(os.cpu_count())], check=True)
     return Path(folder) / "python" / "pclsurfacerepair"
@@ -69,8 +71,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     tag = f"{python}-{python}-{platform}"
     info = f"{_stem(project)}.dist-info"
     name = f"{_stem(project)}-{tag}.whl"
+    settings = config_settings or {}
     with tempfile.TemporaryDirectory() as folder:
-        package = _build((config_settings or {}).get("build-dir", folder))
+        package = _build(settings.get("build-dir", folder),
+                         shlex.split(settings.get("cmake-args", "")))
         files = {f"pclsurfacerepair/{file.name}": file.read_bytes()
                  for file in sorted(package.iterdir()) if file.is_file()}
     files[f"{info}/METADATA"] = _metadata(project).encode()
