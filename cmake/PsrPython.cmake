@@ -61,6 +61,7 @@ set_target_properties(
   PROPERTIES OUTPUT_NAME _core
              LIBRARY_OUTPUT_DIRECTORY "${psr_python_build}"
              INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")
+psr_unite_folders(pclsurfacerepair_python)
 set_target_properties(app_common PROPERTIES POSITION_INDEPENDENT_CODE ON)
 
 # Below a wheel's root the package lies as it is; Debian has a place of its own for it.

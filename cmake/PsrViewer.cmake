@@ -35,5 +35,6 @@ foreach(psr_qt IN ITEMS Qt6::Widgets Qt5::Widgets)
     break()
   endif()
 endforeach()
+psr_unite_folders(app_viewer)
 vtk_module_autoinit(TARGETS app_viewer MODULES VTK::InteractionStyle
                     VTK::RenderingContextOpenGL2 VTK::RenderingUI)

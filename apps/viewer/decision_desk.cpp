@@ -34,23 +34,23 @@ constexpr double PICK_REACH = 10.0;
 constexpr double DEPTH_MARGIN = 0.01;
 
 Rgb
-colorOf(const LoopDecision& loop)
+colorOfWish(const LoopDecision& loop)
 {
   switch (loop.wish) {
   case LoopWish::CLOSE:
     return TO_BE_CLOSED;
   case LoopWish::LEAVE_OPEN:
-    return app::colorOf(pcl::OpenReason::NOT_WANTED);
+    return colorOf(pcl::OpenReason::NOT_WANTED);
   case LoopWish::AUTO:
     break;
   }
-  return app::colorOf(loop.found);
+  return colorOf(loop.found);
 }
 
 Rgb
-colorOf(const JunctionDecision& junction)
+colorOfWish(const JunctionDecision& junction)
 {
-  return junction.join ? TO_BE_CLOSED : app::colorOf(pcl::OpenReason::NOT_WANTED);
+  return junction.join ? TO_BE_CLOSED : colorOf(pcl::OpenReason::NOT_WANTED);
 }
 
 /** \brief From the centre of one loop to that of the other. */
@@ -258,7 +258,7 @@ DecisionDesk::coloredLoops() const
     const auto& points = survey_.loops[k].curve.points;
     builder.addCurve(points.size(), true, [&](std::size_t i) {
       builder.addPoint(points[i],
-                       is_chosen ? CHOSEN : colorOf(editor_.decisions().loops[k]));
+                       is_chosen ? CHOSEN : colorOfWish(editor_.decisions().loops[k]));
     });
   }
   return builder.finish("");
@@ -273,7 +273,8 @@ DecisionDesk::coloredLinks() const
     const bool is_chosen = editor_.chosen() == decisions.loops.size() + k;
     const auto ends = linkOf(decisions, decisions.junctions[k]);
     builder.addCurve(ends.size(), false, [&](std::size_t i) {
-      builder.addPoint(ends[i], is_chosen ? CHOSEN : colorOf(decisions.junctions[k]));
+      builder.addPoint(ends[i],
+                       is_chosen ? CHOSEN : colorOfWish(decisions.junctions[k]));
     });
   }
   return builder.finish("");
