@@ -43,11 +43,13 @@ function(psr_precompile_test_headers target)
 endfunction()
 
 # Compiling tests takes longer than running them. At -O1 GCC takes values for uninitialized
-# that it sees to be set at -O3.
+# that it sees to be set at -O3. Where a test branches is nothing to guide libFuzzer by.
 function(psr_compile_quickly target)
   target_compile_options(
     ${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>
-                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+                      "$<$<CXX_COMPILER_ID:Clang>:SHELL:-mllvm -inline-threshold=50>"
+                      $<$<BOOL:${PSR_BUILD_FUZZERS}>:-fno-sanitize=fuzzer-no-link>)
 endfunction()
 
 # psr_select_tests(<list of files>): leaves out the tests PSR_TEST_NAMES does not ask for;
