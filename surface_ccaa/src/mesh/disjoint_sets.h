@@ -78,6 +78,16 @@ public:
     return load(number) == number;
   }
 
+  /** \brief Number of sets. Linear. */
+  std::size_t
+  count() const
+  {
+    std::size_t roots = 0;
+    for (std::size_t i = 0; i < parents_.size(); ++i)
+      roots += isRoot(i) ? 1 : 0;
+    return roots;
+  }
+
 private:
   std::size_t
   load(std::size_t number) const

@@ -59,10 +59,7 @@ countOpenings(const std::vector<Border>& borders)
   DisjointSets sets(vertices.size());
   for (const Border& border : borders)
     sets.join(place(border[0]), place(border[1]));
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    count += sets.isRoot(i) ? 1 : 0;
-  return count;
+  return sets.count();
 }
 
 } // namespace

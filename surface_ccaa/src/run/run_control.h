@@ -154,7 +154,11 @@ public:
   WorkCount(const WorkCount&) = delete;
   WorkCount&
   operator=(const WorkCount&) = delete;
-  ~WorkCount() { tell(); }
+  ~WorkCount()
+  {
+    if (untold_ > 0)
+      tell();
+  }
 
   /** \return false when the run or its part is to stop, as far as was asked */
   bool

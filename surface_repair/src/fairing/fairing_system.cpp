@@ -3,7 +3,9 @@
 
 #include "fairing/fairing_system.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace pcl {
@@ -15,8 +17,9 @@ using Triplet = Eigen::Triplet<double>;
 
 /** Columns of a product that are computed in one go. */
 constexpr Eigen::Index COLUMNS_AT_ONCE = 1024;
-/** Operations to add a row to a system. */
+/** Operations to add a row to a system, and for an entry of a product. */
 constexpr std::uint64_t ROW_WORK = 50;
+constexpr std::uint64_t ENTRY_WORK = 10;
 
 /** Number of each vertex among those that move; -1 for the others. */
 struct Unknowns {
@@ -124,7 +127,7 @@ squareOf(const SparseMatrix& matrix, ccaa::RunControl* control)
   for (Eigen::Index first = 0; first < matrix.cols(); first += COLUMNS_AT_ONCE) {
     const Eigen::Index count = std::min(COLUMNS_AT_ONCE, matrix.cols() - first);
     const SparseMatrix part = transposed * matrix.middleCols(first, count);
-    if (!ccaa::spend(control, 10 * static_cast<std::uint64_t>(part.nonZeros())))
+    if (!ccaa::spend(control, ENTRY_WORK * static_cast<std::uint64_t>(part.nonZeros())))
       return square;
     for (Eigen::Index column = 0; column < count; ++column) {
       square.startVec(first + column);

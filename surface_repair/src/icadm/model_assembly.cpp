@@ -181,8 +181,7 @@ assembleModel(Triangles triangles,
   if (context.cancelled())
     return model;
   ccaa::RunControl silent(context.control); // tells no stages
-  const ccaa::LoopContext watched{1, context.control == nullptr ? nullptr : &silent};
-  model.island_of = ccaa::labelIslands(model.adjacency, watched);
+  model.island_of = ccaa::labelIslands(model.adjacency, {1, &silent});
   ccaa::spend(context.control, MEASURING_WORK * model.triangles.size());
   if (context.cancelled())
     return model;

@@ -131,7 +131,7 @@ GrowingSurface::part(std::vector<std::size_t> chosen, ccaa::RunControl* control)
 {
   ModelPart found;
   ccaa::RunControl silent(control); // tells no stages
-  const ccaa::LoopContext context{1, control == nullptr ? nullptr : &silent};
+  const ccaa::LoopContext context{1, &silent};
   Triangles own;
   Positions places;
   found.number_of.reserve(chosen.size());

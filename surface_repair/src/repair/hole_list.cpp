@@ -230,8 +230,7 @@ Listing::countIslands()
       groups.join(survey_.loops[hole.loop].island,
                   survey_.loops[hole.other_loop].island);
   }
-  for (std::size_t i = 0; i < survey_.model.islands.size(); ++i)
-    list_.islands += groups.isRoot(i) ? 1 : 0;
+  list_.islands += groups.count();
 }
 
 void

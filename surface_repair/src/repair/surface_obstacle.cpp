@@ -21,8 +21,6 @@ constexpr std::uint64_t SEARCH_WORK = 50;
 constexpr std::uint64_t TEST_WORK = 5;
 /** Of a triangle that may come near. */
 constexpr std::uint64_t TAKING_WORK = 3;
-/** Operations that are told together. */
-constexpr std::uint64_t MOST_UNTOLD = 10000;
 
 ccaa::BoxTree
 treeOver(const std::vector<ccaa::Corners>& triangles, ccaa::RunControl* control)
@@ -98,7 +96,7 @@ SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
 {
   const NearPlaces near_places(places);
   ccaa::RunControl silent(control); // tells no stages
-  const ccaa::LoopContext context{threads, control == nullptr ? nullptr : &silent};
+  const ccaa::LoopContext context{threads, &silent};
   std::vector<std::vector<ccaa::Corners>> found(
       context.blockCount(model.triangles.size()));
   ccaa::forEachBlock(model.triangles.size(),
@@ -155,17 +153,16 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
                              const Test& test,
                              ccaa::RunControl* control) const
 {
-  std::uint64_t work = SEARCH_WORK;
-  const auto goesOn = [&] { return ccaa::spend(control, std::exchange(work, 0)); };
+  ccaa::WorkCount work(control);
+  work.add(SEARCH_WORK);
   bool found = false;
   for (const Layer& layer : layers_)
     if (!found && layer.box.intersects(box))
       found = layer.tree.anyMeeting(box, [&](pcl::index_t i) {
-        work += TEST_WORK;
-        return (work > MOST_UNTOLD && !goesOn()) ||
+        return !work.add(TEST_WORK) ||
                test(layer.triangles[static_cast<std::size_t>(i)]);
       });
-  return !goesOn() || found;
+  return !work.tell() || found;
 }
 
 bool

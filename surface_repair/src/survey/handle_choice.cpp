@@ -168,6 +168,8 @@ candidatesOf(const ModelSurvey& survey,
   for (const Junction* junction : junctions) {
     const std::vector<Bridges>& some = strips.at(junction->curves);
     candidates.insert(candidates.end(), some.begin(), some.end());
+    if (some.size() == 1) // which is all
+      continue;
     Bridges all;
     for (const Bridges& strip : some)
       all.insert(all.end(), strip.begin(), strip.end());
@@ -175,15 +177,6 @@ candidatesOf(const ModelSurvey& survey,
     candidates.push_back(std::move(all));
   }
   return candidates;
-}
-
-std::size_t
-rootsOf(const ccaa::DisjointSets& sets, std::size_t count)
-{
-  std::size_t roots = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    roots += sets.isRoot(i) ? 1 : 0;
-  return roots;
 }
 
 class HandleDropping {
@@ -261,13 +254,12 @@ bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined)
         ++bridges;
       }
   BridgedTopology topology;
-  topology.pieces = rootsOf(pieces, islands);
+  topology.pieces = pieces.count();
   const auto boundaries = static_cast<long>(joined.loops.size());
   const long discs = static_cast<long>(joined.holes.contours.size()) - bridges / 2;
   topology.handles = static_cast<long>(topology.pieces) - static_cast<long>(islands) -
                      (discs - boundaries) / 2;
-  topology.in_gaps =
-      static_cast<long>(rootsOf(gaps, joined.loops.size())) - (discs + boundaries) / 2;
+  topology.in_gaps = static_cast<long>(gaps.count()) - (discs + boundaries) / 2;
   return topology;
 }
 
