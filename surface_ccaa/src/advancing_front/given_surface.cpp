@@ -3,7 +3,10 @@
 #include "advancing_front/given_surface.h"
 
 #include "advancing_front/island_alignment.h"
+#include "mesh/given_votes.h"
 #include "mesh/sort_unique.h"
+
+#include <limits>
 
 namespace pcl {
 namespace ccaa {
@@ -91,6 +94,33 @@ areNormalsClear(const PartialMesh& mesh,
   return 2 * clear >= mesh.given.size();
 }
 
+/** Open points of one island beside those of another. */
+std::vector<IslandContact>
+contactsOf(const GivenSurface& given,
+           const std::vector<pcl::index_t>& open,
+           const std::vector<pcl::index_t>& table)
+{
+  constexpr std::size_t NO_ISLAND = std::numeric_limits<std::size_t>::max();
+  const TriangleAdjacency& adjacency = given.adjacency;
+  const auto island_of = [&](pcl::index_t vertex) {
+    return adjacency.fan(vertex) == Fan::NONE
+               ? NO_ISLAND
+               : given.islands[static_cast<std::size_t>(*adjacency.begin(vertex))];
+  };
+  const std::size_t k = open.empty() ? 0 : table.size() / open.size();
+  std::vector<IslandContact> contacts;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const std::size_t island = island_of(open[i]);
+    for (std::size_t j = i * k; j < (i + 1) * k && table[j] >= 0; ++j) {
+      const IslandContact contact{open[i], open[static_cast<std::size_t>(table[j])]};
+      const std::size_t other = island_of(contact.other);
+      if (island != NO_ISLAND && other != NO_ISLAND && other != island)
+        contacts.push_back(contact);
+    }
+  }
+  return contacts;
+}
+
 } // namespace
 
 GivenSurface
@@ -162,22 +192,14 @@ alignGiven(PartialMesh& mesh,
   if (mesh.sides.told_viewpoint || mesh.sides.up ||
       (!mesh.normals.empty() && !areNormalsClear(mesh, given, context)))
     mesh.normals = {};
-  const TriangleAdjacency& adjacency = given.adjacency;
-  const std::size_t k = open.empty() ? 0 : table.size() / open.size();
-  std::vector<IslandContact> contacts;
-  for (std::size_t i = 0; i < open.size(); ++i)
-    for (std::size_t j = i * k; j < (i + 1) * k && table[j] >= 0; ++j) {
-      const IslandContact contact{open[i], open[static_cast<std::size_t>(table[j])]};
-      if (adjacency.fan(contact.one) != Fan::NONE &&
-          adjacency.fan(contact.other) != Fan::NONE)
-        contacts.push_back(contact);
-    }
-  const std::vector<double> evidence = evidentSides(mesh.given,
-                                                    adjacency,
-                                                    mesh.points,
-                                                    hintsOf(mesh, context.threads),
-                                                    *context.control);
-  alignIslands(mesh.given, adjacency, given.islands, mesh.points, evidence, contacts);
+  const OrientationHints hints = hintsOf(mesh, context.threads);
+  const std::vector<IslandContact> contacts = contactsOf(given, open, table);
+  if (contacts.empty() && !GivenVotes(hints).any())
+    return; // a guess from the shape is better made of the finished surface
+  const std::vector<double> evidence =
+      evidentSides(mesh.given, given.adjacency, mesh.points, hints, *context.control);
+  alignIslands(
+      mesh.given, given.adjacency, given.islands, mesh.points, evidence, contacts);
 }
 
 } // namespace ccaa

@@ -226,7 +226,8 @@ Completion::orient()
   if (sides.reversed > 0) // the corners of those have changed places
     adjacency_.build(
         result_.triangles, mesh_.points.size(), context_.threads, &control_);
-  result_.topology = topologyOf(result_.triangles, adjacency_, {context_.threads});
+  result_.topology = topologyOf(
+      result_.triangles, adjacency_, sides.components.size(), {context_.threads});
 }
 
 } // namespace

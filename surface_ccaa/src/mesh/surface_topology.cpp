@@ -67,6 +67,7 @@ countOpenings(const std::vector<Border>& borders)
 SurfaceTopology
 topologyOf(const Triangles& triangles,
            const TriangleAdjacency& adjacency,
+           std::size_t pieces,
            const LoopContext& context)
 {
   std::vector<EdgeCount> counts(context.blockCount(triangles.size()));
@@ -85,7 +86,7 @@ topologyOf(const Triangles& triangles,
   const auto& fans = adjacency.fans();
   const auto count = [&](Fan fan) { return std::count(fans.begin(), fans.end(), fan); };
   topology.is_manifold = count(Fan::SEVERAL) + count(Fan::OVERFULL) == 0;
-  topology.pieces = labelIslands(adjacency, context).count;
+  topology.pieces = pieces;
   topology.boundary_loops = countOpenings(borders);
   topology.euler_characteristic =
       static_cast<long>(fans.size()) - static_cast<long>(count(Fan::NONE)) -
@@ -97,6 +98,12 @@ topologyOf(const Triangles& triangles,
         (topology.euler_characteristic + static_cast<long>(topology.boundary_loops)) /
             2;
   return topology;
+}
+
+SurfaceTopology
+topologyOf(const Triangles& triangles, const TriangleAdjacency& adjacency)
+{
+  return topologyOf(triangles, adjacency, labelIslands(adjacency).count, {});
 }
 
 } // namespace ccaa

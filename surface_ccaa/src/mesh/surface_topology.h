@@ -14,9 +14,14 @@ namespace ccaa {
 /** \brief What kind of surface the triangles make. Cost: linear, about 0.05 us a
  * triangle. \param[in] adjacency of these triangles */
 SurfaceTopology
+topologyOf(const Triangles& triangles, const TriangleAdjacency& adjacency);
+
+/** \brief The same where the edge-connected pieces are counted already. */
+SurfaceTopology
 topologyOf(const Triangles& triangles,
            const TriangleAdjacency& adjacency,
-           const LoopContext& context = {});
+           std::size_t pieces,
+           const LoopContext& context);
 
 } // namespace ccaa
 } // namespace pcl
