@@ -178,14 +178,14 @@ constexpr int ROUNDS = 40;
 /** Keeps the weights of terms that hardly occur small. */
 constexpr double RIDGE = 0.3;
 
-using Weights = Eigen::Matrix<double, 6, 1>;
+using Weights = Eigen::Matrix<double, 7, 1>;
 
 Weights
 featuresOf(const Junction& junction)
 {
   Weights features;
   features[0] = 1.0;
-  const std::array<double, 5> terms = junction.evidence.terms();
+  const std::array<double, 6> terms = junction.evidence.terms();
   for (std::size_t k = 0; k < terms.size(); ++k)
     features[static_cast<Eigen::Index>(k) + 1] = -terms[k];
   return features;
@@ -195,7 +195,7 @@ featuresOf(const Junction& junction)
 Weights
 fitWeights(const std::vector<Sample>& samples)
 {
-  using Hessian = Eigen::Matrix<double, 6, 6>;
+  using Hessian = Eigen::Matrix<double, 7, 7>;
   Weights weights = Weights::Zero();
   for (int round = 0; round < ROUNDS; ++round) {
     Hessian hessian = RIDGE * Hessian::Identity();
@@ -242,7 +242,7 @@ printJunctionTable(std::ostream& out, std::uint64_t seeds)
     addSamples(damaged(terrainOf(seed), "terrains", seed), seed, samples);
   }
   out << "weights fitted to even seeds (even, turn, fold, wide, wide for a body, seen "
-         "empty): "
+         "empty, depth): "
       << fitWeights(samples).transpose() << "\n\n"
       << "| odd seeds | true | joined | false | left open "
          "|\n|---|---:|---:|---:|---:|\n";

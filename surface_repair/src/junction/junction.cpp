@@ -22,9 +22,12 @@ constexpr double NARROW_EDGES = 8.0;
 constexpr double NARROW_SHARE = 0.3;
 /** Turn and fold together from which a wide gap counts in full, in radians. */
 constexpr double BENT = M_PI / 4.0;
-/** Fitted by `bench_repair junctions`, where a wrong junction counts four times. */
+/** Fitted by `bench_repair junctions`, where a wrong junction counts four times; the
+ * last one is the least that leaves few of them in range maps (doc/benchmarks.md). */
 constexpr double EVEN = 4.7;
-constexpr std::array<double, 5> WEIGHTS = {2.2, 0.8, 4.1, 1.2, 1.4};
+constexpr std::array<double, 6> WEIGHTS = {2.2, 0.8, 4.1, 1.2, 1.4, 2.0};
+/** Cosine between chord and ray from which a gap lies in depth. */
+constexpr double IN_DEPTH = 0.5;
 /** Share of the way that must have been looked through to call it that. */
 constexpr double MOSTLY_EMPTY = 0.25;
 
@@ -151,7 +154,7 @@ judge(const std::vector<JunctionEvidence>& lines,
 
 } // namespace
 
-std::array<double, 5>
+std::array<double, 6>
 JunctionEvidence::terms() const
 {
   // Over a gap of few edges the direction between jagged rims says little.
@@ -165,13 +168,14 @@ JunctionEvidence::terms() const
           trust * fold,
           facing * bend * wide,
           (1.0 - facing) * wide_for_body,
-          seen_empty};
+          seen_empty,
+          trust * bend * std::min(1.0, along_ray / IN_DEPTH)};
 }
 
 double
 JunctionEvidence::logOdds() const
 {
-  const std::array<double, 5> against = terms();
+  const std::array<double, 6> against = terms();
   return EVEN -
          std::inner_product(against.begin(), against.end(), WEIGHTS.begin(), 0.0);
 }

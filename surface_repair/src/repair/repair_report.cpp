@@ -55,8 +55,7 @@ describe(DoubtReason reason)
     return "two holes that were closed may be the mouths of a tunnel";
   case DoubtReason::LONG_GAP:
     return "two boundaries were joined over a long gap on evidence that hardly "
-           "decides, "
-           "or since there is no better partner";
+           "decides, or since there is no better partner";
   case DoubtReason::PARTED:
     return "two boundaries that belong together by evidence came out in two pieces";
   case DoubtReason::UNSUPPORTED:

@@ -88,6 +88,29 @@ TEST(Junctions, WithoutJudgingEveryPairIsJoined)
   }
 }
 
+/** What lines over a wide gap say between surfaces that are bent so much against it. */
+JunctionEvidence
+wideGap(double turn, double along_ray)
+{
+  JunctionEvidence evidence;
+  evidence.turn = turn;
+  evidence.gap_edges = 8.0;
+  evidence.along_ray = along_ray;
+  return evidence;
+}
+
+TEST(Junctions, DepthSpeaksAgainstASurfaceThatBends)
+{
+  const double across = wideGap(1.0, 0.0).logOdds();
+  EXPECT_LT(wideGap(1.0, 0.25).logOdds(), across - 0.5);
+  EXPECT_LT(wideGap(1.0, 0.5).logOdds(), across - 1.5);
+}
+
+TEST(Junctions, DepthSaysNothingOfASurfaceThatGoesStraightOn)
+{
+  EXPECT_EQ(wideGap(0.0, 1.0).logOdds(), wideGap(0.0, 0.0).logOdds());
+}
+
 /** A wall in z = 0, seen from z = 10. */
 IncompleteModel
 wallSeenFromAbove()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what a finished model leaves in doubt.
 
+#include "repair/junction_doubts.h"
 #include "repair_fixture.h"
 
 #include <cmath>
@@ -181,6 +182,19 @@ TEST(Doubts, AJunctionThatIsJustJoinedIsOne)
   const Repaired result = joinedBy(0.1);
   ASSERT_FALSE(result.report.doubts.empty());
   EXPECT_EQ(DoubtReason::LONG_GAP, result.report.doubts.front().reason);
+}
+
+TEST(Doubts, AJunctionNeedsMoreOddsWhereSensorsAreKnown)
+{
+  RepairReport report;
+  report.junctions.resize(1);
+  report.junctions.front().verdict = JunctionVerdict::JOINED;
+  JunctionEvidence& evidence = report.junctions.front().evidence;
+  SurveyParameters parameters;
+  parameters.junction.joined_from = evidence.logOdds() - 1.0;
+  EXPECT_TRUE(weakJunctions(report, parameters).empty());
+  evidence.has_sight = true;
+  EXPECT_EQ(1U, weakJunctions(report, parameters).size());
 }
 
 TEST(Doubts, AJunctionWithOddsToSpareIsNone)

@@ -160,8 +160,8 @@ struct JunctionEvidence {
   double along_ray = 0.0;  /**< cosine between chord and ray: 1 for a jump in depth */
 
   /** \brief What counts of all this, each at least 0 and the higher the worse: turn,
-   * fold, width in edges, width in extents, seen empty. */
-  std::array<double, 5>
+   * fold, width in edges, width in extents, seen empty, depth. */
+  std::array<double, 6>
   terms() const;
 
   /** \brief ln of the odds that the lost surface leads from one to the other: above 0

@@ -127,7 +127,7 @@ describe(TriangleOrigin origin);
 enum class DoubtReason : std::uint8_t {
   TUNNEL,     /**< two holes on opposite sides of a body were capped, and a tube between
                   them would take about as little area */
-  LONG_GAP,   /**< a limb was joined to another one over a gap on evidence that hardly
+  LONG_GAP,   /**< two boundaries were joined over a gap on evidence that hardly
                   decides, or since there is no better partner for either */
   PARTED,     /**< two boundaries belong together by evidence, but came out in two
                   pieces */
