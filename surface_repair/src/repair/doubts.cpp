@@ -76,20 +76,15 @@ public:
   std::vector<NewPart>
   list() const
   {
-    std::vector<std::vector<std::size_t>> parts;
-    std::vector<bool> is_seen(is_new_.size(), false);
-    for (std::size_t t = 0; t < is_new_.size(); ++t)
-      if (is_new_[t] && !is_seen[t]) {
-        parts.push_back(connectedWith(t, is_new_.size(), is_seen));
-        std::sort(parts.back().begin(), parts.back().end());
-      }
-    if (parts.empty())
-      return {};
-    const ccaa::Islands pieces = ccaa::labelIslands(model_.adjacency);
     std::vector<NewPart> list;
-    for (const std::vector<std::size_t>& triangles : parts) {
+    std::vector<bool> is_seen(is_new_.size(), false);
+    for (std::size_t t = 0; t < is_new_.size(); ++t) {
+      if (!is_new_[t] || is_seen[t])
+        continue;
+      std::vector<std::size_t> triangles = connectedWith(t, is_new_.size(), is_seen);
+      std::sort(triangles.begin(), triangles.end());
       list.push_back(partOf(triangles));
-      list.back().piece = pieces[triangles.front()];
+      list.back().piece = model_.island_of[t];
     }
     return list;
   }

@@ -80,13 +80,12 @@ partedJunctions(const IncompleteModel& model,
       gaps[{low, high}] = junction.evidence.gap_share;
       piece_at[low] = piece_at[high] = NONE;
     }
-  const ccaa::Islands pieces = ccaa::labelIslands(model.adjacency);
   for (std::size_t v = 0; v < model.point_of_vertex.size(); ++v) {
     const auto found = piece_at.find(model.point_of_vertex[v]);
     const pcl::index_t* triangle = model.adjacency.begin(static_cast<pcl::index_t>(v));
     if (found != piece_at.end() &&
         triangle != model.adjacency.end(static_cast<pcl::index_t>(v)))
-      found->second = pieces[static_cast<std::size_t>(*triangle)];
+      found->second = model.island_of[static_cast<std::size_t>(*triangle)];
   }
   std::vector<RepairDoubt> parted;
   for (const auto& [points, gap] : gaps) {

@@ -151,7 +151,9 @@ proveManifold(const ccaa::LoopContext& context,
     settleVertices(context, repaired);
     is_settled = was_settled = true;
   }
-  report.after = ccaa::topologyOf(model.triangles, model.adjacency);
+  model.island_of = ccaa::labelIslands(model.adjacency, {context.threads});
+  report.after = ccaa::topologyOf(
+      model.triangles, model.adjacency, model.island_of.count, {context.threads});
   report.counts_after.islands = report.after.pieces;
   report.class_after = classOf(report.counts_after);
   return true;

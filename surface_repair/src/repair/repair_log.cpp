@@ -47,7 +47,8 @@ RepairLog::noteInput()
   report_.free_points = model.free_points.size();
   report_.counts_before = survey_.counts;
   report_.class_before = survey_.icm_class;
-  report_.before = ccaa::topologyOf(model.triangles, model.adjacency);
+  report_.before =
+      ccaa::topologyOf(model.triangles, model.adjacency, model.island_of.count, {});
   for (std::size_t i = 0; i < model.islands.size(); ++i) {
     const Island& island = model.islands[i];
     report_.islands.push_back({island.triangles,
