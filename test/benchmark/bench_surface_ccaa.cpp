@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: table of what start and filter cost, beside the field.
-//
-// Usage: bench_surface_ccaa [--repeats R] [--no-rivals] CLOUD...
-//   CLOUD is FILE.ply, FILE.pcd, bumpy:N, sample:FILE.ply:N:NOISE or another of the
-//   words of input_clouds.h.
-// Prints microseconds per point, search included and file access excluded, the median
-// of R interleaved runs. Nothing passes or fails.
 #include <pcl/console/print.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/surface_ccaa/block_search.h>
@@ -18,11 +12,20 @@
 
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace {
+
+constexpr const char* HELP =
+    "usage: bench_surface_ccaa [--repeats R] [--no-rivals] CLOUD...\n"
+    "\n"
+    "CLOUD is FILE.ply, FILE.pcd, bumpy:N, sample:FILE.ply:N:NOISE or another of the\n"
+    "words of input_clouds.h. Prints microseconds per point, search included and file\n"
+    "access excluded, the median of R interleaved runs (default 5). Nothing passes or\n"
+    "fails.\n";
 
 using bench::Cloud;
 using bench::median;
@@ -32,6 +35,7 @@ using Search = pcl::search::Search<pcl::PointXYZ>;
 struct Settings {
   std::size_t repeats = 5;
   bool rivals = true;
+  bool help = false;
   std::vector<std::string> clouds;
 };
 
@@ -201,13 +205,19 @@ parse(int argc, char** argv)
   Settings settings;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "--repeats" && i + 1 < argc)
+    if (word == "--help")
+      settings.help = true;
+    else if (word == "--repeats" && i + 1 < argc)
       settings.repeats = std::stoul(argv[++i]);
     else if (word == "--no-rivals")
       settings.rivals = false;
+    else if (word[0] == '-')
+      throw std::invalid_argument("unknown option " + word);
     else
       settings.clouds.push_back(word);
   }
+  if (settings.clouds.empty() && !settings.help)
+    throw std::invalid_argument("no cloud is given, see --help");
   return settings;
 }
 
@@ -219,6 +229,10 @@ main(int argc, char** argv)
   pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
   try {
     const Settings settings = parse(argc, argv);
+    if (settings.help) {
+      std::printf("%s", HELP);
+      return 0;
+    }
     for (const std::string& word : settings.clouds)
       benchmark(word, settings);
   }

@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: clouds cut into tiles against the same at once.
-//
-// usage: bench_tiles PROGRAMS FOLDER [PART...] [--tiles N] [--large N] [--small N]
-//   PROGRAMS  folder with pcl_ccaa_reconstruct and pcl_mesh_quality
-//   FOLDER    for clouds and meshes; some 200 bytes for each point of --large
-//   scale     us/point and memory of --large points in tiles (10 M), of a tenth of it,
-//             and of --small points at once (5 M), one thread
-//   same      --small points in tiles and at once: what the meshes are
-//   shift     --small points, and these moved by half a tile
-//   workers   --small points in tiles on one and on two threads
-//   city      --small points of a city block, 16 scans
-//   make WHAT POINTS PATH   only write a cloud: bumpy, or city (PATH is a folder)
 #include "streamed_clouds.h"
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -27,6 +16,20 @@
 #include <vector>
 
 namespace {
+
+constexpr const char* HELP =
+    "usage: bench_tiles PROGRAMS FOLDER [PART...] [--tiles N] [--large N] [--small N]\n"
+    "       bench_tiles make WHAT POINTS PATH\n"
+    "\n"
+    "  PROGRAMS  folder with pcl_ccaa_reconstruct and pcl_mesh_quality\n"
+    "  FOLDER    for clouds and meshes; some 200 bytes for each point of --large\n"
+    "  scale     us/point and memory of --large points in tiles (10 M), of a tenth of\n"
+    "            it, and of --small points at once (5 M), one thread\n"
+    "  same      --small points in tiles and at once: what the meshes are\n"
+    "  shift     --small points, and these moved by half a tile\n"
+    "  workers   --small points in tiles on one and on two threads\n"
+    "  city      --small points of a city block, 16 scans\n"
+    "  make      only write a cloud: bumpy, or city (PATH is a folder)\n";
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
@@ -222,7 +225,7 @@ readSettings(const std::vector<std::string>& words)
 void
 runAll(const std::vector<std::string>& words)
 {
-  if (!words.empty() && words.front() == "make") {
+  if (words.front() == "make") {
     const std::uint64_t points = std::stoull(words.at(2));
     if (words.at(1) == "bumpy")
       bench::writeBumpy(words.at(3), points, 1, 0.0);
@@ -250,8 +253,14 @@ runAll(const std::vector<std::string>& words)
 int
 main(int argc, char** argv)
 {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const bool help = !words.empty() && words.front() == "--help";
+  if (help || words.size() < 2 || (words.front() == "make" && words.size() != 4)) {
+    std::fputs(HELP, help ? stdout : stderr);
+    return help ? 0 : 1;
+  }
   try {
-    runAll(std::vector<std::string>(argv + 1, argv + argc));
+    runAll(words);
   }
   catch (const std::exception& problem) {
     std::fprintf(stderr, "bench_tiles: %s\n", problem.what());
