@@ -45,9 +45,10 @@ endfunction()
 # Compiling tests takes longer than running them. At -O1 GCC takes values for uninitialized
 # that it sees to be set at -O3, and Clang spends most of its time on what it inlines.
 # Where a test branches is nothing to guide libFuzzer by.
-function(psr_compile_quickly target)
+# psr_compile_quickly(<target> <0 or 1>): level 0 for tests that compute next to nothing.
+function(psr_compile_quickly target level)
   target_compile_options(
-    ${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>
+    ${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O${level}>
                       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
                       "$<$<CXX_COMPILER_ID:Clang>:SHELL:-mllvm -inline-threshold=50>"
                       $<$<BOOL:${PSR_BUILD_FUZZERS}>:-fno-sanitize=fuzzer-no-link>)
@@ -70,7 +71,8 @@ function(psr_select_tests list)
   set(${list} ${selected} PARENT_SCOPE)
 endfunction()
 
-# psr_add_test(<target> <folder below test/>); nothing when the folder has no test.
+# psr_add_test(<target> <folder below test/> [WAITS]); nothing when the folder has no test.
+# WAITS: its tests mostly wait for programs, so that optimizing them takes longer than it saves.
 function(psr_add_test target folder)
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
   if(PSR_TEST_NAMES)
@@ -82,8 +84,13 @@ function(psr_add_test target folder)
   add_executable(${target} ${sources})
   target_link_libraries(${target} PRIVATE test_support GTest::gtest_main psr_warnings
                                           psr_link_options)
-  target_precompile_headers(${target} REUSE_FROM test_support)
-  psr_compile_quickly(${target})
+  if("WAITS" IN_LIST ARGN)
+    psr_compile_quickly(${target} 0)
+  else()
+    # Which is only for the same level.
+    target_precompile_headers(${target} REUSE_FROM test_support)
+    psr_compile_quickly(${target} 1)
+  endif()
   psr_unite_folders(${target})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
                                              "${PROJECT_BINARY_DIR}/test")
