@@ -4,6 +4,8 @@
 
 #ifdef PCL_CCAA_HAS_AVX2_CERTIFICATE
 
+#include <immintrin.h>
+
 // Not "fma": votes must be the same on every processor.
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
@@ -11,8 +13,8 @@
 #pragma GCC target("avx2")
 #endif
 
-#define PCL_CCAA_KERNEL avx2
-#define PCL_CCAA_REGISTER_BYTES 32
+#define PCL_KERNEL avx2
+#define PCL_REGISTER_BYTES 32
 #include "greedy/edge_certificate_kernel_impl.h"
 
 #ifdef __clang__

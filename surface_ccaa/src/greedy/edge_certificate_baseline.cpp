@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the empty-circle test for any processor.
 #include "greedy/edge_certificate_kernel.h"
 
-#define PCL_CCAA_KERNEL baseline
-#define PCL_CCAA_REGISTER_BYTES 16
+#define PCL_KERNEL baseline
+#define PCL_REGISTER_BYTES 16
 #include "greedy/edge_certificate_kernel_impl.h"
 
 namespace pcl {

@@ -1,40 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the empty-circle test, one text for all instruction sets.
 //
-// Included once per instruction set with PCL_CCAA_KERNEL naming the namespace and
-// PCL_CCAA_REGISTER_BYTES the width of a vector register. Nothing of a library may be
+// Included once per instruction set, see run/registers.h. Nothing of a library may be
 // compiled in here: the linker could pick that copy for everybody. Every machine gets
 // the same bits: no contraction, sums in fixed lanes.
 #pragma once
 
 #include "greedy/edge_certificate_kernel.h"
 #include "greedy/edge_certificate_neighborhood.h"
+#include "run/registers.h"
 
 namespace pcl {
 namespace ccaa {
 namespace certificate {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
+
+using namespace ccaa::PCL_KERNEL;
 
 /** The signed square of a cotangent on a side without witnesses: an angle of zero. */
 constexpr float UNSEEN = 1e12f;
 
 /** As many edges side by side as fill a register. */
-constexpr int EDGE_LANES = PCL_CCAA_REGISTER_BYTES / 4;
-using Lanes = float __attribute__((vector_size(PCL_CCAA_REGISTER_BYTES)));
-using LaneNumbers = std::int32_t __attribute__((vector_size(PCL_CCAA_REGISTER_BYTES)));
+constexpr int EDGE_LANES = PCL_REGISTER_BYTES / 4;
+using Lanes = Register<float>;
+using LaneNumbers = Register<std::int32_t>;
 
 inline Lanes
 magnitudes(const Lanes& values)
 {
   return (Lanes)((LaneNumbers)values & 0x7fffffff);
-}
-
-inline Lanes
-load(const float* values)
-{
-  Lanes lanes;
-  __builtin_memcpy(&lanes, values, sizeof(lanes));
-  return lanes;
 }
 
 /** The smaller value where the mask is set, else the first. A value behind an unset
@@ -132,7 +126,7 @@ certify(const CertificateInput& input,
     votesOfRange<64>(input, first, last, votes);
 }
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace certificate
 } // namespace ccaa
 } // namespace pcl

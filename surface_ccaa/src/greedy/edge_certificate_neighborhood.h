@@ -9,7 +9,7 @@
 namespace pcl {
 namespace ccaa {
 namespace certificate {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 /** Partial sums are kept in this many lanes whatever the instruction set, so that every
  * machine adds in the same order. */
@@ -295,7 +295,7 @@ flatten(Neighborhood<LANES>& hood, bool all)
     hood.z[j] = hood.z[j] * hood.z[j] > steepest * hood.squared[j] ? hood.z[j] : 0.0f;
 }
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace certificate
 } // namespace ccaa
 } // namespace pcl

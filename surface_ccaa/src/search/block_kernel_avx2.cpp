@@ -14,8 +14,8 @@
 #pragma GCC target("avx2,popcnt,bmi")
 #endif
 
-#define PCL_CCAA_KERNEL avx2
-#define PCL_CCAA_LANES "lanes_avx2.h"
+#define PCL_KERNEL avx2
+#define PCL_REGISTER_BYTES 32
 #include "search/kernel/block_kernel_impl.h"
 
 #ifdef __clang__

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: the search kernel for any processor.
 #include "search/block_kernel.h"
 
-#define PCL_CCAA_KERNEL baseline
-#define PCL_CCAA_LANES "lanes_baseline.h"
+#define PCL_KERNEL baseline
+#define PCL_REGISTER_BYTES 16
 #include "search/kernel/block_kernel_impl.h"
 
 namespace pcl {

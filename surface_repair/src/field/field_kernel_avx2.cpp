@@ -13,9 +13,9 @@
 #pragma GCC target("avx2")
 #endif
 
-#define PCL_REPAIR_KERNEL avx2
-#define PCL_REPAIR_REGISTER_BYTES 32
-#define PCL_REPAIR_CHAINS 2
+#define PCL_KERNEL avx2
+#define PCL_REGISTER_BYTES 32
+#define PCL_FIELD_CHAINS 2
 #include "field/field_kernel_impl.h"
 
 #ifdef __clang__

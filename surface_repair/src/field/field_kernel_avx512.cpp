@@ -14,9 +14,9 @@
 #pragma GCC target("avx512f,avx512dq")
 #endif
 
-#define PCL_REPAIR_KERNEL avx512
-#define PCL_REPAIR_REGISTER_BYTES 64
-#define PCL_REPAIR_CHAINS 3
+#define PCL_KERNEL avx512
+#define PCL_REGISTER_BYTES 64
+#define PCL_FIELD_CHAINS 3
 #include "field/field_kernel_impl.h"
 
 #ifdef __clang__

@@ -2,9 +2,9 @@
 // Part of PclSurfaceRepair: the field kernel for any processor.
 #include "field/field_kernel.h"
 
-#define PCL_REPAIR_KERNEL baseline
-#define PCL_REPAIR_REGISTER_BYTES 16
-#define PCL_REPAIR_CHAINS 1
+#define PCL_KERNEL baseline
+#define PCL_REGISTER_BYTES 16
+#define PCL_FIELD_CHAINS 1
 #include "field/field_kernel_impl.h"
 
 namespace pcl {

@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: the field of many sources, one text for all instruction
 // sets.
 //
-// Included once per instruction set with PCL_REPAIR_KERNEL naming the namespace and
-// PCL_REPAIR_REGISTER_BYTES the width of a vector register and PCL_REPAIR_CHAINS the
+// Included once per instruction set, see run/registers.h, with PCL_FIELD_CHAINS the
 // number of blocks side by side (what the registers can hold). Nothing of a library may
 // be compiled in here: the linker could pick that copy for everybody. Every machine
 // gets the same bits: no contraction, sums in fixed lanes.
@@ -15,7 +14,7 @@
 namespace pcl {
 namespace repair {
 namespace field_kernel {
-namespace PCL_REPAIR_KERNEL {
+namespace PCL_KERNEL {
 
 /** How (..)^chi is raised. */
 enum class Power { WHOLE, HALF, ANY };
@@ -170,7 +169,7 @@ template <typename M>
 void
 sumOf(const Task& task, double* tension)
 {
-  constexpr int CHAINS = PCL_REPAIR_CHAINS;
+  constexpr int CHAINS = PCL_FIELD_CHAINS;
   alignas(64) double lanes[9][LANES];
   for (int pass = 0; pass < LANES; pass += WIDTH) {
     Lanes h[9] = {};
@@ -245,7 +244,7 @@ sum(const Task& task, double* tension)
     sumByMode<Power::WHOLE>(task, tension);
 }
 
-} // namespace PCL_REPAIR_KERNEL
+} // namespace PCL_KERNEL
 } // namespace field_kernel
 } // namespace repair
 } // namespace pcl

@@ -8,38 +8,27 @@
 #pragma once
 
 #include "field/field_kernel.h"
+#include "run/registers.h"
 
 namespace pcl {
 namespace repair {
 namespace field_kernel {
-namespace PCL_REPAIR_KERNEL {
+namespace PCL_KERNEL {
+
+using namespace ccaa::PCL_KERNEL;
 
 /** Lanes of a register. */
-constexpr int WIDTH = PCL_REPAIR_REGISTER_BYTES / 8;
-using Lanes = double __attribute__((vector_size(PCL_REPAIR_REGISTER_BYTES)));
-using Bits = std::int64_t __attribute__((vector_size(PCL_REPAIR_REGISTER_BYTES)));
-
-inline Lanes
-load(const double* values)
-{
-  Lanes lanes;
-  __builtin_memcpy(&lanes, values, sizeof(lanes));
-  return lanes;
-}
-
-inline Lanes
-all(double value)
-{
-  return Lanes{} + value;
-}
+constexpr int WIDTH = PCL_REGISTER_BYTES / 8;
+using Lanes = Register<double>;
+using Bits = Register<std::int64_t>;
 
 /** IEEE square root. */
 inline Lanes
 squareRoot(const Lanes& x)
 {
-#if PCL_REPAIR_REGISTER_BYTES == 64
+#if PCL_REGISTER_BYTES == 64
   return (Lanes)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
-#elif PCL_REPAIR_REGISTER_BYTES == 32
+#elif PCL_REGISTER_BYTES == 32
   return (Lanes)_mm256_sqrt_pd((__m256d)x);
 #else
   Lanes root;
@@ -49,39 +38,14 @@ squareRoot(const Lanes& x)
 #endif
 }
 
-/** The larger and the smaller of two, as ternary operators, but one instruction. */
-inline Lanes
-larger(const Lanes& a, const Lanes& b)
-{
-#if PCL_REPAIR_REGISTER_BYTES == 64
-  return (Lanes)_mm512_maskz_max_pd(0xff, (__m512d)a, (__m512d)b);
-#elif PCL_REPAIR_REGISTER_BYTES == 32
-  return (Lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
-#else
-  return a > b ? a : b;
-#endif
-}
-
-inline Lanes
-smaller(const Lanes& a, const Lanes& b)
-{
-#if PCL_REPAIR_REGISTER_BYTES == 64
-  return (Lanes)_mm512_maskz_min_pd(0xff, (__m512d)a, (__m512d)b);
-#elif PCL_REPAIR_REGISTER_BYTES == 32
-  return (Lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
-#else
-  return a < b ? a : b;
-#endif
-}
-
 /** 1 / sqrt(x) in single precision. */
 inline Lanes
 roughInverseRoot(const Lanes& x)
 {
-#if PCL_REPAIR_REGISTER_BYTES == 64
+#if PCL_REGISTER_BYTES == 64
   const __m256 root = _mm256_sqrt_ps(_mm512_maskz_cvtpd_ps(0xff, (__m512d)x));
   return (Lanes)_mm512_maskz_cvtps_pd(0xff, _mm256_div_ps(_mm256_set1_ps(1.0f), root));
-#elif PCL_REPAIR_REGISTER_BYTES == 32
+#elif PCL_REGISTER_BYTES == 32
   const __m128 root = _mm_sqrt_ps(_mm256_cvtpd_ps((__m256d)x));
   return (Lanes)_mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0f), root));
 #else
@@ -139,7 +103,7 @@ binaryExponential(const Lanes& x)
   return (Lanes)((Bits)series + ((Bits)shifted << 52));
 }
 
-} // namespace PCL_REPAIR_KERNEL
+} // namespace PCL_KERNEL
 } // namespace field_kernel
 } // namespace repair
 } // namespace pcl

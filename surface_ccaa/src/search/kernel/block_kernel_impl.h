@@ -5,16 +5,15 @@
 #include "search/kernel/nearest_search.h"
 #include "search/kernel/range_search.h"
 
-// One text for all instruction sets: included once per set, with PCL_CCAA_KERNEL naming
-// the namespace and PCL_CCAA_LANES the header with the set's operations. Exactness
-// rests on two facts. Rounding is monotonic, so the distance to a box computed like the
-// distance to a point is never above that of a point inside. And NaN loses every
-// comparison, so the lanes that pad the last block and group drop out.
+// One text for all instruction sets: included once per set, see run/registers.h.
+// Exactness rests on two facts. Rounding is monotonic, so the distance to a box
+// computed like the distance to a point is never above that of a point inside. And NaN
+// loses every comparison, so the lanes that pad the last block and group drop out.
 
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 inline void
 writeRow(const Scratch& scratch,
@@ -82,7 +81,7 @@ within(const BlockView& view,
   return RangeSearch(view, cursor).run(capacity, ranks, sqr_distances);
 }
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

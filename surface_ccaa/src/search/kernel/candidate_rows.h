@@ -7,7 +7,7 @@
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 /** Rows up to here are sorted by counting, which takes the square of their length. */
 constexpr unsigned int SHORT_ROW = 192;
@@ -134,7 +134,7 @@ private:
   unsigned int sizes_[LANES];
 };
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -2,13 +2,12 @@
 // Part of PclSurfaceRepair: distances between points and boxes, eight at a time.
 #pragma once
 
-#include "search/block_kernel.h"
-#include PCL_CCAA_LANES
+#include "search/kernel/lanes.h"
 
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 constexpr float INFINITE = __builtin_inff();
 
@@ -125,7 +124,7 @@ smallest(const float* values, unsigned int lanes)
   return best;
 }
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

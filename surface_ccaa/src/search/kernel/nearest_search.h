@@ -8,7 +8,7 @@
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 constexpr std::uint32_t NO_BLOCK = ~std::uint32_t(0);
 /** A query whose bound is so many times the median of its block walks alone. */
@@ -218,7 +218,7 @@ private:
   float reach_ = -1.f;
 };
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

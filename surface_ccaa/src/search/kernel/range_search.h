@@ -7,7 +7,7 @@
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 /** Points within a distance, in the order of their ranks. */
 class RangeSearch {
@@ -79,7 +79,7 @@ private:
   float* sqr_distances_ = nullptr;
 };
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

@@ -2,19 +2,18 @@
 // Part of PclSurfaceRepair: sorting a short row by counting.
 #pragma once
 
-#include "search/block_kernel.h"
-#include PCL_CCAA_LANES
+#include "search/kernel/lanes.h"
 
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
 /** The bits of a distance that is not negative order as the distance does. */
-inline std::int32_t
+inline std::uint32_t
 keyOf(const float& distance)
 {
-  std::int32_t bits;
+  std::uint32_t bits;
   __builtin_memcpy(&bits, &distance, sizeof bits);
   return bits;
 }
@@ -24,9 +23,9 @@ keyOf(const float& distance)
 inline Ints
 raisedAfter(unsigned int lane, const Ints& keys)
 {
-  alignas(32) static constexpr std::int32_t STEP[2 * LANES] = {
+  alignas(32) static constexpr std::uint32_t STEP[2 * LANES] = {
       0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
-  return keys + loadInts(STEP + LANES - 1 - lane);
+  return keys + load(STEP + LANES - 1 - lane);
 }
 
 /** Places of CHUNKS * LANES entries of a row when the row is sorted: how many entries
@@ -42,11 +41,11 @@ placesOfChunks(const float* row,
   Ints keys[CHUNKS], raised[CHUNKS], counts[CHUNKS];
   for (unsigned int i = 0; i < CHUNKS; ++i) {
     keys[i] = bitsOf(load(row + begin + i * LANES));
-    raised[i] = keys[i] + allInts(1);
-    counts[i] = allInts(0);
+    raised[i] = keys[i] + all(1u);
+    counts[i] = all(0u);
   }
   const auto countAgainst = [&counts](const Ints* own, float other) {
-    const Ints key = allInts(keyOf(other));
+    const Ints key = all(keyOf(other));
     for (unsigned int i = 0; i < CHUNKS; ++i)
       counts[i] = counts[i] - greater(own[i], key);
   };
@@ -66,7 +65,7 @@ placesOfChunks(const float* row,
   for (unsigned int j = begin + CHUNKS * LANES; j < size; ++j)
     countAgainst(keys, row[j]);
   for (unsigned int i = 0; i < CHUNKS; ++i)
-    storeInts(places + begin + i * LANES, counts[i]);
+    store(places + begin + i * LANES, counts[i]);
 }
 
 /** The size is a multiple of LANES; what pads the row has the largest key. */
@@ -88,7 +87,7 @@ sortedPlaces(const float* row, unsigned int size, std::int32_t* places)
   }
 }
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl

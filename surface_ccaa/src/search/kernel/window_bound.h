@@ -8,10 +8,12 @@
 namespace pcl {
 namespace ccaa {
 namespace block_kernel {
-namespace PCL_CCAA_KERNEL {
+namespace PCL_KERNEL {
 
-/** Halvings of the interval that holds the bound: 8 octaves, down to 1/16. */
+/** Halvings of the interval that holds the bound, down to 1/16 of an octave. */
 constexpr int BOUND_STEPS = 7;
+/** Octaves of the interval, in the bits of a float. */
+constexpr std::uint32_t OCTAVES = 8 << 23;
 
 /** Upper bounds for the distance of the n-th nearest point, from the points of a few
  * blocks next to each other on the curve. */
@@ -72,13 +74,12 @@ private:
   boundsOfAll(const Queries& queries)
   {
     Ints high = bitsOf(measureAll(queries));
-    const Ints octaves = high - allInts(8 << 23);
-    Ints low = select(greater(octaves, allInts(0)), octaves, allInts(0));
-    const Ints surplus =
-        allInts(static_cast<std::int32_t>(width_ * LANES - needed_ + 1));
+    const Ints octaves = high - all(OCTAVES);
+    Ints low = select(greater(octaves, all(0u)), octaves, all(0u));
+    const Ints surplus = all(width_ * LANES - needed_ + 1);
     for (int step = 0; step < BOUND_STEPS; ++step) {
       const Ints middle = low + half(high - low);
-      const Ints enough = greater(surplus + minusBeyond(middle), allInts(0));
+      const Ints enough = greater(surplus + minusBeyond(middle), all(0u));
       high = select(enough, middle, high);
       low = select(enough, low, middle);
     }
@@ -89,7 +90,7 @@ private:
   Ints
   minusBeyond(const Ints& limit) const
   {
-    Ints count = allInts(0);
+    Ints count = all(0u);
     const float* distances = distances_;
     for (std::uint32_t i = 0; i < width_; ++i, distances += LANES * LANES)
 #pragma GCC unroll 8
@@ -121,11 +122,11 @@ private:
   float
   boundOfOne(float x, float y, float z)
   {
-    std::int32_t high = keyOf(measureOne(x, y, z));
-    std::int32_t low = high > (8 << 23) ? high - (8 << 23) : 0;
+    std::uint32_t high = keyOf(measureOne(x, y, z));
+    std::uint32_t low = high > OCTAVES ? high - OCTAVES : 0;
     for (int step = 0; step < BOUND_STEPS; ++step) {
-      const std::int32_t middle = low + (high - low) / 2;
-      const Floats limit = floatsFromBits(allInts(middle));
+      const std::uint32_t middle = low + (high - low) / 2;
+      const Floats limit = floatsFromBits(all(middle));
       unsigned int inside = 0;
       for (std::uint32_t i = 0; i < width_; ++i)
         inside += bitCount(lessEqual(load(distances_ + i * LANES), limit));
@@ -160,7 +161,7 @@ private:
   std::uint32_t width_;
 };
 
-} // namespace PCL_CCAA_KERNEL
+} // namespace PCL_KERNEL
 } // namespace block_kernel
 } // namespace ccaa
 } // namespace pcl
