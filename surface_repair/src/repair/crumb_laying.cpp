@@ -4,7 +4,7 @@
 #include "repair/crumb_laying.h"
 
 #include "boundary/extraction.h"
-#include "fairing/triangle_search.h"
+#include "repair/crumb_shadow.h"
 #include "repair/opening.h"
 #include "repair/region_parts.h"
 #include "repair/ring_filling.h"
@@ -13,7 +13,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -28,16 +27,11 @@ constexpr std::array<int, 4> OPENED_RINGS = {1, 2, 4, 0};
  * other. */
 constexpr std::array<double, 2> REACHES = {1.0, 6.0};
 /** The same of crumbs that are no fins: single triangles lie far above wide patches.
- * Then so many more rings are opened as it is edges away, at most. */
+ * Then so many more rings are opened as it is edges away. */
 constexpr double FARTHEST = 24.0;
-constexpr double MOST_SLOPES = 16.0;
 /** Depth of the surface that is missing in a hole, at most, in lengths of its boundary.
  */
 constexpr double DEEPEST = 0.3;
-/** Distance of the patch on the other side of a crumb, in that of the patch on its
- * side, up to which the crumb is turned first: which side small islands show is not
- * sure. */
-constexpr double NEARER = 0.5;
 /** Edges of an opening that is closed around a crumb. */
 constexpr std::size_t LONGEST_BORDER = 128;
 /** Operations for a triangle around a crumb each time that some are opened. */
@@ -63,26 +57,16 @@ public:
   run();
 
 private:
-  /** What covers a crumb. */
-  struct Shadow {
-    std::vector<bool> triangles; /**< of those near the crumb */
-    std::size_t nearest = 0;     /**< of them */
-    double distance = std::numeric_limits<double>::infinity(); /**< of that one */
-    int slopes = 1; /**< edges of the nearest between it and the crumb */
-  };
-
   void
   lookAround(const ccaa::Box& crumb);
   bool
   tryWithin(double reach);
   bool
   touchesInput() const;
-  std::optional<Shadow>
-  shadowOn(const TriangleSearch& patches, bool turned) const;
   bool
   isKnown(const Opening& opening);
   bool
-  layInto(const Shadow& shadow, int rings);
+  layInto(const CrumbShadow& shadow, int rings);
   bool
   close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
   pcl::index_t
@@ -93,7 +77,11 @@ private:
     return ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
   }
   void
-  turnCrumb();
+  turnCrumb()
+  {
+    for (const std::size_t t : crumb_)
+      std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
+  }
   std::size_t
   holeOf(const Opening& opening) const;
 
@@ -104,10 +92,9 @@ private:
   GrowingSurface& surface_;
   double reach_ = 0.0;
   ccaa::Box around_;
-  ccaa::Box place_;                        /**< of what is opened and the crumb */
-  std::vector<std::size_t> near_;          /**< triangles all around the crumb */
-  ModelPart part_;                         /**< the same as a model */
-  std::vector<std::size_t> new_triangles_; /**< places among them */
+  ccaa::Box place_;               /**< of what is opened and the crumb */
+  std::vector<std::size_t> near_; /**< triangles all around the crumb */
+  ModelPart part_;                /**< the same as a model */
   /** Side of the crumb and what was opened, and their place. */
   std::set<std::pair<std::vector<std::size_t>, std::array<double, 6>>> tried_;
 };
@@ -164,74 +151,22 @@ CrumbLaying::tryWithin(double reach)
     return false;
   lookAround(box);
   part_ = {};
-  new_triangles_.clear();
-  std::vector<ccaa::Corners> corners;
-  for (std::size_t i = 0; i < near_.size(); ++i)
-    if (surface_.hole[near_[i]] != NONE) {
-      new_triangles_.push_back(i);
-      corners.push_back(
-          ccaa::cornersOf(surface_.triangles[near_[i]], surface_.positions));
-    }
-  const TriangleSearch patches(std::move(corners));
-  const std::optional<Shadow> given = shadowOn(patches, false);
-  const std::optional<Shadow> other = shadowOn(patches, true);
-  const bool turned_first =
-      other && (!given || other->distance < NEARER * given->distance);
-  const auto lengthOfHole = [&](const Shadow& shadow) {
-    return course_.report.holes[surface_.hole[near_[shadow.nearest]]].length;
-  };
-  for (const bool turned : {turned_first, !turned_first}) {
-    const std::optional<Shadow>& shadow = turned ? other : given;
-    if (!shadow || shadow->distance > DEEPEST * lengthOfHole(*shadow))
+  for (const CrumbShadow& shadow : shadowsOf(crumb_, near_, reach_, surface_)) {
+    const std::size_t hole = surface_.hole[near_[shadow.nearest]];
+    if (shadow.distance > DEEPEST * course_.report.holes[hole].length)
       continue;
-    if (turned)
+    if (shadow.turned)
       turnCrumb();
     if (part_.triangles.empty()) // of the crumb only the places count
       part_ = surface_.part(near_, &control_);
     for (const int rings : OPENED_RINGS)
       if (control_.spend(OPENING_WORK * part_.triangles.size()) &&
-          layInto(*shadow, reach < FARTHEST ? rings : rings * shadow->slopes))
+          layInto(shadow, reach < FARTHEST ? rings : rings * shadow.slopes))
         return true;
-    if (turned)
+    if (shadow.turned)
       turnCrumb();
   }
   return false;
-}
-
-/** The triangles of a patch that are nearest to the crumb's corners and centres, on the
- * side that it shows. */
-std::optional<CrumbLaying::Shadow>
-CrumbLaying::shadowOn(const TriangleSearch& patches, bool turned) const
-{
-  Shadow shadow;
-  shadow.triangles.assign(near_.size(), false);
-  TrianglePlace closest;
-  for (const std::size_t t : crumb_) {
-    const ccaa::Corners own =
-        ccaa::cornersOf(surface_.triangles[t], surface_.positions);
-    const Eigen::Vector3d normal = (turned ? -1.0 : 1.0) * ccaa::areaNormal(own);
-    Positions samples(own.begin(), own.end());
-    samples.push_back((own[0] + own[1] + own[2]) / 3.0);
-    const auto shows = [&](const ccaa::Corners& corners) {
-      return ccaa::areaNormal(corners).dot(normal) > 0.0;
-    };
-    for (const Position& sample : samples) {
-      const TrianglePlace place = patches.nearest(sample, reach_, shows);
-      if (!place.found())
-        return std::nullopt;
-      shadow.triangles[new_triangles_[place.triangle]] = true;
-      if (!(place.distance < shadow.distance))
-        continue;
-      shadow.distance = place.distance;
-      closest = place;
-    }
-  }
-  shadow.nearest = new_triangles_[closest.triangle];
-  const ccaa::Corners& corner = patches[closest.triangle];
-  const double edge = std::max((corner[1] - corner[0]).norm(), 1e-9 * reach_);
-  shadow.slopes =
-      static_cast<int>(std::clamp(shadow.distance / edge, 1.0, MOST_SLOPES));
-  return shadow;
 }
 
 /** In the numbers of the whole. */
@@ -274,7 +209,7 @@ CrumbLaying::isKnown(const Opening& opening)
 }
 
 bool
-CrumbLaying::layInto(const Shadow& shadow, int rings)
+CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
 {
   const Opening opening =
       openFrom(part_, shadow.nearest, ringsAround(part_, shadow.triangles, rings));
@@ -333,13 +268,6 @@ CrumbLaying::close(const Opening& opening,
     surface_.weld(crumb_, back);
   }
   return is_closed;
-}
-
-void
-CrumbLaying::turnCrumb()
-{
-  for (const std::size_t t : crumb_)
-    std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
 }
 
 /** The hole of what was opened that was closed first. */
