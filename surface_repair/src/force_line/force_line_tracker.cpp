@@ -14,19 +14,6 @@
 namespace pcl {
 namespace repair {
 
-OriginForce
-forceAtOrigin(const LineOrigin& origin, const Tension& tension)
-{
-  const Direction conormal = origin.tangent.cross(origin.normal);
-  OriginForce force;
-  force.normal = searchNormal(tension, origin.tangent).normal;
-  if (force.normal.dot(origin.normal) < 0.0)
-    force.normal = -force.normal;
-  force.force = tension * force.normal;
-  force.outward = force.force.dot(conormal);
-  return force;
-}
-
 namespace {
 
 /** A force that the sum's rounding could have made is none: relative to one source. */
@@ -82,8 +69,6 @@ private:
   nearestTarget(const Position& a, const Position& b, double within) const;
   LineEnd
   arrive();
-  bool
-  crossesSurface(const Position& a, const Position& b, double tolerance) const;
   void
   add(const Position& position, const LineState& state);
   double
@@ -91,6 +76,11 @@ private:
   LineState
   evaluate(const Position& position, const LineState& before) const;
 
+  bool
+  crossesSurface(const Position& a, const Position& b, double tolerance) const
+  {
+    return obstacle_ != nullptr && obstacle_->crosses(a, b, tolerance);
+  }
   double
   near() const
   {
@@ -212,7 +202,8 @@ LineEnd
 Trace::begin()
 {
   query_.position = origin_.point.position;
-  const OriginForce origin = forceAtOrigin(origin_, field_.tensionAt(query_));
+  const OriginForce origin =
+      forceAtOrigin(origin_.tangent, origin_.normal, field_.tensionAt(query_));
   LineState state;
   state.tension = origin.force.norm();
   state.normal = origin.normal;
@@ -226,12 +217,6 @@ Trace::begin()
   gap_ = query_.falloff.far;
   step_ = gap_;
   return LineEnd::BRIDGE;
-}
-
-bool
-Trace::crossesSurface(const Position& a, const Position& b, double tolerance) const
-{
-  return obstacle_ != nullptr && obstacle_->crosses(a, b, tolerance);
 }
 
 /** Go on until a boundary captures the line or it comes to nothing. */

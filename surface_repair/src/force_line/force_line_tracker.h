@@ -62,17 +62,6 @@ private:
   const Shield* obstacle_;
 };
 
-/** \brief The force on an origin, before any line is traced. */
-struct OriginForce {
-  Direction normal = Direction::Zero(); /**< of the line there, on the island's side */
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(); /**< f = H n */
-  double outward = 0.0; /**< f . m: above 0 the origin is attracted, else repelled */
-};
-
-/** \brief Answer 4.44-1a for an origin: n across tau with n . n_island > 0. */
-OriginForce
-forceAtOrigin(const LineOrigin& origin, const Tension& tension);
-
 /** \brief The same line with points at equal distances of about \a spacing, on a cubic
  * through its points and directions; normals are interpolated and brought across the
  * line. Ends stay where they are. */

@@ -52,7 +52,8 @@ askField(const IndicatorField& field,
   const std::vector<Tension> tensions = field.tensionAt(queries, context);
   std::vector<PossibleOrigin> reached;
   for (std::size_t i = 0; i < tensions.size(); ++i) {
-    origins[i].force = forceAtOrigin(origins[i].origin, tensions[i]);
+    const LineOrigin& origin = origins[i].origin;
+    origins[i].force = forceAtOrigin(origin.tangent, origin.normal, tensions[i]);
     if (!origins[i].force.force.isZero(0.0))
       reached.push_back(std::move(origins[i]));
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "force_line/force_line_tracker.h"
+#include "force_line/normal_search.h"
 #include "mesh/block_loop.h"
 
 #include <cstddef>

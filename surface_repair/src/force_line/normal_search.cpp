@@ -32,5 +32,17 @@ searchNormal(const Tension& tension, const Direction& across)
   return found;
 }
 
+OriginForce
+forceAtOrigin(const Direction& tangent, const Direction& normal, const Tension& tension)
+{
+  OriginForce origin;
+  origin.normal = searchNormal(tension, tangent).normal;
+  if (origin.normal.dot(normal) < 0.0)
+    origin.normal = -origin.normal;
+  origin.force = tension * origin.normal;
+  origin.outward = origin.force.dot(tangent.cross(normal));
+  return origin;
+}
+
 } // namespace repair
 } // namespace pcl

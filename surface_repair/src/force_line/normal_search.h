@@ -23,5 +23,20 @@ struct FieldNormal {
 FieldNormal
 searchNormal(const Tension& tension, const Direction& across);
 
+/** \brief The force on an origin, before any line is traced. */
+struct OriginForce {
+  Direction normal = Direction::Zero(); /**< of the line there, on the island's side */
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); /**< f = H n */
+  double outward = 0.0; /**< f . m: above 0 the origin is attracted, else repelled */
+};
+
+/** \brief Answer 4.44-1a where a line may begin: n across tau with n . n_island > 0.
+ * \param[in] tangent tau of the boundary, positive direction
+ * \param[in] normal external normal of the island, perpendicular to tau */
+OriginForce
+forceAtOrigin(const Direction& tangent,
+              const Direction& normal,
+              const Tension& tension);
+
 } // namespace repair
 } // namespace pcl
