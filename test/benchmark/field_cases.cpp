@@ -94,7 +94,13 @@ sourcesOf(const IncompleteModel& model)
                                return loop.curve.size() < FEWEST_EDGES;
                              }),
               loops.end());
-  return sampleIslandSources(loops, std::vector<bool>(loops.size(), false), 0.0);
+  std::vector<SourceCurve> curves;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    curves.push_back(sampleSources(loops[k].curve));
+    curves.back().island = loops[k].island;
+    curves.back().loop = k;
+  }
+  return gatherSources(std::move(curves));
 }
 
 } // namespace

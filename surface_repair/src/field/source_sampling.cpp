@@ -168,24 +168,18 @@ sampleSources(const BoundaryCurve& curve, double spacing)
   return result;
 }
 
-SourceSet
-sampleIslandSources(const BoundaryLoops& loops,
-                    const std::vector<bool>& is_hole,
-                    double reach,
-                    double spacing,
-                    double least_hole)
+std::vector<bool>
+areIslandSources(const BoundaryLoops& loops,
+                 const std::vector<bool>& is_hole,
+                 double reach,
+                 double least_hole)
 {
   const std::vector<LoopExtent> extents = extentsOf(loops);
-  std::vector<SourceCurve> curves;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (is_hole[i] && !countsAsSource(i, loops, is_hole, extents, reach, least_hole))
-      continue;
-    SourceCurve curve = sampleSources(loops[i].curve, spacing);
-    curve.island = loops[i].island;
-    curve.loop = i;
-    curves.push_back(std::move(curve));
-  }
-  return gatherSources(std::move(curves));
+  std::vector<bool> are_sources;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    are_sources.push_back(
+        !is_hole[i] || countsAsSource(i, loops, is_hole, extents, reach, least_hole));
+  return are_sources;
 }
 
 SourceSet

@@ -20,19 +20,17 @@ namespace repair {
 SourceCurve
 sampleSources(const BoundaryCurve& curve, double spacing = 0.0);
 
-/** \brief The sources of step ICM3 -> ICM2: every rim, and every hole whose effective
- * size reaches that of the smallest island within `reach` of it (C4.46-1). The
- * effective size of a boundary is its extent: the diagonal of its box. Charges are set
- * for equal linear density over all curves. \param[in] is_hole one flag a loop
+/** \brief The loops whose sources step ICM3 -> ICM2 takes: every rim, and every hole
+ * whose effective size reaches that of the smallest island within `reach` of it
+ * (C4.46-1). The effective size of a boundary is its extent: the diagonal of its box.
+ * \param[in] is_hole one flag a loop
  * \param[in] reach L_2, in the units of the cloud
- * \param[in] spacing as in sampleSources()
  * \param[in] least_hole share of the island's size that the hole must reach */
-SourceSet
-sampleIslandSources(const BoundaryLoops& loops,
-                    const std::vector<bool>& is_hole,
-                    double reach,
-                    double spacing = 0.0,
-                    double least_hole = 1.0);
+std::vector<bool>
+areIslandSources(const BoundaryLoops& loops,
+                 const std::vector<bool>& is_hole,
+                 double reach,
+                 double least_hole = 1.0);
 
 /** \brief Put curves together and set their charges for equal linear density. */
 SourceSet

@@ -161,30 +161,29 @@ islandSources(const ModelSurvey& survey,
   for (std::size_t k = 0; k < opposed.size(); ++k)
     opposed[k] = islands.ahead[k] == NONE ? opposed[k] : islands.ahead[k];
   std::vector<bool> is_hole;
-  std::vector<SourceCurve> all;
+  std::vector<SourceCurve> curves;
   for (std::size_t k = 0; k < survey.loops.size(); ++k) {
     is_hole.push_back(survey.classes[k].boundary_class == BoundaryClass::HOLE &&
                       opposed[k] == NONE && !mayBeStump(survey.classes[k].evidence));
     if (survey.model.islands[survey.loops[k].island].is_fin)
       continue;
-    all.push_back(sampleSources(survey.loops[k].curve, parameters.near));
-    all.back().island = sideOf(k, survey, opposed);
+    curves.push_back(sampleSources(survey.loops[k].curve, parameters.near));
+    curves.back().island = sideOf(k, survey, opposed);
+    curves.back().loop = k;
   }
-  islands.median_gap = medianGap(gatherSources(std::move(all)), context.control);
+  SourceSet all = gatherSources(std::move(curves));
+  islands.median_gap = medianGap(all, context.control);
   const double reach =
       parameters.far > 0.0 ? parameters.far : parameters.room * islands.median_gap;
-  std::vector<SourceCurve> curves =
-      sampleIslandSources(survey.loops, is_hole, reach, parameters.near, LEAST_HOLE)
-          .curves;
-  curves.erase(std::remove_if(curves.begin(),
-                              curves.end(),
-                              [&](const SourceCurve& curve) {
-                                return survey.model.islands[curve.island].is_fin;
-                              }),
-               curves.end());
-  islands.sources = gatherSources(std::move(curves));
-  for (SourceCurve& curve : islands.sources.curves)
-    curve.island = sideOf(curve.loop, survey, opposed);
+  const std::vector<bool> are_sources =
+      areIslandSources(survey.loops, is_hole, reach, LEAST_HOLE);
+  all.curves.erase(std::remove_if(all.curves.begin(),
+                                  all.curves.end(),
+                                  [&](const SourceCurve& curve) {
+                                    return !are_sources[curve.loop];
+                                  }),
+                   all.curves.end());
+  islands.sources = gatherSources(std::move(all.curves));
   return islands;
 }
 
