@@ -101,8 +101,8 @@ arrange(const Stretch& all, WorkCount& work)
 void
 arrange(const Stretch& all, int threads, RunControl* control)
 {
-  RunControl part(control); // tells no stages
-  const LoopContext one_by_one{threads, control == nullptr ? nullptr : &part, "", 1};
+  RunControl silent(control); // tells no stages
+  const LoopContext one_by_one{threads, &silent, "", 1};
   std::vector<Stretch> stretches{all};
   while (threads > 1 &&
          stretches.size() < STRETCHES_A_THREAD * static_cast<std::size_t>(threads)) {
