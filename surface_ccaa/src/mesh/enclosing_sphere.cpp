@@ -38,10 +38,11 @@ struct Outermost {
   }
 };
 
-/** \brief Triangles seen from infinity, one for each direction from the centre. */
-class SightMap {
+/** \brief The triangles that the enclosing sphere sees, one for each direction from the
+ * centre. */
+class OutermostMap {
 public:
-  SightMap(const Position& centre, int cells_along)
+  OutermostMap(const Position& centre, int cells_along)
   : centre_(centre)
   , cells_along_(cells_along)
   , squared_cell_angle_(4.0 / (cells_along * cells_along))
@@ -65,7 +66,7 @@ public:
   }
 
   void
-  merge(const SightMap& other)
+  merge(const OutermostMap& other)
   {
     for (std::size_t i = 0; i < cells_.size(); ++i)
       cells_[i].meet(other.cells_[i]);
@@ -165,16 +166,16 @@ cellsFor(std::size_t triangles)
   return std::clamp(along, FEWEST_CELLS, MOST_CELLS);
 }
 
-SightMap
-drawSight(const WoundMesh& mesh, const LoopContext& context)
+OutermostMap
+drawOutermost(const WoundMesh& mesh, const LoopContext& context)
 {
-  std::vector<SightMap> maps(
+  std::vector<OutermostMap> maps(
       static_cast<std::size_t>(context.threads),
-      SightMap(findCentre(mesh, context.threads), cellsFor(mesh.triangles.size())));
+      OutermostMap(findCentre(mesh, context.threads), cellsFor(mesh.triangles.size())));
   forEachBlock(mesh.triangles.size(),
                context,
                [&](std::size_t, std::size_t begin, std::size_t end) {
-                 SightMap& map = maps[static_cast<std::size_t>(threadIndex())];
+                 OutermostMap& map = maps[static_cast<std::size_t>(threadIndex())];
                  for (std::size_t i = begin; i < end; ++i) {
                    const Triangle& triangle = mesh.triangles[i];
                    map.enter(static_cast<pcl::index_t>(i),
@@ -193,7 +194,7 @@ drawSight(const WoundMesh& mesh, const LoopContext& context)
 std::vector<SideVotes>
 collectEnclosingSphere(const WoundMesh& mesh, const LoopContext& context)
 {
-  const SightMap map = drawSight(mesh, context);
+  const OutermostMap map = drawOutermost(mesh, context);
   std::vector<SideVotes> votes(mesh.winding.components().size());
   for (const Outermost& cell : map.cells()) {
     if (cell.triangle < 0)
