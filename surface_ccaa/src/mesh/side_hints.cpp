@@ -16,6 +16,9 @@ namespace pcl {
 namespace ccaa {
 namespace {
 
+// What a sensor can have measured: each of these turns down bodies that were measured
+// all around, models around the origin, or ground that is seen edge-on.
+
 /** Cosine of half the opening of a sensor's view, 45 degrees. */
 constexpr double COS_HALF_VIEW = 0.7071067811865476;
 /** Of the points from a sensor, in diagonals of the cloud. */

@@ -22,7 +22,8 @@ constexpr double EVEN_RATIO = 2.0;
 constexpr double TUBE_DISCOUNT = 2.5;
 /** Share of the larger mouth's area that the other mouth of a tube has. */
 constexpr double TWIN_SHARE = 0.5;
-/** D by length, and turns, of what may be a stump. */
+/** D by length, and turns, of what may be a stump: a hole in a surface has 1 of both,
+ * the mouth of a tube 0. */
 constexpr double STUMP_INTEGRAL = 0.6;
 constexpr double STUMP_TURNING = 0.7;
 /** Both, of the mouth of a tube. */

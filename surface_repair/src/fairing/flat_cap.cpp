@@ -17,13 +17,15 @@ namespace repair {
 
 namespace {
 
-/** Of the diagonal of the model: smaller rims are those of limbs and of holes. */
+/** Of the diagonal of the model: smaller rims are those of limbs and of holes: 0.12 on
+ * the Bunny, 0.48 at the base of a bust. */
 constexpr double LEAST_SIZE = 0.2;
-/** Distance from the plane in sizes, root mean square. */
+/** Distance from the plane in sizes, root mean square: 0.05 for the hems of clothes. */
 constexpr double MOST_RESIDUAL = 0.02;
-/** Sine of the angle between surface and plane. */
+/** Sine of the angle between surface and plane: 0.45 for the rims of scans. */
 constexpr double LEAST_STEEPNESS = 0.8;
-/** How far the surface may go beyond the plane, in sizes. */
+/** How far the surface may go beyond the plane, in sizes: 0.02 at a base, while a limb
+ * goes on behind its stump. */
 constexpr double MOST_BEYOND = 0.06;
 
 double

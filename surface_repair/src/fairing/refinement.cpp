@@ -19,6 +19,7 @@ namespace {
 
 /** Halves nearer to the sizing field than the whole was: sqrt(2). */
 constexpr double LONGEST = 1.4142135623730951;
+/** Bound of the passes, each of which halves what is too long. */
 constexpr std::size_t MOST_PASSES = 32;
 /** Part of the vertices by which the last pass adds fewer. The edges that are left are
  * hardly too long, and where borders are narrow there are always some. */
@@ -27,8 +28,11 @@ constexpr double LAST_SHARE = 0.01;
  * wanted lengths, unless they are this much too long: what crowds has room nowhere. */
 constexpr double CROWDED = 0.35;
 constexpr double FAR_TOO_LONG = 2.0;
+/** Sweeps that carry wanted lengths from the rim into the patch, and those that carry
+ * them on to the vertices of a pass. */
 constexpr std::size_t FIRST_SWEEPS = 200;
 constexpr std::size_t SWEEPS_A_PASS = 4;
+/** Times that vertices are spaced and edges flipped once no edge is halved any more. */
 constexpr std::size_t SPACING_PASSES = 5;
 /** Operations of a pass for each triangle, but for lengths, flips and spacing. */
 constexpr std::size_t PASS_WORK = 3;

@@ -22,8 +22,10 @@ using ccaa::Corners;
  * are not Delaunay, and every round would make it worse. */
 constexpr double LEAST_WEIGHT = 0.05;
 constexpr double LARGEST_WEIGHT = 50.0;
+/** Of about one degree: a thinner sliver weighs no more. */
 constexpr double LARGEST_COTANGENT = 50.0;
-constexpr double LEAST_AREA = 0.01; /**< in squares of the longest edge there */
+/** Of a vertex, in squares of the longest edge there. */
+constexpr double LEAST_AREA = 0.01;
 
 std::array<double, 3>
 cotangentsOf(const Corners& corners)

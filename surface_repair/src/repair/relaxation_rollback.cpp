@@ -10,7 +10,8 @@ namespace repair {
 
 namespace {
 
-/** Edges over which a vertex goes back less and less. */
+/** Edges over which a vertex goes back less and less: the rest of a patch stays fair.
+ */
 constexpr std::size_t FADING = 4;
 
 /** Edges between each vertex and the nearest of some triangles, at most `farthest`. */

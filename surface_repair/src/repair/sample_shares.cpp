@@ -30,6 +30,9 @@ constexpr double LONGEST_HOP = 3.0;
 constexpr double FIRST_HOP = 0.75;
 /** A free point so close over the given surface tells nothing new, in spacings. */
 constexpr double CLOSE = 0.5;
+// What samples have to be like: webs over the stray points of depth jumps made up 11 to
+// 18 % of the area of range maps before.
+
 /** Samples that tell a surface. */
 constexpr std::size_t FEWEST = 4;
 /** Longest edge between samples of one surface, in their median spacing. */
