@@ -68,6 +68,11 @@ judge(const ReconstructResult& result)
             {}};
   if (result.repair && !result.repair->complete())
     return {INCOMPLETE, tellShortfalls(*result.repair, result.model.mesh), {}};
+  if (result.chain.doubtful_handles > 0)
+    return {INCOMPLETE,
+            "the surface has " + plural(result.chain.doubtful_handles, "handle") +
+                " and places so thin that some may be tunnels that nobody scanned",
+            {}};
   return {DONE, "", {}};
 }
 
@@ -145,6 +150,9 @@ tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result
     facts.open = result.topology ? result.topology->boundary_loops : 0;
   facts.has_triangles = !result.model.mesh.polygons.empty();
   facts.faults += result.filter.one_sided_components;
+  if (result.chain.doubtful_handles > 0)
+    addToList(facts.doubts,
+              std::to_string(result.chain.doubtful_handles) + " THIN_HANDLE");
   return tellSurface(facts);
 }
 

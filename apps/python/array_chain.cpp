@@ -131,6 +131,11 @@ public:
   {
     return parameters_.keep_given ? nullptr : &kept_;
   }
+  std::size_t
+  doubtfulHandles() const override
+  {
+    return doubtful_handles_;
+  }
 
   bool
   construct(const pcl::ccaa::ChainSelection&, std::vector<pcl::Vertices>&) override
@@ -154,6 +159,7 @@ public:
     check(output.error);
     polygons = std::move(output.polygons);
     kept_ = std::move(output.kept);
+    doubtful_handles_ = report.doubtful_handles;
     settings_->setSideTally(report.sides);
   }
 
@@ -162,6 +168,7 @@ private:
   PointArray viewpoints_;
   const pcl::ccaa::CompletionParameters& parameters_;
   std::vector<pcl::index_t> kept_;
+  std::size_t doubtful_handles_ = 0;
 };
 
 } // namespace

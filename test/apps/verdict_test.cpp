@@ -3,6 +3,8 @@
 #include "io/wording.h"
 #include "repair_fixture.h"
 #include "report/verdict.h"
+#include "support/random_source.h"
+#include <nlohmann/json.hpp>
 
 namespace app_test {
 namespace {
@@ -85,6 +87,30 @@ protected:
     return text.substr(start == std::string::npos ? 0 : start + 1);
   }
 };
+
+/** Two layers of random points, nearer to each other than their points. */
+test::Shape
+thinPlate()
+{
+  test::RandomSource random(1);
+  test::Shape plate;
+  for (const double side : {0.0, 0.6})
+    for (int i = 0; i < 40; ++i)
+      for (int j = 0; j < 40; ++j)
+        plate.vertices.emplace_back(i + random.uniform(), j + random.uniform(), side);
+  return plate;
+}
+
+TEST_F(RunVerdict, TellsHandlesThatMayBeTunnelsThroughThinPlaces)
+{
+  save(folder_.path("plate.ply"), test::toPolygonMesh(thinPlate()));
+  const RunResult result = run("pcl_ccaa_reconstruct plate.ply out.ply --report -");
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_NE(std::string::npos, lastLine(result.errors).find(" THIN_HANDLE)"));
+  const auto report = nlohmann::json::parse(result.output);
+  EXPECT_GT(report.at("genus"), 0);
+  EXPECT_EQ(report.at("genus"), report.at("doubtful_handles"));
+}
 
 TEST_F(RunVerdict, EndsEveryProgram)
 {

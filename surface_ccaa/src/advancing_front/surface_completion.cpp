@@ -246,8 +246,10 @@ completeSurface(PartialMesh mesh,
         .run();
   };
   CompletedMesh result = complete({}, report);
+  const LoopContext context{threads, &control, "partial mesh"};
   if (!parameters.keep_given && result.fault == PartialMeshFault::NONE)
-    openTunnels(mesh, complete, {threads, &control, "partial mesh"}, result, report);
+    openTunnels(mesh, complete, context, result, report);
+  report.doubtful_handles = doubtfulHandles(mesh, result, context);
   report.cancelled = control.cancelled();
   if (report.cancelled)
     return {};

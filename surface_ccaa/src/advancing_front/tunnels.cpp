@@ -92,5 +92,21 @@ openTunnels(const PartialMesh& mesh,
   }
 }
 
+std::size_t
+doubtfulHandles(const PartialMesh& mesh,
+                const CompletedMesh& result,
+                const LoopContext& context)
+{
+  const long handles = result.topology.genus.value_or(0);
+  if (context.cancelled() || handles <= 0)
+    return 0;
+  for (const Triangles* triangles : {&mesh.given, &result.triangles}) {
+    const auto is_thin = thinPlaces(*triangles, mesh.points, context);
+    if (std::count(is_thin.begin(), is_thin.end(), 1) > 0)
+      return static_cast<std::size_t>(handles);
+  }
+  return 0;
+}
+
 } // namespace ccaa
 } // namespace pcl

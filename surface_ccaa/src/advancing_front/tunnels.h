@@ -35,5 +35,14 @@ openTunnels(const PartialMesh& mesh,
             CompletedMesh& result,
             CompletionReport& report);
 
+/** \brief The handles of a completed mesh, if it or what was given has thin places as
+ * above: no sampling tells there whether the two sides are connected. Of nine closed
+ * models three have some, and come out with wrong handles; those with the right ones
+ * have none. Cost: that of looking for thin places. */
+std::size_t
+doubtfulHandles(const PartialMesh& mesh,
+                const CompletedMesh& result,
+                const LoopContext& context);
+
 } // namespace ccaa
 } // namespace pcl

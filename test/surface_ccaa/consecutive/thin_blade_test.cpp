@@ -60,22 +60,28 @@ sampled(const Wedge& wedge, std::uint64_t seed)
   return points;
 }
 
+SurfaceTopology
+reconstructed(const Positions& points, Chain& chain)
+{
+  chain.setInputCloud(toCloud(points));
+  Polygons polygons;
+  chain.reconstruct(polygons);
+  EXPECT_EQ(polygons.size(), chain.getTriangleLabels().size());
+  const Triangles triangles = toTriangles(polygons);
+  TriangleAdjacency adjacency;
+  adjacency.build(triangles, points.size());
+  return topologyOf(triangles, adjacency);
+}
+
 void
 expectNoTunnels(const Wedge& wedge)
 {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const Positions points = sampled(wedge, seed);
     Chain chain;
-    chain.setInputCloud(toCloud(points));
-    Polygons polygons;
-    chain.reconstruct(polygons);
-    const Triangles triangles = toTriangles(polygons);
-    TriangleAdjacency adjacency;
-    adjacency.build(triangles, points.size());
-    const SurfaceTopology topology = topologyOf(triangles, adjacency);
+    const SurfaceTopology topology = reconstructed(sampled(wedge, seed), chain);
     EXPECT_EQ(0, topology.genus) << seed;
     EXPECT_EQ(1U, topology.pieces) << seed;
-    EXPECT_EQ(polygons.size(), chain.getTriangleLabels().size()) << seed;
+    EXPECT_EQ(0U, chain.getReport().doubtful_handles) << seed;
   }
 }
 
@@ -83,6 +89,29 @@ TEST(ThinBlade, HasNoTunnels) { expectNoTunnels(BLADE); }
 
 /** The start connects the sides all over. */
 TEST(ThinPlate, HasNoTunnels) { expectNoTunnels(PLATE); }
+
+/** Half a spacing and less apart, the sides are one layer of points for any start. */
+TEST(ThinPlate, HasNoHandlesThatAreNotInDoubt)
+{
+  std::size_t wrong = 0;
+  for (const double thick : {0.03, 0.01})
+    for (const std::uint64_t seed : {1, 2}) {
+      Chain chain;
+      const long genus = reconstructed(sampled({3.0, 2.0, thick, thick}, seed), chain)
+                             .genus.value_or(0);
+      wrong += genus != 0 ? 1 : 0;
+      EXPECT_EQ(static_cast<std::size_t>(genus), chain.getReport().doubtful_handles)
+          << thick << " " << seed;
+    }
+  EXPECT_GT(wrong, 0U);
+}
+
+TEST(Torus, HasAHandleThatIsNotInDoubt)
+{
+  Chain chain;
+  EXPECT_EQ(1, reconstructed(torus(60, 30).vertices, chain).genus);
+  EXPECT_EQ(0U, chain.getReport().doubtful_handles);
+}
 
 } // namespace
 } // namespace test

@@ -8,6 +8,7 @@
 #include <pcl/pcl_base.h> // for IndicesConstPtr
 #include <pcl/PolygonMesh.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace pcl {
@@ -85,6 +86,15 @@ public:
   keptTriangles() const
   {
     return nullptr;
+  }
+
+  /** \brief After a run: handles of the result of which some may be tunnels that nobody
+   * scanned, through places so thin that the sampling does not tell their two sides
+   * apart. 0 where the algorithm does not know. */
+  virtual std::size_t
+  doubtfulHandles() const
+  {
+    return 0;
   }
 
 protected:

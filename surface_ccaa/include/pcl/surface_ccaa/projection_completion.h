@@ -149,6 +149,14 @@ public:
     return parameters_.keep_given ? nullptr : &kept_;
   }
 
+  /** \brief All handles, where the ends of an edge face away from each other (normals
+   * more than 107 degrees apart); 0 where given triangles are kept. */
+  std::size_t
+  doubtfulHandles() const override
+  {
+    return report_.doubtful_handles;
+  }
+
 protected:
   void
   performReconstruction(pcl::PolygonMesh& output) override;

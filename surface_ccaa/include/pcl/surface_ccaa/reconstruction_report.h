@@ -33,9 +33,11 @@ struct CompletionReport {
   std::size_t given_triangles = 0;
   std::size_t kept_triangles = 0; /**< given ones in the result */
   std::size_t new_triangles = 0;
-  std::size_t open_points = 0; /**< boundary points and free points before */
-  std::size_t free_points = 0; /**< points without a triangle after */
-  SideTally sides;             /**< what told the outer side of the result */
+  std::size_t open_points = 0;      /**< boundary points and free points before */
+  std::size_t free_points = 0;      /**< points without a triangle after */
+  std::size_t doubtful_handles = 0; /**< all of the result where it has thin places,
+                                         else 0: see doubtfulHandles() */
+  SideTally sides;                  /**< what told the outer side of the result */
   double seconds = 0;
   bool cancelled = false;
 };
@@ -61,6 +63,7 @@ struct ConsecutiveReport {
   std::size_t connected_points = 0;     /**< with triangles after the last filter run */
   std::size_t internal_points = 0;      /**< with a closed umbrella after it */
   std::size_t free_points = 0;          /**< without a triangle in the result */
+  std::size_t doubtful_handles = 0;     /**< see MeshCompletion::doubtfulHandles() */
   std::size_t invalid_polygons = 0;     /**< given by start algorithms, left out */
   std::vector<ChainStageReport> stages; /**< one an algorithm; its place is the label of
                                              its triangles */

@@ -125,6 +125,12 @@ public:
   /** \brief See MeshCompletion::keptTriangles(). */
   virtual const std::vector<index_t>*
   keptTriangles() const = 0;
+  /** \brief See MeshCompletion::doubtfulHandles(). */
+  virtual std::size_t
+  doubtfulHandles() const
+  {
+    return 0;
+  }
 
   /** \brief Start from points alone.
    * \param[out] made polygons, not checked \return whether they speak of places in the

@@ -48,6 +48,11 @@ public:
   {
     return completion_ == nullptr ? nullptr : completion_->keptTriangles();
   }
+  std::size_t
+  doubtfulHandles() const override
+  {
+    return completion_ == nullptr ? 0 : completion_->doubtfulHandles();
+  }
 
   /** A cloud of some of the points is no longer organised: an algorithm whose search
    * method needs that loses it. */
