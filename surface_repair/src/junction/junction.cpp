@@ -28,6 +28,9 @@ constexpr double EVEN = 4.7;
 constexpr std::array<double, 6> WEIGHTS = {2.2, 0.8, 4.1, 1.2, 1.4, 2.0};
 /** Cosine between chord and ray from which a gap lies in depth. */
 constexpr double IN_DEPTH = 0.5;
+/** Log odds that are wanted above the others where sensors are known: up to there a
+ * third of the pairs in generated range maps is none, and what joins them folds. */
+constexpr double SEEN_ODDS = 0.75;
 /** Share of the way that must have been looked through to call it that. */
 constexpr double MOSTLY_EMPTY = 0.25;
 
@@ -128,7 +131,8 @@ JunctionVerdict
 verdictOn(const JunctionEvidence& evidence, const JunctionParameters& parameters)
 {
   const double odds = evidence.logOdds();
-  if (!parameters.judge || odds >= parameters.joined_from)
+  const double from = parameters.joined_from + (evidence.has_sight ? SEEN_ODDS : 0.0);
+  if (!parameters.judge || odds >= from)
     return JunctionVerdict::JOINED;
   if (odds >= parameters.different_below)
     return JunctionVerdict::DOUBTFUL;
