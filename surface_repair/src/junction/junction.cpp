@@ -29,7 +29,7 @@ constexpr std::array<double, 6> WEIGHTS = {2.2, 0.8, 4.1, 1.2, 1.4, 2.0};
 /** Cosine between chord and ray from which a gap lies in depth. */
 constexpr double IN_DEPTH = 0.5;
 /** Log odds that are wanted above the others where sensors are known: up to there a
- * third of the pairs in generated range maps is none, and what joins them folds. */
+ * third of the pairs in generated range maps (7 of 23) is none. */
 constexpr double SEEN_ODDS = 0.75;
 /** Share of the way that must have been looked through to call it that. */
 constexpr double MOSTLY_EMPTY = 0.25;

@@ -18,7 +18,7 @@ namespace {
 /** Log odds above those from which junctions are joined that leave no doubt. */
 constexpr double MARGIN = 0.2;
 /** The same in what sensors have seen: below it a third of the junctions that are
- * joined in generated range maps (17 of 51) is wrong, above it 6 % (23 of 409). */
+ * joined in generated range maps (10 of 28) is wrong, above it 6 % (23 of 409). */
 constexpr double SEEN_MARGIN = 1.5;
 
 bool
