@@ -134,7 +134,7 @@ public:
   std::size_t
   doubtfulHandles() const override
   {
-    return doubtful_handles_;
+    return report_.doubtful_handles;
   }
 
   bool
@@ -154,13 +154,11 @@ public:
     input.viewpoints = viewpoints_;
     input.sides = settings_->getSideHints();
     input.partial_mesh = partial_mesh.get();
-    pcl::ccaa::CompletionReport report;
-    pcl::ccaa::CompletionOutput output = runCompletion(input, parameters_, report);
+    pcl::ccaa::CompletionOutput output = runCompletion(input, parameters_, report_);
     check(output.error);
     polygons = std::move(output.polygons);
     kept_ = std::move(output.kept);
-    doubtful_handles_ = report.doubtful_handles;
-    settings_->setSideTally(report.sides);
+    settings_->setSideTally(report_.sides);
   }
 
 private:
@@ -168,7 +166,7 @@ private:
   PointArray viewpoints_;
   const pcl::ccaa::CompletionParameters& parameters_;
   std::vector<pcl::index_t> kept_;
-  std::size_t doubtful_handles_ = 0;
+  pcl::ccaa::CompletionReport report_;
 };
 
 } // namespace

@@ -185,7 +185,7 @@ featuresOf(const Junction& junction)
 {
   Weights features;
   features[0] = 1.0;
-  const std::array<double, 6> terms = junction.evidence.terms();
+  const auto terms = junction.evidence.terms();
   for (std::size_t k = 0; k < terms.size(); ++k)
     features[static_cast<Eigen::Index>(k) + 1] = -terms[k];
   return features;
@@ -222,7 +222,8 @@ printRow(std::ostream& out, const char* kind, const std::vector<Sample>& samples
   for (const Sample& sample : samples)
     if (sample.seed % 2 != 0 && sample.kind == kind)
       ++counts[sample.is_true ? 1 : 0]
-              [sample.junction.evidence.logOdds() >= JunctionParameters().joined_from
+              [sample.junction.evidence.logOdds() >=
+                       oddsThatJoin(sample.junction.evidence, JunctionParameters())
                    ? 1
                    : 0];
   out << "| " << kind << " | " << counts[1][0] + counts[1][1] << " | " << counts[1][1]

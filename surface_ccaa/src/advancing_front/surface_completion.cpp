@@ -246,10 +246,8 @@ completeSurface(PartialMesh mesh,
         .run();
   };
   CompletedMesh result = complete({}, report);
-  const LoopContext context{threads, &control, "partial mesh"};
   if (!parameters.keep_given && result.fault == PartialMeshFault::NONE)
-    openTunnels(mesh, complete, context, result, report);
-  report.doubtful_handles = doubtfulHandles(mesh, result, context);
+    openTunnels(mesh, complete, {threads, &control, "partial mesh"}, result, report);
   report.cancelled = control.cancelled();
   if (report.cancelled)
     return {};

@@ -56,28 +56,32 @@ flawsOf(const CompletedMesh& mesh, const CompletionReport& report)
          mesh.topology.boundary_loops + report.free_points;
 }
 
-} // namespace
-
-void
-openTunnels(const PartialMesh& mesh,
-            const CompletionWithout& complete,
-            const LoopContext& context,
-            CompletedMesh& result,
-            CompletionReport& report)
+bool
+anyOf(const std::vector<std::uint8_t>& flags)
 {
-  if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
-    return;
-  std::vector<std::uint8_t> is_thin = thinPlaces(mesh.given, mesh.points, context);
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
+/** Takes what comes out without the surroundings of thin places, if it is better.
+ * \param[in] is_thin flags of vertices, some of them set */
+void
+growThinPlacesAnew(const PartialMesh& mesh,
+                   const CompletionWithout& complete,
+                   std::vector<std::uint8_t> is_thin,
+                   const LoopContext& context,
+                   CompletedMesh& result,
+                   CompletionReport& report)
+{
   std::vector<pcl::index_t> thin = trianglesAt(is_thin, mesh.given);
   int ring = 1;
   for (const int rings : tuning::AROUND) {
-    for (; ring < rings && !thin.empty(); ++ring) {
+    for (; ring < rings; ++ring) {
       for (const pcl::index_t t : thin)
         for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])
           is_thin[static_cast<std::size_t>(corner)] = 1;
       thin = trianglesAt(is_thin, mesh.given);
     }
-    if (thin.empty() || context.cancelled())
+    if (context.cancelled())
       return;
     CompletionReport other_report;
     CompletedMesh other = complete(thin, other_report);
@@ -92,20 +96,25 @@ openTunnels(const PartialMesh& mesh,
   }
 }
 
-std::size_t
-doubtfulHandles(const PartialMesh& mesh,
-                const CompletedMesh& result,
-                const LoopContext& context)
+} // namespace
+
+void
+openTunnels(const PartialMesh& mesh,
+            const CompletionWithout& complete,
+            const LoopContext& context,
+            CompletedMesh& result,
+            CompletionReport& report)
 {
+  if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
+    return;
+  const auto is_thin = thinPlaces(mesh.given, mesh.points, context);
+  const bool was_thin = anyOf(is_thin);
+  if (was_thin)
+    growThinPlacesAnew(mesh, complete, is_thin, context, result, report);
   const long handles = result.topology.genus.value_or(0);
-  if (context.cancelled() || handles <= 0)
-    return 0;
-  for (const Triangles* triangles : {&mesh.given, &result.triangles}) {
-    const auto is_thin = thinPlaces(*triangles, mesh.points, context);
-    if (std::count(is_thin.begin(), is_thin.end(), 1) > 0)
-      return static_cast<std::size_t>(handles);
-  }
-  return 0;
+  if (handles > 0 &&
+      (was_thin || anyOf(thinPlaces(result.triangles, mesh.points, context))))
+    report.doubtful_handles = static_cast<std::size_t>(handles);
 }
 
 } // namespace ccaa

@@ -26,7 +26,12 @@ using CompletionWithout = std::function<CompletedMesh(
  * free points. So true handles stay, and where the sampling does not tell the sides
  * apart nothing changes. Cost: nothing for a result of genus 0; else that of looking
  * for thin places, some 0.3 us a triangle, and of one or two more completions where
- * there are any. \param[in] mesh consistently wound
+ * there are any.
+ *
+ * Handles that are left are in doubt (report.doubtful_handles) if the result or what
+ * was given has thin places: no sampling tells there whether the two sides are
+ * connected. Of nine closed models three have some, and come out with wrong handles;
+ * those with the right ones have none. \param[in] mesh consistently wound
  * \param[in,out] result of complete() without more doubts, with its report */
 void
 openTunnels(const PartialMesh& mesh,
@@ -34,15 +39,6 @@ openTunnels(const PartialMesh& mesh,
             const LoopContext& context,
             CompletedMesh& result,
             CompletionReport& report);
-
-/** \brief The handles of a completed mesh, if it or what was given has thin places as
- * above: no sampling tells there whether the two sides are connected. Of nine closed
- * models three have some, and come out with wrong handles; those with the right ones
- * have none. Cost: that of looking for thin places. */
-std::size_t
-doubtfulHandles(const PartialMesh& mesh,
-                const CompletedMesh& result,
-                const LoopContext& context);
 
 } // namespace ccaa
 } // namespace pcl

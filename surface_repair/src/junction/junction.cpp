@@ -131,8 +131,7 @@ JunctionVerdict
 verdictOn(const JunctionEvidence& evidence, const JunctionParameters& parameters)
 {
   const double odds = evidence.logOdds();
-  const double from = parameters.joined_from + (evidence.has_sight ? SEEN_ODDS : 0.0);
-  if (!parameters.judge || odds >= from)
+  if (!parameters.judge || odds >= oddsThatJoin(evidence, parameters))
     return JunctionVerdict::JOINED;
   if (odds >= parameters.different_below)
     return JunctionVerdict::DOUBTFUL;
@@ -179,7 +178,7 @@ JunctionEvidence::terms() const
 double
 JunctionEvidence::logOdds() const
 {
-  const std::array<double, 6> against = terms();
+  const auto against = terms();
   return EVEN -
          std::inner_product(against.begin(), against.end(), WEIGHTS.begin(), 0.0);
 }
@@ -198,6 +197,12 @@ describe(JunctionVerdict verdict)
     break;
   }
   return "doubtful";
+}
+
+double
+oddsThatJoin(const JunctionEvidence& evidence, const JunctionParameters& parameters)
+{
+  return parameters.joined_from + (evidence.has_sight ? SEEN_ODDS : 0.0);
 }
 
 std::vector<Junction>

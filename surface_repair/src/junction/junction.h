@@ -45,6 +45,10 @@ struct SurfaceEnd {
 SurfaceEnd
 surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex);
 
+/** \brief Log odds from which a junction is joined. */
+double
+oddsThatJoin(const JunctionEvidence& evidence, const JunctionParameters& parameters);
+
 /** \brief The junctions that arrived lines make, by ascending curves, each judged by
  * itself.
  * \param[in] loops of the model

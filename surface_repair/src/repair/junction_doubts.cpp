@@ -6,6 +6,7 @@
 #include <pcl/surface_repair/decisions.h>
 
 #include "boundary/boundary_loop.h"
+#include "junction/junction.h"
 
 #include <algorithm>
 #include <map>
@@ -19,13 +20,13 @@ namespace {
 constexpr double MARGIN = 0.2;
 /** The same in what sensors have seen: below it a third of the junctions that are
  * joined in generated range maps (10 of 28) is wrong, above it 6 % (23 of 409). */
-constexpr double SEEN_MARGIN = 1.5;
+constexpr double SEEN_MARGIN = 0.75;
 
 bool
 isWeak(const JunctionEvidence& evidence, const JunctionParameters& parameters)
 {
   const double margin = evidence.has_sight ? SEEN_MARGIN : MARGIN;
-  return evidence.logOdds() < parameters.joined_from + margin;
+  return evidence.logOdds() < oddsThatJoin(evidence, parameters) + margin;
 }
 
 } // namespace

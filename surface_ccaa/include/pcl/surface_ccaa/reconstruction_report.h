@@ -36,7 +36,7 @@ struct CompletionReport {
   std::size_t open_points = 0;      /**< boundary points and free points before */
   std::size_t free_points = 0;      /**< points without a triangle after */
   std::size_t doubtful_handles = 0; /**< all of the result where it has thin places,
-                                         else 0: see doubtfulHandles() */
+                                         else 0 */
   SideTally sides;                  /**< what told the outer side of the result */
   double seconds = 0;
   bool cancelled = false;
