@@ -15,8 +15,7 @@
 #include <memory>
 #include <numeric>
 
-namespace app {
-namespace python {
+namespace app::python {
 namespace {
 
 using pcl::ccaa::PointArray;
@@ -224,5 +223,4 @@ reportOf(const ChainTask& task, ReconstructResult& result, double seconds)
   return report.dump();
 }
 
-} // namespace python
-} // namespace app
+} // namespace app::python

@@ -9,8 +9,7 @@
 
 #include <string>
 
-namespace app {
-namespace python {
+namespace app::python {
 
 /** \brief What reconstruct() is asked for. */
 struct ChainTask {
@@ -34,5 +33,4 @@ runChain(ChainTask& task, ReconstructResult& result);
 std::string
 reportOf(const ChainTask& task, ReconstructResult& result, double seconds);
 
-} // namespace python
-} // namespace app
+} // namespace app::python

@@ -9,8 +9,7 @@
 #include <memory>
 #include <tuple>
 
-namespace app {
-namespace python {
+namespace app::python {
 namespace {
 
 namespace py = pybind11;
@@ -94,5 +93,4 @@ addCloud(py::module_& module)
       });
 }
 
-} // namespace python
-} // namespace app
+} // namespace app::python

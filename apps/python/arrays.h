@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
-namespace python {
+namespace app::python {
 
 /** \brief A row of corners for each polygon; of C order. */
 using CornerArray = pybind11::array_t<std::int32_t, pybind11::array::c_style>;
@@ -47,5 +46,4 @@ floatsOf(const pcl::PCLPointCloud2& cloud, const std::string& first_field);
 void
 addCloud(pybind11::module_& module);
 
-} // namespace python
-} // namespace app
+} // namespace app::python

@@ -47,8 +47,7 @@ joined(const std::vector<std::string>& lines)
 
 } // namespace
 
-namespace pcl {
-namespace console {
+namespace pcl::console {
 
 /** The libraries loaded with this module find this function before PCL's own, which
  * knows no other place for messages than the terminal. */
@@ -68,11 +67,9 @@ print(VERBOSITY_LEVEL level, const char* format, ...)
   va_end(arguments);
 }
 
-} // namespace console
-} // namespace pcl
+} // namespace pcl::console
 
-namespace app {
-namespace python {
+namespace app::python {
 
 namespace py = pybind11;
 
@@ -137,5 +134,4 @@ addCancelled(py::module_& module)
       "A progress function returned False; nothing has been made.";
 }
 
-} // namespace python
-} // namespace app
+} // namespace app::python

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace app {
-namespace python {
+namespace app::python {
 
 /** \brief What the libraries have told during a run, a message an item. */
 struct Messages {
@@ -95,5 +94,4 @@ private:
 void
 addCancelled(pybind11::module_& module);
 
-} // namespace python
-} // namespace app
+} // namespace app::python

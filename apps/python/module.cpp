@@ -25,8 +25,7 @@
 #include <memory>
 #include <utility>
 
-namespace app {
-namespace python {
+namespace app::python {
 namespace {
 
 namespace py = pybind11;
@@ -298,5 +297,4 @@ PYBIND11_MODULE(_core, module)
   module.def("mesh_quality", &meshQuality);
 }
 
-} // namespace python
-} // namespace app
+} // namespace app::python

@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace app {
-namespace python {
+namespace app::python {
 namespace {
 
 namespace py = pybind11;
@@ -205,5 +204,4 @@ defaults()
   return all;
 }
 
-} // namespace python
-} // namespace app
+} // namespace app::python

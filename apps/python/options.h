@@ -12,8 +12,7 @@
 #include "clean/clean_cloud.h"
 #include <pybind11/pybind11.h>
 
-namespace app {
-namespace python {
+namespace app::python {
 
 /** \brief All options of pcl_surface's reconstruct(). */
 struct ReconstructOptions {
@@ -49,5 +48,4 @@ sidesFrom(const pybind11::dict& given);
 pybind11::dict
 defaults();
 
-} // namespace python
-} // namespace app
+} // namespace app::python

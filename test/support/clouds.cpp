@@ -13,9 +13,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 namespace {
 
@@ -295,6 +293,4 @@ onGrid(Positions points)
   return points;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Evenly spread points on a sphere, in spiral order. */
 Positions
@@ -106,6 +104,4 @@ onGrid(Positions points);
 /** \brief A place on a map in metres. */
 const Position MAP_PLACE(596648.0, 5420317.0, 251.0);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 namespace {
 
@@ -196,6 +194,4 @@ withEverySecondPieceReversed(Triangles triangles)
   return triangles;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Closed box of columns * rows * layers cubes of side 1 with sharp edges,
  * vertices at integer coordinates. With few layers a thin plate with a rim. */
@@ -47,6 +45,4 @@ pieceOfTriangles(const Triangles& triangles);
 Triangles
 withEverySecondPieceReversed(Triangles triangles);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 using Edge = std::pair<index_t, index_t>; /**< the lower end first */
 
@@ -65,6 +63,4 @@ private:
   std::vector<std::size_t> parent_;
 };
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

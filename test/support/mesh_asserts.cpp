@@ -11,9 +11,7 @@
 #include <sstream>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 namespace {
 
@@ -234,6 +232,4 @@ toPolygonMesh(const Shape& shape)
   return mesh;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

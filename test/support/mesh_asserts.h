@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Triangles have three different indices below vertex_count, no edge has more
  * than two triangles, and every used vertex has exactly one fan (D1.3-1). */
@@ -62,6 +60,4 @@ toPolygons(const Triangles& triangles);
 pcl::PolygonMesh
 toPolygonMesh(const Shape& shape);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** The roots of all elements, numbered by their first element. */
@@ -177,6 +175,4 @@ countMissing(const Triangles& part, const Triangles& whole)
       }));
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

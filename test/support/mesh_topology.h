@@ -8,9 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief What tells surfaces apart: each number is a sum over the components. */
 struct Topology {
@@ -39,6 +37,4 @@ manifoldPart(Triangles triangles, std::size_t fewest);
 std::size_t
 countMissing(const Triangles& part, const Triangles& whole);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -11,9 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 Shape
@@ -135,6 +133,4 @@ randomlyDamaged(std::uint64_t seed)
   return model;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Random numbers for tests. Only the engine of the standard library is fixed by
  * the standard, its distributions are not, so the distributions are written out here.
@@ -61,6 +59,4 @@ private:
   std::mt19937_64 engine_;
 };
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 pcl::PCLPointCloud2
 rawCloud(const FieldList& fields, std::size_t points)
@@ -64,6 +62,4 @@ padRows(pcl::PCLPointCloud2& cloud,
   cloud.row_step = static_cast<uindex_t>(row_bytes + padding);
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

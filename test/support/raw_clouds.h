@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Name and PCLPointField type of a field. */
 using FieldList = std::vector<std::pair<std::string, std::uint8_t>>;
@@ -69,6 +67,4 @@ padRows(pcl::PCLPointCloud2& cloud,
         std::uint32_t height,
         std::size_t padding);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -5,9 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr Topology SPHERE{1, 2, 0};
@@ -414,6 +412,4 @@ casesWithFreePoints(std::uint64_t seed)
               })};
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -12,9 +12,7 @@
 #include <map>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** Smaller islands are crumbs of the cut, which nobody would keep. */
@@ -243,6 +241,4 @@ allRepairCases(std::uint64_t seed)
   return all;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief A damaged surface with the truth about its repair. */
 struct DamagedModel {
@@ -91,6 +89,4 @@ allRepairCases(std::uint64_t seed);
 DamagedModel
 randomlyDamaged(std::uint64_t seed);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

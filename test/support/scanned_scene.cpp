@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr int WAVES = 3;
@@ -275,6 +273,4 @@ asShape(const Scene& scene)
   return all;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

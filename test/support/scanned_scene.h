@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Closed bodies that do not touch. */
 struct Scene {
@@ -42,6 +40,4 @@ rangeMap(const Scene& scene, const ViewSettings& settings);
 Shape
 asShape(const Scene& scene);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 Shape
 joined(const Shape& first, const Shape& second)
@@ -106,6 +104,4 @@ signedVolume(const Shape& shape)
   return six_volumes / 6.0;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

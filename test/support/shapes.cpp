@@ -8,9 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 namespace {
 
@@ -279,6 +277,4 @@ threeOnEdge()
           {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief A mesh as the rooms see it: positions and triangles. Unless said otherwise
  * the triangles are wound counter-clockwise seen from outside (or above). */
@@ -113,6 +111,4 @@ withoutTriangles(const Shape& shape, const std::vector<std::size_t>& removed);
 double
 signedVolume(const Shape& shape);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -11,9 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 std::string
 sharedData(const std::string& name)
@@ -45,6 +43,4 @@ readShape(const std::string& path, Shape& shape)
   return true;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Path of a real scan such as "bunny/bun_zipper.ply" in the folder named by the
  * environment variable PSR_SHARED_DATA, else in `../shared/data` beside the source
@@ -25,9 +23,7 @@ testData(const std::string& name);
 bool
 readShape(const std::string& path, Shape& shape);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test
 
 /** \brief Leaves the test as skipped when a path from sharedData() is empty. */
 #define SKIP_WITHOUT_DATA(path)                                                        \

@@ -11,9 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr double NO_HIT = std::numeric_limits<double>::infinity();
@@ -295,6 +293,4 @@ facingShare(const std::vector<pcl::Vertices>& triangles,
              : static_cast<double>(facing) / static_cast<double>(triangles.size());
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -10,9 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief What a sensor has measured. */
 struct SingleView {
@@ -51,6 +49,4 @@ facingShare(const std::vector<pcl::Vertices>& triangles,
             const Positions& points,
             const Position& place);
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

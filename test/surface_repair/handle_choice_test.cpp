@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -123,5 +122,4 @@ TEST_F(HandleChoice, OfCrossedPairsOneGoesHoweverLikelyTheJunctionIs)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

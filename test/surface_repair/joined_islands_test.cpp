@@ -10,8 +10,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -181,5 +180,4 @@ TEST(LostBridges, WhereNoneIsLostNothingIsTracedAnew)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -227,5 +226,4 @@ TEST(FieldSlice, OneIslandAloneMakesASliceWithoutAProblem)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Highest class of folds that are not doubtful. */
@@ -56,5 +55,4 @@ doubtfulTriangles(const Triangles& triangles,
   return doubts;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What doubtfulTriangles() found. */
 struct Doubts {
@@ -42,5 +41,4 @@ doubtfulTriangles(const Triangles& triangles,
                   const PointView& points,
                   const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

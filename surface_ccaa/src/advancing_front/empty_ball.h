@@ -11,8 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief All balls whose surface passes through the corners of a triangle, less those
  * with a witness inside.
@@ -86,5 +85,4 @@ private:
   double low_ = 1.0, high_ = -1.0;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

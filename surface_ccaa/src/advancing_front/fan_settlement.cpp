@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Operations for a point that is looked at. */
@@ -83,5 +82,4 @@ settleFans(PartialSurface& surface,
   }
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

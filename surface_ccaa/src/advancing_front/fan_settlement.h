@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Take triangles away until every one of some points has a single fan (C3.4-2):
  * the fan
@@ -26,5 +25,4 @@ settleFans(PartialSurface& surface,
            bool keep_given,
            RunControl* control = nullptr);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -18,8 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief How the folds of some edges are spread: the fold of an edge is the angle
  * between the normals of its two triangles, 0 where they lie flat. */
@@ -162,5 +161,4 @@ largestIsland(const std::vector<FoldStatistics>& statistics)
   return static_cast<std::size_t>(largest - statistics.begin());
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

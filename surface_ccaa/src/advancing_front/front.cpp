@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: the directed boundary edges from which a surface grows.
 #include "advancing_front/front.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 void
 Front::addTriangle(const Triangle& triangle)
@@ -87,5 +86,4 @@ Front::cancelWithOpposite(FrontIndex i)
   remove(opposite);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

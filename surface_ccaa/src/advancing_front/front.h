@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Number of a front edge; they are never used again for another edge. */
 using FrontIndex = std::int32_t;
@@ -129,5 +128,4 @@ private:
   std::vector<FrontIndex> first_at_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

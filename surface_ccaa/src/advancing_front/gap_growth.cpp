@@ -11,8 +11,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** What grew in one region, in vertices of the gap. */
@@ -166,5 +165,4 @@ touchedVertices(const PartialSurface& surface,
   return touched;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Puts open vertices into an order that is coherent in space and fills in their
  * nearest among themselves: row i of the table, k places, belongs to the i-th vertex of
@@ -74,5 +73,4 @@ touchedVertices(const PartialSurface& surface,
                 const std::vector<pcl::index_t>& open,
                 RunControl* control);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

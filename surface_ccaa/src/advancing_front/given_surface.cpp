@@ -8,8 +8,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Whether the next triangle over an edge runs through it the other way. */
@@ -202,5 +201,4 @@ alignGiven(PartialMesh& mesh,
       mesh.given, given.adjacency, given.islands, mesh.points, evidence, contacts);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A cloud with a partial mesh. */
 struct PartialMesh {
@@ -77,5 +76,4 @@ alignGiven(PartialMesh& mesh,
            const std::vector<pcl::index_t>& table,
            const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

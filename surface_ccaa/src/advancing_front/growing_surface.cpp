@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 bool
@@ -111,5 +110,4 @@ GrowingSurface::record(const Triangle& triangle)
   }
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The rim and all triangles made so far, with the front between them and what
  * is missing. Every triangle is on the side of its neighbors: an edge has at most two
@@ -108,5 +107,4 @@ private:
   Front front_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 Position
@@ -159,5 +158,4 @@ alignIslands(Triangles& triangles,
   return any;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Pairs of boundary points of different islands that lie next to each other. */
 struct IslandContact {
@@ -43,5 +42,4 @@ alignIslands(Triangles& triangles,
              const std::vector<double>& evidence,
              const std::vector<IslandContact>& contacts);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,8 +5,7 @@
 #include "advancing_front/tangent_frame.h"
 #include "advancing_front/tuning.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 bool
 fitsFans(const GrowingSurface& surface,
@@ -38,5 +37,4 @@ fitsFans(const GrowingSurface& surface,
   return fits;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

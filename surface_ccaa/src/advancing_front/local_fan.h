@@ -4,8 +4,7 @@
 
 #include "advancing_front/growing_surface.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Whether a new sector at a vertex finds its place between the fans that are
  * there, in the tangent plane of the vertex (after Gopi and Krishnan 2002).
@@ -26,5 +25,4 @@ fitsFans(const GrowingSurface& surface,
          pcl::index_t to,
          const Position& normal);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

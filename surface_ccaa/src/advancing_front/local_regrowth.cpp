@@ -14,8 +14,7 @@
 #include <unordered_set>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** How much is wrong around the first vertices of a mesh: boundary edges, three for an
@@ -241,5 +240,4 @@ LocalRegrowth::addUnusedNear(const std::vector<pcl::index_t>& points,
   }
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Takes triangles away around obstructed points and lets the surface grow there
  * anew; what comes out replaces what was there only if it has fewer flaws: boundary
@@ -101,5 +100,4 @@ private:
   std::vector<pcl::index_t> number_in_open_; /**< of a vertex of the whole, or -1 */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

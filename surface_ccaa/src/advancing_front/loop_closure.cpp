@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 namespace {
 
@@ -260,5 +259,4 @@ closeLoops(GrowingSurface& surface, TriangleTrial& trial, RunControl* control)
   return obstructed;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -11,8 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The triangulation of a front loop that folds least.
  *
@@ -120,5 +119,4 @@ private:
 std::vector<pcl::index_t>
 closeLoops(GrowingSurface& surface, TriangleTrial& trial, RunControl* control);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <unordered_set>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
@@ -151,5 +150,4 @@ NearbyTriangles::meets(const Corners& corners,
   });
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

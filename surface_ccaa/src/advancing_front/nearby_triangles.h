@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The given triangles that a new triangle between open points could cross,
  * although they touch no open point: another sheet close by, or what an outlier lies
@@ -72,5 +71,4 @@ private:
   BoxTree tree_; /**< of the chosen ones */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

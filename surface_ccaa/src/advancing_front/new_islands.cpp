@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Internal points of each island. */
@@ -77,5 +76,4 @@ largeComponentFlags(const Triangles& triangles,
   return flags;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

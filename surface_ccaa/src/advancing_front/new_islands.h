@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief When a piece that grew by itself stays. */
 struct ComponentRule {
@@ -46,5 +45,4 @@ largeComponentFlags(const Triangles& triangles,
                     std::size_t minimum_internal_points,
                     const LoopContext& context = {});
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

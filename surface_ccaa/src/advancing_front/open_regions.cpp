@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Operations for a point of a region, in each of two steps. */
@@ -122,5 +121,4 @@ regionOf(const OpenSurface& open,
   return region;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

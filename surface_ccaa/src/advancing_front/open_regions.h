@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Split the open points into regions between which no triangle can be made: a
  * new edge is never longer than a few spacings at its ends, so points that no chain of
@@ -38,5 +37,4 @@ regionOf(const OpenSurface& open,
          std::vector<pcl::index_t>& vertices,
          RunControl* control = nullptr);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

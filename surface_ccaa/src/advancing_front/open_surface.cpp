@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 VertexNumbers::VertexNumbers(const Triangles& rim, std::vector<index_t>& vertices)
 {
@@ -68,5 +67,4 @@ findNeighborsDirectly(OpenSurface& open, unsigned int k)
   open.neighbors = {open.neighbor_table.data(), k};
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

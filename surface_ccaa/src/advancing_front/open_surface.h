@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What the base algorithm works on: the open points (free points and boundary
  * points) and the triangles that touch them, the \e rim.
@@ -63,5 +62,4 @@ inTheWhole(Triangles triangles, const std::vector<index_t>& vertices);
 void
 findNeighborsDirectly(OpenSurface& open, unsigned int k);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Operations for a point that is open, in each of the steps that make it so. */
@@ -149,5 +148,4 @@ PartialSurface::spacingAt(pcl::index_t vertex) const
   return sum / static_cast<double>(half);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A mesh in which triangles come and go: the given ones first, then the new
  * ones in the order in which they came. Triangles keep their numbers. Const methods may
@@ -127,5 +126,4 @@ private:
   std::vector<float> noted_spacings_;     /**< of a vertex; empty before any note */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

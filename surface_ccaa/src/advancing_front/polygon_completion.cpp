@@ -17,8 +17,7 @@
 #include <memory>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 std::vector<Eigen::Vector3f>
@@ -307,5 +306,4 @@ runCompletion(const CompletionInput& input,
   return output;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Known spacings where there are any, else from the neighbors. */
@@ -65,5 +64,4 @@ findScatteredPoints(const OpenSurface& open, double usual_spacing)
   return scattered;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

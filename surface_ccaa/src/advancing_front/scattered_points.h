@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief How far the neighbors of an open point are from lying in a plane: the ratio
  * of their least variance along any direction to their largest, 0 to 1. On a surface
@@ -24,5 +23,4 @@ neighborhoodThickness(const OpenSurface& open, pcl::index_t point);
 std::vector<std::uint8_t>
 findScatteredPoints(const OpenSurface& open, double usual_spacing);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Of every open point, the longest edge between closed points that lies across a
@@ -98,5 +97,4 @@ cellSize(const OpenSurface& open)
   return tuning::CELL_FACTOR * medianOf(std::move(distances));
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

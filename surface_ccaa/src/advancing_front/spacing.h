@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Root mean square distance of an open point to its six nearest open points; 0
  * where it has no neighbor. In units of the cloud. */
@@ -34,5 +33,4 @@ usualSpacing(const Triangles& given, const PointView& points);
 double
 cellSize(const OpenSurface& open);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** One run, stage by stage. */
@@ -254,5 +253,4 @@ completeSurface(PartialMesh mesh,
   return result;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A completed mesh. */
 struct CompletedMesh {
@@ -50,5 +49,4 @@ completeSurface(PartialMesh mesh,
                 RunControl& control,
                 CompletionReport& report);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 SurfaceGrowth::SurfaceGrowth(const OpenSurface& open,
                              const CompletionParameters& parameters,
@@ -325,5 +324,4 @@ SurfaceGrowth::addSeed(Triangle seed)
   surface_.addTriangle(seed);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

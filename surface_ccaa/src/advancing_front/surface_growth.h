@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Lets a surface grow into the gaps from its front, and from seeds where there
  * is no surface yet.
@@ -156,5 +155,4 @@ private:
   std::vector<pcl::index_t> obstructed_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

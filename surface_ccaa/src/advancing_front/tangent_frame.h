@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The tangent plane at a point with a zero direction in it, in which neighbours
  * are ordered by angle (GK02). */
@@ -39,5 +38,4 @@ private:
   Position origin_, normal_, x_, y_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** An equilateral triangle's side in circumradii. */
@@ -141,5 +140,4 @@ TriangleTrial::crossesSurface(const Triangle& triangle)
   return nearby_ != nullptr && nearby_->meets(corners, box, open_.removed);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

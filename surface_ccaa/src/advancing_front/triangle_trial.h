@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Tests of a triangle against the samples and against the surface around it.
  * Keeps marks between calls, so one object serves one thread. */
@@ -94,5 +93,4 @@ private:
   std::uint32_t call_ = 0;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,9 +5,7 @@
 #include <array>
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
-namespace tuning {
+namespace pcl::ccaa::tuning {
 
 // Numbers.
 
@@ -111,6 +109,4 @@ constexpr std::size_t SPACING_STRIDE = 16;
 /** Median distances of neighbors to a cell of the grid that chooses triangles. */
 constexpr double CELL_FACTOR = 4.0;
 
-} // namespace tuning
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::tuning

@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Flags for the ends of edges whose ends face away from each other.
@@ -117,5 +116,4 @@ openTunnels(const PartialMesh& mesh,
     report.doubtful_handles = static_cast<std::size_t>(handles);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

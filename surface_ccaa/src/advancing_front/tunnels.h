@@ -11,8 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Completes a mesh without some more of its given triangles. */
 using CompletionWithout = std::function<CompletedMesh(
@@ -40,5 +39,4 @@ openTunnels(const PartialMesh& mesh,
             CompletedMesh& result,
             CompletionReport& report);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

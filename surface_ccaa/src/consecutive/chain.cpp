@@ -11,8 +11,7 @@
 #include <exception>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** No exception leaves a run: neither our own lack of memory nor what a part throws. */
@@ -180,5 +179,4 @@ measureChain(const ChainInput& input, ChainOutput& result)
   return compareSpeed(base_seconds, result.report);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

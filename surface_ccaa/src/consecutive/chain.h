@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief One application of a chain: start algorithms, each with the filter behind it,
  * then the base algorithm. */
@@ -89,5 +88,4 @@ private:
   StageClock clock_; /**< of all of it */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

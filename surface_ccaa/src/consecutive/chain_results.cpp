@@ -6,8 +6,7 @@
 #include "mesh/cloud_access.h"
 #include "mesh/vertex_normals.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 void
 fillNormals(const PolygonMesh& mesh,
@@ -42,5 +41,4 @@ compareSpeed(double base_seconds, const ConsecutiveReport& report)
   return measured;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

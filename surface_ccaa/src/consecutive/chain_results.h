@@ -9,8 +9,7 @@
 
 #include "mesh/block_loop.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Normals of the mesh's surface, see vertexNormals().
  * \param[in] mesh triangles with corners in range
@@ -26,5 +25,4 @@ fillNormals(const PolygonMesh& mesh,
 SpeedupReport
 compareSpeed(double base_seconds, const ConsecutiveReport& report);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 bool
@@ -130,5 +129,4 @@ takeOver(std::vector<pcl::Vertices> polygons,
   chain.labels.resize(chain.mesh->polygons.size(), label);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

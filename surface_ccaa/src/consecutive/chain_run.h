@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What a stage usually takes of the time, for the progress of the whole. */
 constexpr double START_WEIGHT = 3;
@@ -114,5 +113,4 @@ takeOver(std::vector<pcl::Vertices> polygons,
          std::uint8_t label,
          ChainMesh& chain);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

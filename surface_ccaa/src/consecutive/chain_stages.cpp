@@ -9,8 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** One start algorithm and the filter behind it. A step that makes internal points
  * fewer is taken back. */
@@ -223,5 +222,4 @@ Chain::complete(const PolygonMeshConstPtr& partial_mesh,
   return false;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

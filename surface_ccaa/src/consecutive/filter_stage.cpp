@@ -6,8 +6,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 bool
 FilterPart::apply(ChainMesh& given, const ChainRun& run, ChainMesh& left) const
@@ -50,5 +49,4 @@ FilterPart::rolesAfter(const ChainMesh& left, const ChainRun& run) const
   return findPointRoles(left.mesh->polygons, run.point_count, run.loop());
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 
 #include "consecutive/chain_run.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The filter of a chain: ours, another, or none. */
 class FilterPart {
@@ -49,5 +48,4 @@ private:
   UmbrellaFilter* umbrella_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief The same for all ways to write a triangle: its corners in ascending order. */
@@ -158,5 +157,4 @@ appendNewTriangles(const std::vector<pcl::Vertices>& made,
     }
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief For each triangle the number of the algorithm in the chain that made it: 0
  * the first start algorithm, ..., the last the base algorithm. */
@@ -59,5 +58,4 @@ appendNewTriangles(const std::vector<pcl::Vertices>& made,
                    std::vector<pcl::Vertices>& polygons,
                    TriangleLabels& labels);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

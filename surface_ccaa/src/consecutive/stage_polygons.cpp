@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 bool
@@ -123,5 +122,4 @@ findPointRoles(const std::vector<pcl::Vertices>& polygons,
   return roles;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Whether all polygons have three different corners below `point_count`. */
 bool
@@ -46,5 +45,4 @@ findPointRoles(const std::vector<pcl::Vertices>& polygons,
                std::size_t point_count,
                const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

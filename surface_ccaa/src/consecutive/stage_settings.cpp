@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 ProgressCallback
 StageProgress::callback()
@@ -63,5 +62,4 @@ ScopedSettings::~ScopedSettings()
     settings_.sides->setSideHints(own_hints_);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief One part of a chain to the user's progress callback: the stage is told as
  * "start: edges", the fraction is that of the whole chain and never goes back.
@@ -80,5 +79,4 @@ private:
   Function function_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Groups of consecutive ranks that double in size from level to level.
  *
@@ -81,5 +80,4 @@ private:
   unsigned int levels_ = 1;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief How much speaks for a candidate edge; lower goes first. */
 enum class EdgeStanding : unsigned char {
@@ -107,5 +106,4 @@ private:
   const std::vector<EdgeVotes>& votes_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

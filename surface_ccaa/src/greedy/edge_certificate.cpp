@@ -6,8 +6,7 @@
 
 #include <type_traits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 static_assert(sizeof(Coordinates) == 3 * sizeof(float) &&
@@ -45,5 +44,4 @@ certifyEdges(const RankedPoints& points,
             votes);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

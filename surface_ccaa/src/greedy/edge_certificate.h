@@ -7,8 +7,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The empty-circle test of every candidate edge of a range of points.
  *
@@ -43,5 +42,4 @@ certifyEdges(const RankedPoints& points,
              std::size_t last,
              EdgeVotes* votes);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -21,14 +21,10 @@
 #pragma clang attribute pop
 #endif
 
-namespace pcl {
-namespace ccaa {
-namespace certificate {
+namespace pcl::ccaa::certificate {
 
 const Certify AVX2_CERTIFY = avx2::certify;
 
-} // namespace certificate
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::certificate
 
 #endif

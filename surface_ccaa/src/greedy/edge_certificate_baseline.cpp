@@ -6,12 +6,8 @@
 #define PCL_REGISTER_BYTES 16
 #include "greedy/edge_certificate_kernel_impl.h"
 
-namespace pcl {
-namespace ccaa {
-namespace certificate {
+namespace pcl::ccaa::certificate {
 
 const Certify BASELINE_CERTIFY = baseline::certify;
 
-} // namespace certificate
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::certificate

@@ -11,9 +11,7 @@
 #define PCL_CCAA_HAS_AVX2_CERTIFICATE
 #endif
 
-namespace pcl {
-namespace ccaa {
-namespace certificate {
+namespace pcl::ccaa::certificate {
 
 /** Plain data only: the other side is compiled for several instruction sets. */
 struct CertificateInput {
@@ -31,6 +29,4 @@ using Certify = void (*)(const CertificateInput& input,
 extern const Certify BASELINE_CERTIFY;
 extern const Certify AVX2_CERTIFY;
 
-} // namespace certificate
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::certificate

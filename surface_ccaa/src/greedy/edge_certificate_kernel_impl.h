@@ -10,10 +10,7 @@
 #include "greedy/edge_certificate_neighborhood.h"
 #include "run/registers.h"
 
-namespace pcl {
-namespace ccaa {
-namespace certificate {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::certificate::PCL_KERNEL {
 
 using namespace ccaa::PCL_KERNEL;
 
@@ -126,7 +123,4 @@ certify(const CertificateInput& input,
     votesOfRange<64>(input, first, last, votes);
 }
 
-} // namespace PCL_KERNEL
-} // namespace certificate
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::certificate::PCL_KERNEL

@@ -6,10 +6,7 @@
 
 #include "greedy/edge_certificate_kernel.h"
 
-namespace pcl {
-namespace ccaa {
-namespace certificate {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::certificate::PCL_KERNEL {
 
 /** Partial sums are kept in this many lanes whatever the instruction set, so that every
  * machine adds in the same order. */
@@ -295,7 +292,4 @@ flatten(Neighborhood<LANES>& hood, bool all)
     hood.z[j] = hood.z[j] * hood.z[j] > steepest * hood.squared[j] ? hood.z[j] : 0.0f;
 }
 
-} // namespace PCL_KERNEL
-} // namespace certificate
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::certificate::PCL_KERNEL

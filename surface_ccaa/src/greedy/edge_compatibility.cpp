@@ -8,8 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** An edge leaving a point: single precision, of which the differences of coordinates
@@ -268,5 +267,4 @@ JoinedEdges::join(index_t a, index_t b, const AngleLimit& limit, Triangles& tria
   return EdgeVerdict::JOINED;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

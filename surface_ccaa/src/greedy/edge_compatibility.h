@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What the test said of an edge. */
 enum class EdgeVerdict : std::uint8_t {
@@ -151,5 +150,4 @@ private:
   std::vector<std::uint32_t> triangle_counts_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

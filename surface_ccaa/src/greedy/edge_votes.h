@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What a point says of the edges to its neighbors; bit j stands for the j-th
  * neighbor of its row. */
@@ -15,5 +14,4 @@ struct EdgeVotes {
   float reach = 0; /**< the length limit of this point, in units of the cloud */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

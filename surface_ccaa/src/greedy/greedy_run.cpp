@@ -15,8 +15,7 @@
 #include <memory>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** The name of the first parameter that is out of range, or null. */
@@ -167,5 +166,4 @@ runGreedyStart(const CloudInput& input,
   return fault;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -16,8 +16,7 @@
 #include <iterator>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** What one task did; added up afterwards. */
@@ -307,5 +306,4 @@ greedyTriangulation(const RankedPoints& points,
   return triangles;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

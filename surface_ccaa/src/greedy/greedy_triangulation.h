@@ -9,8 +9,7 @@
 #include "mesh/triangle.h"
 #include "run/run_control.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Greedy triangulation extended to 3D.
  *
@@ -35,5 +34,4 @@ greedyTriangulation(const RankedPoints& points,
                     RunControl& control,
                     GreedyReport& report);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

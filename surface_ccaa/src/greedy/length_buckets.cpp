@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 void
 LengthBuckets::sort(std::vector<CandidateEdge>& edges)
@@ -36,5 +35,4 @@ LengthBuckets::sort(std::vector<CandidateEdge>& edges)
   edges.swap(sorted_);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

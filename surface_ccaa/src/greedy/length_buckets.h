@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief An edge that may join two points. */
 struct CandidateEdge {
@@ -35,5 +34,4 @@ private:
   std::vector<std::size_t> starts_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Single-precision coordinates, as the cloud holds them. */
 using Coordinates = std::array<float, 3>;
@@ -54,5 +53,4 @@ struct NeighborRows {
   }
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The places among sixteen at which a value stands, as bits.
  *
@@ -28,5 +27,4 @@ matchSixteen(const index_t* slots, index_t value)
   return static_cast<std::uint32_t>(match[0] | match[1] | match[2] | match[3]);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

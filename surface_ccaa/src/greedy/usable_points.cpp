@@ -4,8 +4,7 @@
 
 #include "mesh/block_loop.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 RankedPoints
 rankPoints(const PointArray& points, const std::vector<index_t>& order, int threads)
@@ -24,5 +23,4 @@ rankPoints(const PointArray& points, const std::vector<index_t>& order, int thre
   return ranked;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

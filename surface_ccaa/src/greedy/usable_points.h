@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Points in a given order, one per place.
  * \param[in] points the cloud
@@ -17,5 +16,4 @@ namespace ccaa {
 RankedPoints
 rankPoints(const PointArray& points, const std::vector<index_t>& order, int threads);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The edges of one task, by standing. */
 struct EdgeQueue {
@@ -75,5 +74,4 @@ private:
   std::vector<std::vector<Entry>> blocks_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Items a block holds: some milliseconds of work at most, so that a run stops
  * soon after it was cancelled, and enough that threads seldom meet. */
@@ -133,5 +132,4 @@ joinBlocks(const std::vector<std::vector<T>>& parts)
   return all;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** By how much boxes are too large, in the frame, so that no rounding of single
@@ -236,5 +235,4 @@ BoxTree::Node::distances(const FloatBox& query) const
   return squared;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -18,8 +18,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 using Box = Eigen::AlignedBox3d;
 
@@ -338,5 +337,4 @@ BoxTree::Node::meeting(const Ray& ray) const
   return met;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

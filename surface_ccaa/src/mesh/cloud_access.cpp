@@ -6,8 +6,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Layout of three fields of equal floating type; nothing when they are not. */
@@ -141,5 +140,4 @@ copyPositions(const PointView& view)
   return list;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

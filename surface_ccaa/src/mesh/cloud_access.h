@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Why a raw cloud cannot be used. */
 enum class CloudProblem : std::uint8_t {
@@ -92,5 +91,4 @@ struct NewVertex {
 CloudProblem
 appendVertices(pcl::PCLPointCloud2& cloud, const std::vector<NewVertex>& vertices);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Points, evenly spread over the list, that tell the extent. */
@@ -68,5 +67,4 @@ measureExtent(const PointView& points)
   return extent;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

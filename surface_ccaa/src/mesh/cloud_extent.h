@@ -8,8 +8,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Where the points of a cloud are, in its units. */
 struct CloudExtent {
@@ -29,5 +28,4 @@ struct CloudExtent {
 CloudExtent
 measureExtent(const PointView& points);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <string>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The first field of a name, or nullptr. */
 inline const pcl::PCLPointField*
@@ -45,5 +44,4 @@ fieldBytes(const pcl::PCLPointField& field)
          valueCount(field);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

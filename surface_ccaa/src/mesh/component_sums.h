@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief One flag for each component. */
 using ComponentFlags = std::vector<unsigned char>;
@@ -86,5 +85,4 @@ sumByComponent(const Winding& winding,
   return sums;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

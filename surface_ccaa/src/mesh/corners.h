@@ -9,8 +9,7 @@
 
 #include <array>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The three corners of a triangle in space. */
 using Corners = std::array<Position, 3>;
@@ -36,5 +35,4 @@ unitNormal(const Corners& corners)
   return areaNormal(corners).normalized();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Sets of the numbers [0, count), without locks.
  *
@@ -98,5 +97,4 @@ private:
   std::vector<std::atomic<std::uint32_t>> parents_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

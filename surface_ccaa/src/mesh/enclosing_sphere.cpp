@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Bounds of the number of cells along an edge of the cube of directions; 64
@@ -210,5 +209,4 @@ collectEnclosingSphere(const WoundMesh& mesh, const LoopContext& context)
   return votes;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

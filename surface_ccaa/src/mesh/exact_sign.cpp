@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Bounds of the relative rounding error of the two determinants (Shewchuk 1997,
@@ -206,5 +205,4 @@ droppableAxis(const Position& a, const Position& b, const Position& c)
   return -1;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -4,8 +4,7 @@
 
 #include "mesh/triangle.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief On which side of the plane a, b, c the point d lies: 1 when a, b, c turn
  * counter-clockwise seen from d, -1 when clockwise, 0 when the four are coplanar.
@@ -27,5 +26,4 @@ turnInPlane(const Position& a, const Position& b, const Position& c, int dropped
 int
 droppableAxis(const Position& a, const Position& b, const Position& c);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

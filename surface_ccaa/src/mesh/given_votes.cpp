@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Sum of the directions of the given normals; zero when there is none. */
@@ -62,5 +61,4 @@ GivenVotes::viewpointOf(const Triangle& triangle) const
   return (each[triangle[0]] + each[triangle[1]] + each[triangle[2]]) / 3.0;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <array>
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A triangle as far as the rules for the outer side need it. */
 struct Facet {
@@ -64,5 +63,4 @@ private:
   bool is_origin_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

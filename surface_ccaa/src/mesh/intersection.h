@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Whether three points lie on one line (or in one place). Exact. */
 bool
@@ -60,5 +59,4 @@ findSelfIntersections(const Triangles& triangles,
                       int threads,
                       RunControl& control);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -4,8 +4,7 @@
 
 #include "mesh/disjoint_sets.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 Islands
 labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context)
@@ -36,5 +35,4 @@ labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context)
   return islands;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

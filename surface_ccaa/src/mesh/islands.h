@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The island of every triangle. Islands are numbered by their lowest triangle;
  * edges with three triangles or more do not connect. */
@@ -29,5 +28,4 @@ struct Islands {
 Islands
 labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context = {});
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

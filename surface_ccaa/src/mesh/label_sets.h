@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Sets of labels; every label knows whether it is turned against its parent.
  * The parent of a label is always lower, so the root of a set is its lowest label. */
@@ -73,5 +72,4 @@ private:
   std::vector<pcl::index_t> links_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

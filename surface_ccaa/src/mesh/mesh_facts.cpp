@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief The three angles in degrees. */
@@ -114,5 +113,4 @@ measureMesh(const Triangles& triangles,
   return control.report("shape", 1.0) ? facts : cancelledFacts();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -11,8 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief One walk along the boundary, from fan to fan. A bow-tie vertex belongs to as
  * many loops as it has open fans, so loops that only touch there count separately. */
@@ -104,5 +103,4 @@ measureMesh(const Triangles& triangles,
             const MeshFactsOptions& options,
             RunControl& control);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

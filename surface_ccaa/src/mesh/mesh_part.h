@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief 1 when the triangle runs through the edge from a to b. Without branches,
  * because in a raw mesh the answer is as good as random. */
@@ -139,5 +138,4 @@ private:
   std::size_t end_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

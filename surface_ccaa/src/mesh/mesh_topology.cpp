@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 constexpr std::uint32_t NO_LOOP = std::numeric_limits<std::uint32_t>::max();
@@ -212,5 +211,4 @@ measureTopology(const Triangles& valid_triangles,
             2;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

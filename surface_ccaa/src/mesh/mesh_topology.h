@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Fill in all counts of vertices, edges, components and loops. facts.vertices
  * must be set; lengths of loops are measured with positions. */
@@ -16,5 +15,4 @@ measureTopology(const Triangles& valid_triangles,
                 const PointView& positions,
                 MeshFacts& facts);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

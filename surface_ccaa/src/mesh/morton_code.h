@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief 21 bits spread out so that two free bits follow each. */
 inline std::uint64_t
@@ -35,5 +34,4 @@ mortonCode(const Eigen::Vector3d& share)
   return code;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Free sight this clear is believed without asking for the bulge. */
@@ -283,5 +282,4 @@ outwardAt(pcl::index_t vertex,
   return hints.viewpoint ? toward(*hints.viewpoint) : Eigen::Vector3d::Zero();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

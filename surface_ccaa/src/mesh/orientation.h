@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Share by which votes for one side must outweigh those for the other before
  * they decide, relative to all votes: 0.2 means 60 to 40. Below it the next rule is
@@ -117,5 +116,4 @@ outwardAt(pcl::index_t vertex,
           const PointView& positions,
           const OrientationHints& hints);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

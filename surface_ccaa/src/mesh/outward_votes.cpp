@@ -11,8 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief A facet whose plane passes the centroid of its surface closer than this share
@@ -231,5 +230,4 @@ collectBulge(const WoundMesh& mesh,
       });
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

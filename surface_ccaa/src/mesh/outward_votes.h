@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What hints and volume say about one component. */
 struct OutwardEvidence {
@@ -84,5 +83,4 @@ collectBulge(const WoundMesh& mesh,
              const ComponentFlags& wanted,
              const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** The mesh as seen from one vertex. Side 0 of a triangle is its edge from the vertex
  * to the next corner, side 1 the one to the previous corner. */
@@ -100,5 +99,4 @@ PointChains::take(pcl::index_t triangle)
   return true;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief One flag for each triangle: not yet deleted. */
 using AliveFlags = std::vector<std::uint8_t>;
@@ -75,5 +74,4 @@ private:
   std::vector<std::uint8_t> taken_;      /**< of a candidate: is in a chain */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <cstring>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Where three numbers lie in each record of a block of bytes. */
 struct TripleLayout {
@@ -126,5 +125,4 @@ viewOf(const PointArray& array)
           {array.stride * sizeof(float), {0, sizeof(float), 2 * sizeof(float)}}};
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

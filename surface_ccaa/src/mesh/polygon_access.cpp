@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Marks a triangle of an invalid polygon in its first corner. */
@@ -180,5 +179,4 @@ liveTriangles(const Triangles& triangles,
   return live;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The sound triangles of a list of polygons.
  *
@@ -58,5 +57,4 @@ liveTriangles(const Triangles& triangles,
               const AliveFlags& alive,
               const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

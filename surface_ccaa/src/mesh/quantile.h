@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The value that a share (0 to below 1) of some values stays below, or `none`
  * where there are none. Linear. */
@@ -32,5 +31,4 @@ medianOf(std::vector<T> values)
   return quantile(std::move(values), 0.5);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

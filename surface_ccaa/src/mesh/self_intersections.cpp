@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Operations of a search in the tree, of a test of two triangles, and so many that are
@@ -95,5 +94,4 @@ findSelfIntersections(const Triangles& triangles,
   return result;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 // What a sensor can have measured: each of these turns down bodies that were measured
@@ -196,5 +195,4 @@ takeOrigin(SideHints& hints, const PointView& points, const Indices* chosen)
   hints.viewpoint_is_origin = true;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 
 #include "mesh/point_view.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Whether a cloud lies before the origin as before a sensor: within 45 degrees
  * of the mean direction, no nearer than 0.05 and no farther than 30 of its diagonals,
@@ -31,5 +30,4 @@ relativeTo(const Position& offset, SideHints hints);
 void
 takeOrigin(SideHints& hints, const PointView& points, const Indices* chosen = nullptr);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

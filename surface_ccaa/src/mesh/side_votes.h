@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Weighted votes for (positive) and against the winding a surface has. */
 struct SideVotes {
@@ -46,5 +45,4 @@ struct SideVotes {
   }
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Let a list ascend and hold each item once. */
 template <typename T>
@@ -17,5 +16,4 @@ sortUnique(std::vector<T>& items)
   items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

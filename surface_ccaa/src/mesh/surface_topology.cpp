@@ -11,8 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 using Border = std::array<pcl::index_t, 2>;
@@ -106,5 +105,4 @@ topologyOf(const Triangles& triangles, const TriangleAdjacency& adjacency)
   return topologyOf(triangles, adjacency, labelIslands(adjacency).count, {});
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 #include "mesh/triangle.h"
 #include "mesh/triangle_adjacency.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What kind of surface the triangles make. Cost: linear, about 0.05 us a
  * triangle. \param[in] adjacency of these triangles */
@@ -23,5 +22,4 @@ topologyOf(const Triangles& triangles,
            std::size_t pieces,
            const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Three vertex indices; the order gives the side (counter-clockwise from
  * outside), but only once a mesh has been oriented (see mesh/orientation.h). */
@@ -21,5 +20,4 @@ using Triangles = std::vector<Triangle>;
 using Position = Eigen::Vector3d;
 using Positions = std::vector<Position>;
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Count the triangles of each vertex. */
@@ -151,5 +150,4 @@ TriangleAdjacency::keep(const std::vector<std::uint8_t>& alive,
   fans_ = fans;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 class RunControl;
 struct LoopContext;
@@ -152,5 +151,4 @@ private:
   std::vector<pcl::index_t> overfull_triangles_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Three different corners, all below vertex_count. */
 inline bool
@@ -20,5 +19,4 @@ hasValidIndices(const Triangle& triangle, std::size_t vertex_count)
          triangle[2] != triangle[0];
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 using Signs = std::array<int, 3>;
@@ -181,5 +180,4 @@ trianglesMeet(const Corners& first, const Corners& second)
   }
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Allocator that leaves plain values uninitialised when a vector grows by
  * resize(). Zeroing an array that is filled right afterwards costs a pass over memory,
@@ -39,5 +38,4 @@ struct UninitializedAllocator : std::allocator<T> {
 template <typename T>
 using UninitializedVector = std::vector<T, UninitializedAllocator<T>>;
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

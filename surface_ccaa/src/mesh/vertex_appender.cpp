@@ -7,8 +7,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief A point's record and the share it has in a new one. */
@@ -234,5 +233,4 @@ appendVertices(pcl::PCLPointCloud2& cloud, const std::vector<NewVertex>& vertice
   return CloudProblem::NONE;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 constexpr std::uint32_t NO_PARTNER = std::numeric_limits<std::uint32_t>::max();
@@ -322,5 +321,4 @@ VertexLink::appendOverfull(
     edges.emplace_back(TriangleAdjacency::Edge{vertex, far_corner}, first[place / 2]);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

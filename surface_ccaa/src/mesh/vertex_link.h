@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The link of a vertex: of each triangle around it the two other corners. Two
  * triangles with an equal corner meet over the edge to that corner.
@@ -63,5 +62,4 @@ private:
   std::vector<End> overfull_;           /**< the ends at overfull edges */
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief What a triangle gives to its corners. */
@@ -88,5 +87,4 @@ vertexNormals(const Triangles& triangles,
   return normals;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

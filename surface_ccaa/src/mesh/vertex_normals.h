@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The unit normal of each vertex: the mean of the normals of its triangles,
  * each weighted by the angle it has at the vertex (Thuermer and Wuethrich 1998). So it
@@ -31,5 +30,4 @@ vertexNormals(const Triangles& triangles,
               const PointView& positions,
               const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Triangles ahead whose points are fetched: their places in memory are random. */
@@ -193,5 +192,4 @@ numberVertices(std::size_t point_count,
                              : numberInOrder(point_count, context, triangles);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

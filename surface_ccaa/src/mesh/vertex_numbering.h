@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Replace the point indices in triangles by vertex numbers: the first point
  * that appears becomes 0, the next new one 1, and so on. \return the point of each
@@ -19,5 +18,4 @@ numberVertices(std::size_t point_count,
                const LoopContext& context,
                Triangles& triangles);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

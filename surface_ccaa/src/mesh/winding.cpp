@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** \brief Below so many triangles a part of its own costs more than it gains. */
@@ -133,5 +132,4 @@ Winding::find(const Triangles& triangles,
   return true;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

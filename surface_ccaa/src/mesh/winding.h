@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What the walk over one component found. */
 struct WoundComponent {
@@ -64,5 +63,4 @@ private:
   std::vector<WoundComponent> components_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,9 +7,7 @@
 // sets with more than 16, immintrin.h comes first. Static, so that the linker can pick
 // no set's functions for another one.
 
-namespace pcl {
-namespace ccaa {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::PCL_KERNEL {
 
 template <typename T>
 struct RegisterOf {
@@ -74,6 +72,4 @@ smaller(const Register<double>& a, const Register<double>& b)
 #endif
 }
 
-} // namespace PCL_KERNEL
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::PCL_KERNEL

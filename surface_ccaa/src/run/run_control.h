@@ -11,8 +11,7 @@
 #include <thread>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief One run's view of its progress callback, or the budget of a part of it.
  *
@@ -187,5 +186,4 @@ isCancelled(const RunControl* control)
   return control != nullptr && control->cancelled();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

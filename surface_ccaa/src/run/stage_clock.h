@@ -4,8 +4,7 @@
 
 #include <chrono>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Wall-clock seconds since it was made. */
 class StageClock {
@@ -21,5 +20,4 @@ private:
   Clock::time_point start_ = Clock::now();
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 #include <omp.h>
 #endif
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Number of threads for a request in PCL's manner: 0 means all processors. */
 inline int
@@ -33,5 +32,4 @@ threadIndex()
 #endif
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

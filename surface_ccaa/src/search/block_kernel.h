@@ -9,9 +9,7 @@
 // sets, and no inline function of a library may be compiled there and then be picked by
 // the linker for everybody.
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
+namespace pcl::ccaa::block_kernel {
 
 /** Width of everything: points per block, boxes per group, queries per round. */
 constexpr unsigned int LANES = 8;
@@ -94,6 +92,4 @@ extern const Kernel AVX2_KERNEL;
 void
 sortLongRow(float* distances, std::int32_t* ranks, unsigned int size);
 
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel

@@ -22,14 +22,10 @@
 #pragma clang attribute pop
 #endif
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
+namespace pcl::ccaa::block_kernel {
 
 const Kernel AVX2_KERNEL = {avx2::nearestOfBlock, avx2::nearestOfPlace, avx2::within};
 
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel
 
 #endif

@@ -6,13 +6,9 @@
 #define PCL_REGISTER_BYTES 16
 #include "search/kernel/block_kernel_impl.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
+namespace pcl::ccaa::block_kernel {
 
 const Kernel BASELINE_KERNEL = {
     baseline::nearestOfBlock, baseline::nearestOfPlace, baseline::within};
 
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel

@@ -12,8 +12,7 @@
 #include <memory>
 #include <tuple>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 namespace {
 
@@ -273,5 +272,4 @@ removeDuplicates(const PointArray& points, const std::vector<index_t>& order)
   return unique;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Indices of the finite points, ordered along a Hilbert curve.
  *
@@ -41,5 +40,4 @@ curveOrder(const PointArray& points, const Indices& selection, int threads);
 std::vector<index_t>
 removeDuplicates(const PointArray& points, const std::vector<index_t>& order);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -7,9 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
-namespace hilbert {
+namespace pcl::ccaa::hilbert {
 
 // The curve enters a cube at a corner and leaves it along an axis: 8 x 3 states. Within
 // a cube it visits the octants in Gray code order, turned into the state's frame.
@@ -109,6 +107,4 @@ code(std::uint32_t x, std::uint32_t y, std::uint32_t z, unsigned int bits)
   return result;
 }
 
-} // namespace hilbert
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::hilbert

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 Indices::const_iterator
 findIndexOutside(const Indices& indices, std::size_t point_count)
@@ -25,5 +24,4 @@ indexFault(const Indices& indices, std::size_t point_count)
          std::to_string(point_count) + " points";
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 namespace {
 
@@ -111,5 +110,4 @@ PointBlocks::buildBoxes(int threads)
   while (below > LANES);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 namespace {
 
@@ -252,5 +251,4 @@ sortLongRow(float* distances, std::int32_t* ranks, unsigned int size)
 
 } // namespace block_kernel
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 namespace {
 
@@ -124,5 +123,4 @@ radixSort(CodedPoint* points,
     std::copy(source, source + size, points);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

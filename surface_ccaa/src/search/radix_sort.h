@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A point and its place along the curve. */
 struct CodedPoint {
@@ -31,5 +30,4 @@ radixSort(CodedPoint* points,
           unsigned int bits,
           int threads);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

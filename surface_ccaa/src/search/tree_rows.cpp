@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 RankTable::RankTable(const std::vector<index_t>& order, std::size_t cloud_size)
 : ranks_(cloud_size, NeighborTable::NONE)
@@ -65,5 +64,4 @@ searchRows(const TreeSearch& search,
       });
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

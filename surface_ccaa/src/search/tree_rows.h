@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief From index in the cloud to rank. */
 class RankTable {
@@ -52,5 +51,4 @@ searchRows(const TreeSearch& search,
            const LoopContext& context,
            std::vector<index_t>& rows);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** The corners that are border points. */
@@ -142,5 +141,4 @@ agree(const Tiling& tiling,
   return Bargain(tiling, tile, own, others).run();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What a tile made of the places where it meets others. */
 struct BorderMesh {
@@ -40,5 +39,4 @@ agree(const Tiling& tiling,
       const BorderMesh& own,
       const std::vector<std::vector<WideTriangle>>& others);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

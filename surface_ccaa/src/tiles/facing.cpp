@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Nearest triangles among which that across a gap is looked for. */
@@ -103,5 +102,4 @@ turnToFace(const Seam& seam, const Winding& pieces, Triangles& given)
   return has_turned;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

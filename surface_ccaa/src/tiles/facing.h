@@ -5,8 +5,7 @@
 #include "mesh/winding.h"
 #include "tiles/seam.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Turn pieces whose triangles at open points show their other side to the
  * nearest ones of other pieces, the clearest pairs of pieces first. Cost: n log n.
@@ -15,5 +14,4 @@ namespace ccaa {
 bool
 turnToFace(const Seam& seam, const Winding& pieces, Triangles& given);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -16,8 +16,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Distance between disputes of one group, in reaches: what closes one lies within one
@@ -280,5 +279,4 @@ closeSeam(const Seam& seam,
   return SeamClosing(seam, parameters, threads, progress).run();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A point at which a triangle was refused. */
 struct Dispute {
@@ -71,5 +70,4 @@ closeSeam(const Seam& seam,
           int threads,
           const ProgressCallback& progress);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -11,8 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Volume that a surface has over its own centroid, as a share of (twice its area)^1.5:
@@ -289,5 +288,4 @@ decideSides(const std::vector<TilePieces>& tiles, bool guess_plane)
   return SideGraph(tiles).decide(guess_plane);
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

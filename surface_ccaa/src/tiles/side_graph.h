@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What one piece of a surface, all of whose triangles are wound alike, says
  * about its outer side: sums, so that those of connected pieces add up. Signs are those
@@ -89,5 +88,4 @@ struct Sides {
 Sides
 decideSides(const std::vector<TilePieces>& tiles, bool guess_plane);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

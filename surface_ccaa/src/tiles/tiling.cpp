@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 WideTriangle
 cornersInOrder(const WideTriangle& triangle)
@@ -56,5 +55,4 @@ findPoint(const BorderPoints& points, WideIndex index)
   return place == points.end() || place->index != index ? points.end() : place;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A point of the whole cloud: tile by tile, within a tile in its fixed order.
  */
@@ -86,5 +85,4 @@ using BorderPoints = std::vector<BorderPoint>;
 BorderPoints::const_iterator
 findPoint(const BorderPoints& points, WideIndex index);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Level of the eight octants of the whole space. */
@@ -77,5 +76,4 @@ roundedTo(double step, const Position& position)
   return step > 0.0 ? Position((position / step).array().round() * step) : position;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

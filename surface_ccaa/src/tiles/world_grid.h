@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <tuple>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A cube of the world grid: its edge is 2^level units, its lowest corner lies
  * at so many edges from the origin. The grid is the same for all clouds, so that a cut
@@ -69,5 +68,4 @@ childOf(const GridCell& cell, const Position& position);
 Position
 roundedTo(double step, const Position& position);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

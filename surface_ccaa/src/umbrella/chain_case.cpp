@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Share by which angles of one size differ through rounding. */
@@ -127,5 +126,4 @@ survivingChain(const PointChains& chains,
   return breakTie(std::move(ranks));
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

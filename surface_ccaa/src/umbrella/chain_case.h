@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief The rows of table T3.4-1; the value is the row's number. */
 enum class ChainCase : std::uint8_t {
@@ -40,5 +39,4 @@ survivingChain(const PointChains& chains,
                const Positions& positions,
                pcl::index_t vertex);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

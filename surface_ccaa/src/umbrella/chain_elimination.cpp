@@ -5,8 +5,7 @@
 #include "mesh/sort_unique.h"
 #include "umbrella/chain_case.h"
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 using Worklist = std::vector<pcl::index_t>;
@@ -116,5 +115,4 @@ eliminateChains(const Triangles& triangles,
   return deleted;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Delete triangles as table T3.4-1 says until every vertex has at most one
  * chain of live triangles (C3.4-2); C3.4-3 (row 2) is left to removeSmallRegions().
@@ -35,5 +34,4 @@ eliminateChains(const Triangles& triangles,
                 AliveFlags& alive,
                 std::vector<Fan>& fans);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 using Edge = TriangleAdjacency::Edge;
@@ -184,5 +183,4 @@ repairNonManifoldEdges(const Triangles& triangles,
   return report;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

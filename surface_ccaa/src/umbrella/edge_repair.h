@@ -9,8 +9,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What the input lacked to meet C3.4-1. */
 struct EdgeRepairReport {
@@ -40,5 +39,4 @@ repairNonManifoldEdges(const Triangles& triangles,
                        const LoopContext& context,
                        AliveFlags& alive);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -11,8 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** The adjacency counts edge ends, three to a triangle, in 32 bits. */
@@ -198,5 +197,4 @@ FilterRun::pointRoles()
   return roles;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

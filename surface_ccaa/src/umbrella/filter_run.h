@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What a run is asked to do. */
 struct FilterSettings {
@@ -111,5 +110,4 @@ private:
   SideTally tally_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 bool
@@ -117,5 +116,4 @@ removeSmallRegions(const Triangles& triangles,
   return report;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What removeSmallRegions() found. */
 struct RegionReport {
@@ -36,5 +35,4 @@ removeSmallRegions(const Triangles& triangles,
                    AliveFlags& alive,
                    std::vector<Fan>& fans);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** An edge between two triangles whose normals differ a lot. */
@@ -265,5 +264,4 @@ findTwists(const Triangles& triangles,
   return TwistSearch(triangles, adjacency, positions, limits, context).find();
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Settings of findTwists(). */
 struct TwistLimits {
@@ -49,5 +48,4 @@ findTwists(const Triangles& triangles,
            const TwistLimits& limits,
            const LoopContext& context);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

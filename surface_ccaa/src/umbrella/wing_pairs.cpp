@@ -6,8 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 /** Cosine between the triangles of a pair, seen along their edge, from which on it lies
@@ -98,5 +97,4 @@ bestWingPair(const std::vector<Wing>& wings)
   return best;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

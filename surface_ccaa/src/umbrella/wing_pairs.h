@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief An edge with more triangles than this is not looked into: all pairs would
  * have to be compared. */
@@ -37,5 +36,4 @@ describeWing(const TriangleAdjacency::Edge& edge,
 std::optional<std::pair<std::size_t, std::size_t>>
 bestWingPair(const std::vector<Wing>& wings);
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,8 +5,7 @@
 #include "boundary/farthest_tree.h"
 #include "boundary/smooth_conormals.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 std::vector<std::size_t>
 farthestPoints(const Positions& points)
@@ -40,5 +39,4 @@ boundaryIntegral(const BoundaryCurve& curve, double window)
   return integral;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief For each point of the curve the index of the point most distant from it, the
  * lowest of equals. Sub-quadratic: a tree over the points is searched with the distance
@@ -28,5 +27,4 @@ farthestPoints(const Positions& points);
 BoundaryIntegral
 boundaryIntegral(const BoundaryCurve& curve, double window = 0.0);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: a closed boundary of the reconstructed region A.
 #include "boundary/boundary_loop.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 double
 lengthOf(const BoundaryCurve& curve)
@@ -26,5 +25,4 @@ lowestPoint(const IncompleteModel& model, const std::vector<pcl::index_t>& verti
   return lowest;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

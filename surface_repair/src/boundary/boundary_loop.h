@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The geometry of a closed boundary, walked with the surface on the left: the
  * positive direction of D4.1-2, for rims and holes alike.
@@ -62,5 +61,4 @@ lowestPoint(const IncompleteModel& model, const std::vector<pcl::index_t>& verti
 
 using BoundaryLoops = std::vector<BoundaryLoop>;
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

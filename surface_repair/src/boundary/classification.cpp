@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 const char*
 describe(BoundaryClass boundary_class)
@@ -114,5 +113,4 @@ classifyBoundaries(const IncompleteModel& model,
                                                              : std::vector<LoopClass>();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Length of the mean normal of a model, or of its first triangles, weighted by
  * area: 0 for a body seen from all sides, 1 for a flat sheet. */
@@ -47,5 +46,4 @@ classifyBoundaries(const IncompleteModel& model,
                    const ClassificationParameters& parameters = {},
                    const ccaa::LoopContext& context = {});
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief An edge with one triangle: 3 * triangle + the corner where it begins. */
@@ -288,5 +287,4 @@ pinchedVertices(const IncompleteModel& model, const BoundaryLoops& loops)
   return lower;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

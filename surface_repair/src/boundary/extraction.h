@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <map>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief All boundary loops, by the lowest boundary half-edge (3 * triangle + corner),
  * each beginning there.
@@ -38,5 +37,4 @@ pinchedVertices(const IncompleteModel& model, const BoundaryLoops& loops);
 pcl::index_t
 vertexBefore(const IncompleteModel& model, const BoundaryLoop& loop, std::size_t k);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Points taken of one loop: of a triangle some on each edge, of a long loop a sample.
@@ -160,5 +159,4 @@ FacingSearch::mayHold(const Node& node, const BoundaryPoint& from) const
   return off <= VIEW_ANGLE + ball + 1e-9;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A binary tree over points of all boundaries, searched along a view.
  *
@@ -59,5 +58,4 @@ private:
   std::vector<Node> nodes_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Points of a leaf: they are looked at one by one. */
@@ -179,5 +178,4 @@ FarthestTree::lookAtLeaf(const Node& node, Search& search) const
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

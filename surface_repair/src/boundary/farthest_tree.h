@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A binary tree over points, each node in a box along its own main directions.
  *
@@ -62,5 +61,4 @@ private:
   std::vector<Node> nodes_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

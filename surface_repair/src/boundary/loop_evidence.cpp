@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Weights of D and of turning; the area counts in powers of two. */
@@ -293,5 +292,4 @@ collectEvidence(const IncompleteModel& model,
   return all;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The evidence for each loop of a model; of no use after cancelling. */
 std::vector<LoopEvidence>
@@ -52,5 +51,4 @@ struct AreaBounds {
 AreaBounds
 leastSurface(const BoundaryCurve& curve);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -202,5 +201,4 @@ lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second)
   return one.dot(other) > SAME_WAY * one.norm() * other.norm();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

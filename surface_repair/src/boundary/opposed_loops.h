@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief For each loop the one that it looks at and that looks back at it, NONE where
  * there is none: the ends of a limb or a handle that was cut through. By their course
@@ -36,5 +35,4 @@ loopAhead(const BoundaryLoops& loops, std::size_t mouth);
 bool
 lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

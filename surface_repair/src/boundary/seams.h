@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Edges between two points of the cloud that are edges between different
  * vertices: surfaces touch along them, or the mesh was cut there. */
@@ -98,5 +97,4 @@ private:
   std::set<pcl::index_t> points_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Share of the curve over which a conormal is taken by default. */
@@ -87,5 +86,4 @@ smoothConormals(const BoundaryCurve& curve, double window)
   return conormals;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

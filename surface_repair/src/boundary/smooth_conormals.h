@@ -5,8 +5,7 @@
 
 #include "boundary/boundary_loop.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief At each point of a closed curve the integral of tau x n over an arc with the
  * point in its middle, brought to unit length; 0 where it vanishes. Cost: linear.
@@ -14,5 +13,4 @@ namespace repair {
 Directions
 smoothConormals(const BoundaryCurve& curve, double window);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

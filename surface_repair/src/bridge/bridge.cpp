@@ -8,8 +8,7 @@
 #include <numeric>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -188,5 +187,4 @@ selectBridges(const std::vector<ForceLine>& lines,
   return selection.finish();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A curve that connects two boundary points of A, with the external normal
  * along it (D4.32-1). An overlay: it is no part of the mesh until a hole beside it is
@@ -54,5 +53,4 @@ selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
               const SupportSpacing& spacing);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

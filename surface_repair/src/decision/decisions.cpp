@@ -7,8 +7,7 @@
 
 #include <cstring>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -58,5 +57,4 @@ fingerprintOf(const pcl::PolygonMesh& mesh)
   return {points.size(), mesh.polygons.size(), checksum.sum()};
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -165,5 +164,4 @@ LoopWishes::mayJoin(const IncompleteModel& model,
   return true;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief By what a loop is known again. */
 LoopKey
@@ -111,5 +110,4 @@ private:
   bool leaves_open_ = false; /**< some loop must stay as it is */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

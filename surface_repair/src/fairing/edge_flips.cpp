@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <deque>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -149,5 +148,4 @@ flipToDelaunay(const Patch& patch,
   Flipping(patch, edges, keeps_shape, control).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

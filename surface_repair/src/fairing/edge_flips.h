@@ -6,8 +6,7 @@
 #include "fairing/patch_edges.h"
 #include "run/run_control.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Flip edges whose opposite angles add up to more than a half turn, where that
  * folds nothing over and the new edge is neither in the patch nor in the model.
@@ -20,5 +19,4 @@ flipToDelaunay(const Patch& patch,
                bool keeps_shape = false,
                ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

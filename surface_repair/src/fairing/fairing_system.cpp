@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -201,5 +200,4 @@ harmonicValues(const JoinedSurface& surface,
   return all;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A place on a triangle of the patch that something draws to itself. */
 struct Pull {
@@ -54,5 +53,4 @@ harmonicValues(const JoinedSurface& surface,
                const std::vector<double>& values,
                ccaa::RunControl* control);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -129,5 +128,4 @@ flattenPatch(const IncompleteModel& model, Patch& patch, ccaa::RunControl* contr
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include "boundary/boundary_loop.h"
 #include "filling/patch.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The plane that fits a rim best, and how the surface meets it. */
 struct RimPlane {
@@ -38,5 +37,4 @@ flattenPatch(const IncompleteModel& model,
              Patch& patch,
              ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

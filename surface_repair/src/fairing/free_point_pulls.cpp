@@ -15,8 +15,7 @@
 #include <cmath>
 #include <unordered_set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -236,5 +235,4 @@ FreePointPulls::attach(const JoinedSurface& surface) const
   return weighted(attached);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A free point attached to the patch. */
 struct AttachedPoint {
@@ -62,5 +61,4 @@ private:
   double reach_; /**< in edge lengths */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

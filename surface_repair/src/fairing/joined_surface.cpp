@@ -10,8 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -123,5 +122,4 @@ joinSurface(const IncompleteModel& model, const Patch& patch, std::size_t rings)
   return surface;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

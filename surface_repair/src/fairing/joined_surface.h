@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A patch and some rings of the model's triangles around, as one small mesh in
  * units of its own size, so that neither the unit nor the place of the cloud matters.
@@ -31,5 +30,4 @@ struct JoinedSurface {
 JoinedSurface
 joinSurface(const IncompleteModel& model, const Patch& patch, std::size_t rings);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -118,5 +117,4 @@ PatchBending::ofFlipped(std::size_t side) const
          bendingAt(at(d), at(b), at_b, normalAt(two, beyond + 2));
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Total absolute mean curvature of parts of a patch: at each edge its length
  * times the angle between the triangles beside it, those of the model at the rim. What
@@ -59,5 +58,4 @@ private:
       beyond_rim_; /**< normals of the model's triangles at the sides of the rim */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

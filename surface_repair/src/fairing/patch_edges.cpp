@@ -9,8 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 PatchEdges::PatchEdges(const IncompleteModel& model, Patch& patch)
 : model_(model), patch_(patch), across_(3 * patch.triangles.size(), BORDER)
@@ -172,5 +171,4 @@ PatchEdges::flip(std::size_t side)
   edges_.insert(key(c, d));
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

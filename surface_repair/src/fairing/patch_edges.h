@@ -11,8 +11,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The sides of a patch's triangles, and which of them lie against each other.
  *
@@ -115,5 +114,4 @@ private:
   std::unordered_set<std::uint64_t> edges_; /**< for look-up only: has no order */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

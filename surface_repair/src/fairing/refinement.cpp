@@ -12,8 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -202,5 +201,4 @@ refinePatch(const IncompleteModel& model,
   Refinement(model, parameters, patch, keeps_shape, control).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include "filling/patch.h"
 #include "run/run_control.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Split and flip edges until their lengths follow those of the model around
  * (Liepa 2003): the sizing field at a vertex of the rim is the mean length of the
@@ -28,5 +27,4 @@ refinePatch(const IncompleteModel& model,
             bool keeps_shape = false,
             ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

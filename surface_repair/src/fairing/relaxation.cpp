@@ -10,8 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -139,5 +138,4 @@ relaxPatch(const IncompleteModel& model,
   return report;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What relaxPatch() did. */
 struct RelaxationReport {
@@ -34,5 +33,4 @@ relaxPatch(const IncompleteModel& model,
            Patch& patch,
            ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -141,5 +140,4 @@ rimCurvatures(const JoinedSurface& surface, std::size_t rim)
   return curvatures;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The sum of the principal curvatures at the vertices of a patch's rim, above 0
  * where the model bulges out, in 1 / size of the joined surface.
@@ -20,5 +19,4 @@ namespace repair {
 std::vector<double>
 rimCurvatures(const JoinedSurface& surface, std::size_t rim);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

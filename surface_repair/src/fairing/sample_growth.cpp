@@ -12,8 +12,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -314,5 +313,4 @@ growOver(const IncompleteModel& model,
     SampleGrowth(model, obstructed, patch, control).run(std::move(taken));
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Make samples vertices of a coarse patch, one after the other in the order
  * given: so it grows over what they describe, however far from the rim, and stays the
@@ -33,5 +32,4 @@ growOver(const IncompleteModel& model,
          Patch& patch,
          ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

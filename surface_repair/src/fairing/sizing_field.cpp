@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -155,5 +154,4 @@ sizingField(const IncompleteModel& model,
   return lengths;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

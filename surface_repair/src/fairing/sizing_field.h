@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Mean length of the model's edges at a vertex of the rim. */
 double
@@ -34,5 +33,4 @@ interpolateLengths(const Patch& patch,
                    std::vector<double>& lengths,
                    ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

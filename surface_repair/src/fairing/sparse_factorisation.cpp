@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -191,5 +190,4 @@ SparseFactorisation::solve(const Columns& sides, ccaa::RunControl* control) cons
   return back_ * solution;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Some columns of numbers, such as coordinates of points. */
 using Columns = Eigen::MatrixXd;
@@ -67,5 +66,4 @@ private:
   std::vector<int> seen_in_;        /**< of a column: the last row */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <array>
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -152,5 +151,4 @@ areaNormals(const ccaa::Triangles& triangles, const ccaa::Positions& positions)
   return normals;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

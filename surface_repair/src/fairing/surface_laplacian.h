@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
@@ -31,5 +30,4 @@ surfaceLaplacian(const ccaa::Triangles& triangles, const ccaa::Positions& positi
 std::vector<Eigen::Vector3d>
 areaNormals(const ccaa::Triangles& triangles, const ccaa::Positions& positions);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -107,5 +106,4 @@ TriangleSearch::nearest(const Position& point, double reach, const Filter& count
   return best;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A place on a triangle. */
 struct TrianglePlace {
@@ -55,5 +54,4 @@ private:
   ccaa::BoxTree tree_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -122,5 +121,4 @@ spaceVertices(std::size_t first,
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

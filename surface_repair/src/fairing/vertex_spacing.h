@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Cosine between normals of triangles of one plane. */
 constexpr double ONE_PLANE = 1.0 - 1e-12;
@@ -29,5 +28,4 @@ spaceVertices(std::size_t first,
               bool keeps_shape = false,
               ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Which triangles meet at a vertex, in ascending order. */
 class VertexTriangles {
@@ -46,5 +45,4 @@ private:
   std::vector<std::uint32_t> triangles_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 CurveWalk::CurveWalk(const BoundaryCurve& curve) : curve_(curve)
 {
@@ -65,5 +64,4 @@ CurveWalk::normalIntegral(double arc) const
          (wrapped(arc) - arcs_[k]) * normalOf(k);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

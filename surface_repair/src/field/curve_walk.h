@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A closed curve parametrised by arc length: positions, and the integral of the
  * normals, so that means over any window cost two look-ups. The curve must outlive it.
@@ -52,5 +51,4 @@ private:
   Positions normal_integrals_; /**< likewise */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

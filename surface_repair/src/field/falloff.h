@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief 1 up to `near`, ((far - x) / (far - near))^exponent between, 0 from `far` on
  * (E4.45-1, E4.45-2 without the factor). Where near >= far it is a step at far.
@@ -36,5 +35,4 @@ trustedTension(double trust)
   return trust / (1.0 - trust);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -2,9 +2,7 @@
 // Part of PclSurfaceRepair: which field kernel a processor gets.
 #include "field/field_kernel.h"
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
+namespace pcl::repair::field_kernel {
 
 const Kernel&
 bestKernel()
@@ -18,6 +16,4 @@ bestKernel()
   return BASELINE_KERNEL;
 }
 
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel

@@ -9,9 +9,7 @@
 #define PCL_REPAIR_HAS_X86_KERNELS
 #endif
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
+namespace pcl::repair::field_kernel {
 
 /** Sources of a block. Sums are kept in so many lanes whatever the instruction set, so
  * that every machine adds in the same order. */
@@ -81,6 +79,4 @@ extern const Kernel AVX512_KERNEL;
 const Kernel&
 bestKernel();
 
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel

@@ -22,14 +22,10 @@
 #pragma clang attribute pop
 #endif
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
+namespace pcl::repair::field_kernel {
 
 const Kernel AVX2_KERNEL = {avx2::sum, avx2::select};
 
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel
 
 #endif

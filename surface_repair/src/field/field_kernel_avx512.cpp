@@ -23,14 +23,10 @@
 #pragma clang attribute pop
 #endif
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
+namespace pcl::repair::field_kernel {
 
 const Kernel AVX512_KERNEL = {avx512::sum, avx512::select};
 
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel
 
 #endif

@@ -7,12 +7,8 @@
 #define PCL_FIELD_CHAINS 1
 #include "field/field_kernel_impl.h"
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
+namespace pcl::repair::field_kernel {
 
 const Kernel BASELINE_KERNEL = {baseline::sum, baseline::select};
 
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel

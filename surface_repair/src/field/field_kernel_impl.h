@@ -11,10 +11,7 @@
 #include "field/field_kernel.h"
 #include "field/field_kernel_math.h"
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
-namespace PCL_KERNEL {
+namespace pcl::repair::field_kernel::PCL_KERNEL {
 
 /** How (..)^chi is raised. */
 enum class Power { WHOLE, HALF, ANY };
@@ -244,7 +241,4 @@ sum(const Task& task, double* tension)
     sumByMode<Power::WHOLE>(task, tension);
 }
 
-} // namespace PCL_KERNEL
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel::PCL_KERNEL

@@ -10,10 +10,7 @@
 #include "field/field_kernel.h"
 #include "run/registers.h"
 
-namespace pcl {
-namespace repair {
-namespace field_kernel {
-namespace PCL_KERNEL {
+namespace pcl::repair::field_kernel::PCL_KERNEL {
 
 using namespace ccaa::PCL_KERNEL;
 
@@ -103,7 +100,4 @@ binaryExponential(const Lanes& x)
   return (Lanes)((Bits)series + ((Bits)shifted << 52));
 }
 
-} // namespace PCL_KERNEL
-} // namespace field_kernel
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::field_kernel::PCL_KERNEL

@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: the elementary sources of the indicator field (4.43, 4.46).
 #include "field/field_source.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 std::size_t
 SourceSet::size() const
@@ -14,5 +13,4 @@ SourceSet::size() const
   return count;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

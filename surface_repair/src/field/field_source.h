@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief One elementary source {O, n, tau, h} (4.43). */
 struct FieldSource {
@@ -39,5 +38,4 @@ struct SourceSet {
   size() const;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Coordinates in the frame are at most 1 in size, and floats: what a search may
@@ -96,5 +95,4 @@ FloatTree::nearest(const Position& center, std::size_t number) const
   return found;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A radius search that misses nothing: positions go into the tree in a frame in
  * which they fill a unit box, and the radius has room for what floats are wrong by.
@@ -47,5 +46,4 @@ private:
   pcl::index_t size_ = 0;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

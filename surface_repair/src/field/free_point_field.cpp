@@ -9,8 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Parts to R_2 in which a segment is measured, and bounds of their number. */
@@ -95,5 +94,4 @@ FreePointField::nearest(const Position& center, std::size_t number) const
   return implementation_->tree.nearest(center, number);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

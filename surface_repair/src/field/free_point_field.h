@@ -13,8 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The scalar field G of the free points (4.424, 4.45) and lengths measured in
  * it. Built once; const methods may be called from several threads. */
@@ -63,5 +62,4 @@ private:
   std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Queries a thread takes at once. */
@@ -169,5 +168,4 @@ IndicatorField::tensionAt(const std::vector<FieldQuery>& queries,
   return tensions;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

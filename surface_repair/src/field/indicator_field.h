@@ -14,8 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 class FreePointField;
 class Shield;
@@ -93,5 +92,4 @@ private:
   std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Positions of a leaf: they are looked at one by one. */
@@ -105,5 +104,4 @@ LabelledTree::distanceToOther(const Position& position, std::size_t label) const
   return std::sqrt(squared);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Positions with labels, to be asked for the nearest one whose label is another
  * than a given one. Parts of the tree with that label alone are passed over, so that
@@ -51,5 +50,4 @@ private:
   std::vector<Node> nodes_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

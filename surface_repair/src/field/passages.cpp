@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using field_kernel::LANES;
@@ -213,5 +212,4 @@ Passages::find(const SourceBlocks& blocks,
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What lies between points and sources; none of it need be there. */
 struct Surroundings {
@@ -86,5 +85,4 @@ private:
   ShieldReach shield_reach_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <cassert>
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Most queries of a bunch. */
@@ -142,5 +141,4 @@ BunchCandidates::view() const
           blocks_.size()};
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

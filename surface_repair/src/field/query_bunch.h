@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Whether a query can have an answer other than zero. */
 bool
@@ -56,5 +55,4 @@ private:
   std::vector<std::uint32_t> blocks_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

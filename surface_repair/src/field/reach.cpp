@@ -10,8 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief L_2 is no less than this many spacings, or single sources would show. */
@@ -92,5 +91,4 @@ gapsAlong(const SourceCurve& curve, const GapFinder& gaps)
   return all;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Distances across gaps: from places to the sources of other islands.
  *
@@ -60,5 +59,4 @@ freePointFalloff(double spacing, double gap, double exponent = 1.0);
 double
 meanSpacing(const Positions& points);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Operations for a triangle, in each of two steps. */
@@ -69,5 +68,4 @@ Shield::crosses(const Position& a, const Position& b, double tolerance) const
   });
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

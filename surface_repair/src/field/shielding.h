@@ -8,8 +8,7 @@
 
 #include <memory>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The reconstructed region A as an obstacle. Built once; const methods may be
  * called from several threads. */
@@ -35,5 +34,4 @@ private:
   std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using field_kernel::LANES;
@@ -144,5 +143,4 @@ SourceBlocks::near(const Ball& place, std::vector<std::uint32_t>& blocks) const
     look(groups_[static_cast<std::size_t>(i)]);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A ball. */
 struct Ball {
@@ -146,5 +145,4 @@ private:
   FloatTree tree_; /**< of the groups' centres */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

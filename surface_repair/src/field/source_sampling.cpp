@@ -9,8 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Fewest sources of a boundary: less do not show its shape. */
@@ -200,5 +199,4 @@ gatherSources(std::vector<SourceCurve> curves)
   return set;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Resample a closed curve to sources at equal distances along it.
  *
@@ -36,5 +35,4 @@ areIslandSources(const BoundaryLoops& loops,
 SourceSet
 gatherSources(std::vector<SourceCurve> curves);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Cells to R_2. */
@@ -182,5 +181,4 @@ TensionGrid::meanShrink(const Position& a, const Position& b, int parts) const
   return static_cast<double>(sum) / parts;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

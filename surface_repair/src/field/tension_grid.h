@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The sum of G over all free points (4.424) at nodes a quarter of R_2 apart,
  * linear between them; exactly 0 away from all points.
@@ -72,5 +71,4 @@ private:
   std::vector<Brick> bricks_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -272,5 +271,4 @@ AvoidingFans::close(const FillingTask& task) const
   return none;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include "filling/filling_method.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Fans around inner points that go around what stands in the hole.
  *
@@ -33,5 +32,4 @@ public:
   close(const FillingTask& task) const override;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -130,5 +129,4 @@ triangulateCoarseToFine(const BoundaryCurve& polygon,
   return {polygon, &near, weights, limits};
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include "filling/triangulation_table.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The table that has the triangulation of least weight of a polygon.
  *
@@ -22,5 +21,4 @@ triangulateCoarseToFine(const BoundaryCurve& polygon,
 bool
 areAllLookedAt(std::size_t points);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -152,5 +151,4 @@ completeWithin(const FillingTask& task, const std::vector<std::size_t>& samples)
   return insideOf(output.polygons, static_cast<pcl::index_t>(n));
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

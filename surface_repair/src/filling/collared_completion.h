@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What the base algorithm builds inside a hole.
  * \param[in] samples which of the task's free points to use
@@ -18,5 +17,4 @@ namespace repair {
 Triangles
 completeWithin(const FillingTask& task, const std::vector<std::size_t>& samples);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

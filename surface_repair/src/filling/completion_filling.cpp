@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -175,5 +174,4 @@ CompletionFilling::close(const FillingTask& task) const
   return MinimumWeightFilling().close(task);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include "filling/filling_method.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The base algorithm of surface_ccaa (thesis 3.5) on the free points in a hole,
  * which become inner vertices where it takes them; what it leaves open is closed by
@@ -34,5 +33,4 @@ public:
   close(const FillingTask& task) const override;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -141,5 +140,4 @@ isDisc(const Filling& filling, std::size_t polygon_size)
          isDisc(filling.triangles, polygon_size, polygon_size + filling.inner.size());
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

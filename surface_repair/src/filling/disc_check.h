@@ -7,8 +7,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Whether triangles are a disc over vertices 0 to vertices - 1 whose border is
  * the polygon 0, 1, .. polygon_size - 1, run through against its direction.
@@ -24,5 +23,4 @@ isDisc(const Triangles& triangles, std::size_t polygon_size, std::size_t vertice
 bool
 isDisc(const Filling& filling, std::size_t polygon_size);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

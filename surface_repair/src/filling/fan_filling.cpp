@@ -3,8 +3,7 @@
 
 #include "filling/fan_filling.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -48,5 +47,4 @@ FanFilling::close(const FillingTask& task) const
   return filling;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include "filling/filling_method.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The thesis' filling method (4.7): a fan around the geometrical centre of the
  * hole's boundary; a hole of three edges becomes one triangle.
@@ -31,5 +30,4 @@ public:
   close(const FillingTask& task) const override;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A hole to be closed, and what is known about the place. */
 struct FillingTask {
@@ -82,5 +81,4 @@ public:
   close(const FillingTask& task) const = 0;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Positions around the middle of their box, in units of its diagonal, for what
  * takes floats only. Those that are not finite do not count for the box. */
@@ -32,5 +31,4 @@ localFloats(const Positions& positions)
   return floats;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -248,5 +247,4 @@ MinimumWeightFilling::close(const FillingTask& task) const
   return filling;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

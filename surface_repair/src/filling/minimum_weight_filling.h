@@ -5,8 +5,7 @@
 
 #include "filling/filling_method.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The triangulation of the polygon itself that weighs least, found by dynamic
  * programming (Barequet and Sharir 1995, Liepa 2003); no inner points.
@@ -39,5 +38,4 @@ public:
   close(const FillingTask& task) const override;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

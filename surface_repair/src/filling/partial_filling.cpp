@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 PartialFilling::PartialFilling(const FillingTask& task,
                                Triangles triangles,
@@ -185,5 +184,4 @@ PartialFilling::meetsTriangles(const ccaa::Corners& corners) const
   });
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Triangles inside a hole, and what of it they leave open.
  *
@@ -68,5 +67,4 @@ private:
   ccaa::BoxTree tree_;                          /**< of the triangles */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The fillings of all holes that bridges connect, as one region.
  *
@@ -32,5 +31,4 @@ struct Patch {
   }
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

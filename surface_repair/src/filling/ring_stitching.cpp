@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 Filling
 stitchRing(const BoundaryCurve& ring, std::size_t second)
@@ -52,5 +51,4 @@ stitchRing(const BoundaryCurve& ring, std::size_t second)
   return filling;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

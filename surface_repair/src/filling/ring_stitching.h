@@ -7,8 +7,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Close a ring that was cut open by triangles that have an edge of one of its
  * two loops each, so that it becomes a tube however far apart the two are: those with
@@ -20,5 +19,4 @@ namespace repair {
 Filling
 stitchRing(const BoundaryCurve& ring, std::size_t second);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

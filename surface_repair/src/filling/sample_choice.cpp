@@ -14,8 +14,7 @@
 #include <map>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -115,5 +114,4 @@ spikesOf(const Triangles& triangles, const Positions& points, std::size_t first)
   return spikes;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

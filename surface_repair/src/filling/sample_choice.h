@@ -9,8 +9,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The free points, ascending, that are finite, not at a place of the polygon or
  * of an earlier one, and not outliers: those whose nearest neighbours, among polygon
@@ -24,5 +23,4 @@ usableSamples(const FillingTask& task);
 std::set<pcl::index_t>
 spikesOf(const Triangles& triangles, const Positions& points, std::size_t first);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -242,5 +241,4 @@ TriangulationTable::cellAt(std::size_t i, std::size_t j) const
   return static_cast<std::size_t>(std::lower_bound(begin, end, j) - column_of_.begin());
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

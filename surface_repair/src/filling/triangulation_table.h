@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Two points of a polygon, the lower first, not neighbours. */
 using Diagonal = std::pair<std::size_t, std::size_t>;
@@ -124,5 +123,4 @@ private:
   Triangles triangles_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

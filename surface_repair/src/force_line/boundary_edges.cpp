@@ -8,8 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -156,5 +155,4 @@ BoundaryEdges::closestFurtherAlong(const Position& a,
   return closest(a, b, within, is_it, is_further);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

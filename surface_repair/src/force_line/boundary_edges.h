@@ -14,8 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A boundary curve and the island it belongs to. */
 struct TargetCurve {
@@ -104,5 +103,4 @@ private:
   ccaa::BoxTree tree_;                    /**< over the curves */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -3,8 +3,7 @@
 
 #include "force_line/force_line.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 const char*
 describe(LineEnd end)
@@ -28,5 +27,4 @@ describe(LineEnd end)
   return "unknown";
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

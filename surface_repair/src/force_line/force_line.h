@@ -9,8 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief How the tracking of a force line ended. */
 enum class LineEnd : std::uint8_t {
@@ -57,5 +56,4 @@ struct ForceLine {
 void
 bringNormalsAcross(ForceLine& line);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

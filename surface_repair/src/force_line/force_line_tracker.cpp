@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -335,5 +334,4 @@ ForceLineTracker::track(const std::vector<LineOrigin>& origins,
   return lines;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

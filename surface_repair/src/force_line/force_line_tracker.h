@@ -13,8 +13,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 class Shield;
 
@@ -68,5 +67,4 @@ private:
 ForceLine
 resampled(const ForceLine& line, double spacing);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <numeric>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -191,5 +190,4 @@ strongestOrigins(const std::vector<PossibleOrigin>& origins,
   return chosen;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A place on a boundary and what the field does there. */
 struct PossibleOrigin {
@@ -63,5 +62,4 @@ strongestOrigins(const std::vector<PossibleOrigin>& origins,
                  const BoundaryEdges& targets,
                  double apart);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

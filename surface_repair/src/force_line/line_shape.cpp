@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 void
 completeNormals(ForceLine& line, const std::vector<bool>& undetermined)
@@ -125,5 +124,4 @@ resampled(const ForceLine& line, double spacing)
   return even;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

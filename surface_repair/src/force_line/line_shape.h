@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Interpolate the normals over the points where the field left them open, by
  * arc length between the normals before and after (4.44). */
@@ -19,5 +18,4 @@ completeNormals(ForceLine& line, const std::vector<bool>& undetermined);
 double
 meanTension(const ForceLine& line);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

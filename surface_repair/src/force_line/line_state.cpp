@@ -3,8 +3,7 @@
 
 #include "force_line/line_state.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -71,5 +70,4 @@ stateAt(const Tension& tension, const LineState& before, double least_clearness)
   return state;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include "force_line/normal_search.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What the field says about a line at a point. */
 struct LineState {
@@ -27,5 +26,4 @@ stateAt(const Tension& tension, const LineState& before, double least_clearness)
 Direction
 unitAcross(const Eigen::Vector3d& vector, const Direction& unit);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

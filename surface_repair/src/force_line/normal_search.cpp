@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 FieldNormal
 searchNormal(const Tension& tension, const Direction& across)
@@ -44,5 +43,4 @@ forceAtOrigin(const Direction& tangent, const Direction& normal, const Tension& 
   return origin;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

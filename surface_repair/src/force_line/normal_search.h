@@ -5,8 +5,7 @@
 
 #include "field/indicator_field.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The normal n in the plane across p that the field answers most to. */
 struct FieldNormal {
@@ -38,5 +37,4 @@ forceAtOrigin(const Direction& tangent,
               const Direction& normal,
               const Tension& tension);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <array>
 #include <tuple>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -294,5 +293,4 @@ curveOf(const HoleContour& contour,
   return builder.finish();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

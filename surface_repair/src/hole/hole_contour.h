@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A piece of a boundary, walked in positive direction. Where `to` does not lie
  * after `from` it goes on over the first point of the curve; where both are the same it
@@ -61,5 +60,4 @@ curveOf(const HoleContour& contour,
         const BoundaryEdges& boundaries,
         const std::vector<Bridge>& bridges);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -116,5 +115,4 @@ polygonOf(const BoundaryLoop& loop)
   return {loop.curve, loop.vertices};
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

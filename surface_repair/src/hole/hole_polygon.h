@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The closed contour of one hole, the surface on the left. Its points are
  * vertices of the model, and new ones on bridges. */
@@ -48,5 +47,4 @@ polygonOf(const HoleContour& contour,
 HolePolygon
 polygonOf(const BoundaryLoop& loop);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

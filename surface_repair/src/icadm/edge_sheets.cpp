@@ -13,8 +13,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -334,5 +333,4 @@ cutAtFaults(const Triangles& triangles,
       .run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include "icadm/incomplete_model.h"
 #include "icadm/point_fans.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Which triangles go on over edges of three and more: pairs of them, each a
  * sheet, and the others end there.
@@ -34,5 +33,4 @@ cutAtFaults(const Triangles& triangles,
             const ccaa::TriangleAdjacency& adjacency,
             const Positions& positions);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -93,5 +92,4 @@ markFins(const std::set<PointEdge>& edges, IncompleteModel& model)
     });
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

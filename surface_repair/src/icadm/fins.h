@@ -8,8 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Points of the cloud, the lower one first. */
 using PointEdge = std::pair<pcl::index_t, pcl::index_t>;
@@ -26,5 +25,4 @@ edgesWithFins(const IncompleteModel& model);
 void
 markFins(const std::set<PointEdge>& edges, IncompleteModel& model);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

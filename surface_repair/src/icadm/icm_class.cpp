@@ -2,8 +2,7 @@
 // Part of PclSurfaceRepair: the classes of incomplete models (D4.1-4).
 #include "icadm/icm_class.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 IcmClass
 classOf(const IcmCounts& counts)
@@ -25,5 +24,4 @@ countHoles(std::size_t islands,
   return counts;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

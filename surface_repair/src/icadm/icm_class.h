@@ -10,8 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 IcmClass
 classOf(const IcmCounts& counts);
@@ -23,5 +22,4 @@ countHoles(std::size_t islands,
            const std::vector<std::size_t>& hole_edges,
            std::size_t simple_edges = SIMPLE_HOLE_EDGES);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -20,8 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 using ccaa::Triangle;
 using ccaa::Triangles;
@@ -65,5 +64,4 @@ struct IncompleteModel {
   ccaa::OutwardRule viewpoints_by = ccaa::OutwardRule::VIEWPOINT;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -103,5 +102,4 @@ dropIslands(const SmallIslands& small,
   model = std::move(left);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Take small islands out of a model. Their points are neither vertices nor free
  * points of it any more: they draw nothing. What is dropped is counted in the report;
@@ -22,5 +21,4 @@ dropIslands(const SmallIslands& small,
             const ccaa::LoopContext& context,
             ReadModel& read);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** \brief Turn islands back whose given windings mostly agree.
@@ -215,5 +214,4 @@ entriesOf(const ccaa::PointView& view, const std::vector<pcl::index_t>& point_of
   return entries;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

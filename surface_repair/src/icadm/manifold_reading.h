@@ -9,8 +9,7 @@
 #include "mesh/block_loop.h"
 #include "mesh/polygon_access.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Make a manifold of a mesh, wound alike within each island that has two sides.
  *
@@ -34,5 +33,4 @@ Positions
 entriesOf(const ccaa::PointView& view,
           const std::vector<pcl::index_t>& point_of_vertex);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Operations for a triangle, to measure its island. */
@@ -191,5 +190,4 @@ assembleModel(Triangles triangles,
   return model;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

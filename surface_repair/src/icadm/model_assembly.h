@@ -6,8 +6,7 @@
 #include "icadm/incomplete_model.h"
 #include "mesh/block_loop.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A model of triangles that are one already: adjacency, islands and normals
  * follow from them; there are no free points and vertex k is point k of the cloud.
@@ -58,5 +57,4 @@ externalNormals(const Triangles& triangles,
                 const Positions& positions,
                 const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -17,8 +17,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 constexpr const char* CANCELLED = "the run was cancelled";
@@ -266,5 +265,4 @@ readModel(const pcl::PolygonMesh::ConstPtr& mesh,
   return nothing;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

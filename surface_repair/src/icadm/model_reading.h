@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A model, and what reading had to change. */
 struct ReadModel {
@@ -43,5 +42,4 @@ readModel(const pcl::PolygonMesh::ConstPtr& mesh,
           const ccaa::LoopContext& context,
           const ccaa::SideHints& sides = {});
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

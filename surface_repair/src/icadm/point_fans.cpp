@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -127,5 +126,4 @@ separateFans(const ccaa::Triangles& triangles,
   return FanSeparation(triangles, adjacency, changed).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A triangle and a corner of it (0 to 2): the edge from there to the next one.
  */
@@ -37,5 +36,4 @@ separateFans(const ccaa::Triangles& triangles,
              const ccaa::TriangleAdjacency& adjacency,
              const ChangedEdges& changed = {});
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

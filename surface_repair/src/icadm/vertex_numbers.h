@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Number the vertices that triangles have anew, in their order.
  * \param[in,out] triangles get the new numbers
@@ -46,5 +45,4 @@ renumber(const std::vector<pcl::index_t>& number, std::vector<T>& entries)
   entries.resize(left);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

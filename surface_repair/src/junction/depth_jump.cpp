@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -134,5 +133,4 @@ isOutline(const BoundaryCurve& curve,
   return shown < -2.0 * LEAST_OPENING * M_PI * radius;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

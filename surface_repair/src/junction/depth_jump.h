@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A surface across a closed curve, as a sensor sees it from far away. */
 struct FillArea {
@@ -40,5 +39,4 @@ isOutline(const BoundaryCurve& curve,
           const std::vector<pcl::index_t>& vertices,
           const IncompleteModel& model);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -242,5 +241,4 @@ findJunctions(const IncompleteModel& model,
   return junctions;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -17,8 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Two boundaries that lines connect. */
 struct Junction {
@@ -69,5 +68,4 @@ findJunctions(const IncompleteModel& model,
               const JunctionParameters& parameters,
               ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

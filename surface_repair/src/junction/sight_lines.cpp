@@ -11,8 +11,7 @@
 #include <limits>
 #include <map>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -151,5 +150,4 @@ SightLines::alongRay(const Position& begin, const Position& end) const
   return least;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The nearest measured depth in every direction from every sensor.
  *
@@ -69,5 +68,4 @@ private:
   std::vector<View> views_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

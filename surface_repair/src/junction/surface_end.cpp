@@ -9,8 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -123,5 +122,4 @@ surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex)
   return end;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <limits>
 #include <map>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -210,5 +209,4 @@ pairIntegrals(const BoundaryLoops& loops, double room, const ccaa::LoopContext& 
   return ccaa::joinBlocks(of_base);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The field integral E4.48-1 over the boundaries of one island, with another
  * island's boundaries as the sources, both wound as they are. */
@@ -32,5 +31,4 @@ pairIntegrals(const BoundaryLoops& loops,
               double room,
               const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

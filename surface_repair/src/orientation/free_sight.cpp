@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -167,5 +166,4 @@ lookAround(const IncompleteModel& model,
   return sights;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What ways to the enclosing sphere tell about an island. */
 struct FreeSight {
@@ -51,5 +50,4 @@ lookAround(const IncompleteModel& model,
            double clearance,
            const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -245,5 +244,4 @@ turnIslands(IncompleteModel& model, const std::vector<IslandSide>& sides)
   model.adjacency.build(model.triangles, model.positions.size());
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Find the outer side of every island. Changes nothing: see turnIslands().
  * \param[in] room L_2 in gaps to the next island */
@@ -32,5 +31,4 @@ orientIslands(const IncompleteModel& model,
 void
 turnIslands(IncompleteModel& model, const std::vector<IslandSide>& sides);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -216,5 +215,4 @@ decideByField(const SideEvidence& evidence,
   Decision(evidence, parameters, sides).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

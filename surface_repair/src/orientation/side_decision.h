@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief All that is known about the sides of the islands, with the windings they
  * have. */
@@ -37,5 +36,4 @@ decideByField(const SideEvidence& evidence,
               const OrientationParameters& parameters,
               std::vector<IslandSide>& sides);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -114,5 +113,4 @@ perturbed(const ForceLine& line,
   return moved;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include "field/free_point_field.h"
 #include "force_line/force_line.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The displacement of one point of a line along its normal, before tapering
  * (E4.6-1 to E4.6-4): poles are the projections, onto the normal line, of the free
@@ -33,5 +32,4 @@ perturbed(const ForceLine& line,
           const FreePointField& free_points,
           const PerturbationParameters& parameters = {});
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

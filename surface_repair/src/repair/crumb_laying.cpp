@@ -16,8 +16,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -291,5 +290,4 @@ layCrumb(const std::vector<std::size_t>& crumb,
   return CrumbLaying(crumb, course, surface).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

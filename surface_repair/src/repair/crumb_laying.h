@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Open the patch around the shadow of a crumb, its nearest triangles on the
  * side that it shows, and close the ring between opening and crumb. Where both have a
@@ -24,5 +23,4 @@ layCrumb(const std::vector<std::size_t>& crumb,
          const Course& course,
          GrowingSurface& surface);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -97,5 +96,4 @@ shadowsOf(const std::vector<std::size_t>& crumb,
   return shadows;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

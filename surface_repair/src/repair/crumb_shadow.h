@@ -9,8 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The triangles of patches that are nearest to a crumb's corners and centres,
  * on the side that it shows. */
@@ -32,5 +31,4 @@ shadowsOf(const std::vector<std::size_t>& crumb,
           double reach,
           const GrowingSurface& surface);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

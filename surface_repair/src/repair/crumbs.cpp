@@ -11,8 +11,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -200,5 +199,4 @@ layCrumbs(std::size_t fewer_than, const Course& course)
     takeOver(std::move(surface), course);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Crumbs: discs of few triangles. They carry little orientation and few
  * bridges, and what bridges join at them easily becomes a handle. They wait until the
@@ -65,5 +64,4 @@ putCrumbsBack(const Crumbs& crumbs, const Course& course);
 void
 layCrumbs(std::size_t fewer_than, const Course& course);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

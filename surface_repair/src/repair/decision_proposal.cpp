@@ -9,8 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -136,5 +135,4 @@ proposeDecisions(const ModelSurvey& survey, const RepairParameters& parameters)
   return decisions;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

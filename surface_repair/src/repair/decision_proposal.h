@@ -8,8 +8,7 @@
 
 #include "survey/model_survey.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What ForceLineHoleRepair would do about the boundary loops of a mesh and the
  * junctions between them, as decisions. Given back as they are they change nothing.
@@ -26,5 +25,4 @@ namespace repair {
 Decisions
 proposeDecisions(const ModelSurvey& survey, const RepairParameters& parameters);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

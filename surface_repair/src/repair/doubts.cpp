@@ -15,8 +15,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -289,5 +288,4 @@ doubtsAbout(const RepairedModel& repaired,
   return doubts;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Judge the finished model by its new triangles, whatever way they came about.
  *
@@ -47,5 +46,4 @@ doubtsAbout(const RepairedModel& repaired,
             const RepairReport& report,
             const RepairParameters& parameters);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A way to fill a hole. */
 struct FillStrategy {
@@ -47,5 +46,4 @@ constexpr std::size_t STRATEGIES_AMONG_OTHERS = 1;
 /** \brief No strategy is left. */
 constexpr std::size_t GIVEN_UP = FILL_STRATEGIES.size();
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -169,5 +168,4 @@ fillHole(FillingTask task, FillingChoice choice, const FreePointField* free_poin
   return {std::move(completed), CompletionFilling().name()};
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The method of a choice; of AUTOMATIC the one for holes without free points.
  */
@@ -34,5 +33,4 @@ struct ChosenFilling {
 ChosenFilling
 fillHole(FillingTask task, FillingChoice choice, const FreePointField* free_points);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

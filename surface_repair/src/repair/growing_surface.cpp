@@ -13,8 +13,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -241,5 +240,4 @@ takeOver(GrowingSurface surface, const Course& course)
   survey = putInOrder(std::move(survey), none_used, context);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

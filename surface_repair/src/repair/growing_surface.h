@@ -12,8 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Part of a surface as a model of its own. */
 struct ModelPart {
@@ -95,5 +94,4 @@ private:
 void
 takeOver(GrowingSurface surface, const Course& course);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -216,5 +215,4 @@ addToModel(const ccaa::LoopContext& context,
   closed.failed = std::move(failed);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

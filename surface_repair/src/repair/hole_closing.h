@@ -11,8 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Why a hole stayed open. */
 struct Failure {
@@ -64,5 +63,4 @@ addToModel(const ccaa::LoopContext& context,
            IncompleteModel& model,
            std::size_t& input_vertices);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -261,5 +260,4 @@ listHoles(const ModelSurvey& survey,
   return Listing(survey, parameters).run(longest_join);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A boundary that is left, be it a loop or a contour over bridges. */
 struct OpenHole {
@@ -49,5 +48,4 @@ listHoles(const ModelSurvey& survey,
           const FillingParameters& parameters,
           double longest_join = 0.0);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

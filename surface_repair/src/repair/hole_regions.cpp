@@ -12,8 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -131,5 +130,4 @@ groupHoles(HoleList& list)
     list.regions.push_back(std::move(holes));
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 
 #include "repair/hole_list.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Let holes that meet in a point have one vertex there: pinched vertices, and
  * the ends of bridges without a length. \param[in,out] list of which polygons and
@@ -20,5 +19,4 @@ weldHoles(const ModelSurvey& survey, HoleList& list);
 void
 groupHoles(HoleList& list);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <array>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -166,5 +165,4 @@ reopenHoles(const Failures& failed, const Course& course)
     takeOver(std::move(surface), course);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

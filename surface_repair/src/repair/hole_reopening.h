@@ -13,8 +13,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Take an opening out of a surface and close it as a hole of its own, together
  * with the hole that it was grown from.
@@ -43,5 +42,4 @@ closeOpening(const Opening& opening,
 void
 reopenHoles(const Failures& failed, const Course& course);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

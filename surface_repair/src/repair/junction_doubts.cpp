@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -97,5 +96,4 @@ partedJunctions(const IncompleteModel& model,
   return parted;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Lowest points of two loops, ascending. */
 using PointPair = std::array<pcl::index_t, 2>;
@@ -35,5 +34,4 @@ partedJunctions(const IncompleteModel& model,
                 const RepairReport& report,
                 const SurveyParameters& parameters);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -87,5 +86,4 @@ ringsOverJunctions(const ModelSurvey& survey)
   return rings;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

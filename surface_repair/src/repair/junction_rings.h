@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Two loops of a survey. */
 using LoopPair = std::pair<std::size_t, std::size_t>;
@@ -28,5 +27,4 @@ bridgedPairs(const SurveyedBridges& joined);
 std::vector<OpenHole>
 ringsOverJunctions(const ModelSurvey& survey);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -159,5 +158,4 @@ proveManifold(const ccaa::LoopContext& context,
   return true;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include "mesh/block_loop.h"
 #include "repair/repaired_model.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Prove that a repaired model is a manifold whose triangles are wound alike, by
  * the numbers of its vertices; on one-sided islands those of the input need not be.
@@ -28,5 +27,4 @@ proveManifold(const ccaa::LoopContext& context,
               RepairedModel& repaired,
               RepairReport& report);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

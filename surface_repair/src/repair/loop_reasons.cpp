@@ -10,8 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -137,5 +136,4 @@ reasonForLoop(const ModelSurvey& survey, CloseChoice choice, std::size_t loop)
   return reasonByChoice(survey, choice, loop, by_class, input_loop != NONE);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Whether a loop that stays open for this reason might not, if it were joined
  * to another one. */
@@ -26,5 +25,4 @@ couldBeJoined(OpenReason reason)
 OpenReason
 reasonForLoop(const ModelSurvey& survey, CloseChoice choice, std::size_t loop);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

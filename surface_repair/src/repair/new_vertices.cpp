@@ -13,8 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -132,5 +131,4 @@ addedVertices(const RepairedModel& repaired, ccaa::RunControl* control)
   return added;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What is to be appended to the cloud. */
 struct AddedVertices {
@@ -22,5 +21,4 @@ struct AddedVertices {
 AddedVertices
 addedVertices(const RepairedModel& repaired, ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

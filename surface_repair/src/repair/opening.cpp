@@ -8,8 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -237,5 +236,4 @@ isFree(const Patch& patch,
          obstructedTriangles(patch, obstacle, control).empty();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

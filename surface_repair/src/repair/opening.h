@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A disc of a part that is to be filled anew. */
 struct Opening {
@@ -67,5 +66,4 @@ isFree(const Patch& patch,
        const SurfaceObstacle& obstacle,
        ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -190,5 +189,4 @@ closeRounds(const Course& course, bool over_samples)
   return last;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

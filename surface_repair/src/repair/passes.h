@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief One pass: the holes that were listed, and what came of it. */
 struct Pass {
@@ -63,5 +62,4 @@ takeClosed(Pass& pass, const Course& course);
 Pass
 closeRounds(const Course& course, bool over_samples = false);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

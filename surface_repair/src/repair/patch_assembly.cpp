@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <map>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -195,5 +194,4 @@ addFill(const FilledPart& part, FillArea& fill)
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A hole, or a part of one that was divided, with its filling. */
 struct FilledPart {
@@ -47,5 +46,4 @@ roundToFloats(const Position& origin, Patch& patch);
 bool
 fitsModel(const IncompleteModel& model, const Patch& patch);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 
 #include <array>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -113,5 +112,4 @@ fairPatch(const ClosingPlace& place,
   return Fairing(place, obstacle, how, context, patch).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief How a patch is faired. */
 struct PatchFairing {
@@ -29,5 +28,4 @@ fairPatch(const ClosingPlace& place,
           const ccaa::LoopContext& context,
           Patch& patch);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

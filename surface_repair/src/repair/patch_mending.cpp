@@ -14,8 +14,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -236,5 +235,4 @@ mendPatch(const ClosingPlace& place,
   return true;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

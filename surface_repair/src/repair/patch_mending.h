@@ -6,8 +6,7 @@
 
 #include "repair/region_closing.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Take out what of a patch runs through the surface or through the patch
  * itself, and close what is left open between the rest of the patch and the surface, in
@@ -22,5 +21,4 @@ mendPatch(const ClosingPlace& place,
           const ccaa::LoopContext& context,
           Patch& patch);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

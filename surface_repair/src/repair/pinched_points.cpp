@@ -13,8 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 std::vector<bool>
 copiesOfPoints(const std::vector<pcl::index_t>& point_of)
@@ -159,5 +158,4 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
   return number;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

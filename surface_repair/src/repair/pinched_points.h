@@ -10,8 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Which vertex takes the place of a vertex. */
 using VertexMap = std::map<pcl::index_t, pcl::index_t>;
@@ -46,5 +45,4 @@ slitsBetween(const IncompleteModel& model, const Triangles& added);
 std::vector<pcl::index_t>
 separatePinches(const ccaa::LoopContext& context, IncompleteModel& model);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

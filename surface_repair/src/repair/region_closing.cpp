@@ -16,8 +16,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -344,5 +343,4 @@ closeRegion(const ClosingPlace& place,
   return RegionClosing(place, plain, obstacle, context).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief How the cloud holds positions: new vertices get places that it can hold. */
 struct CloudFrame {
@@ -71,5 +70,4 @@ closeRegion(const ClosingPlace& place,
             const SurfaceObstacle& obstacle,
             const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

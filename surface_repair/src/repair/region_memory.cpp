@@ -8,8 +8,7 @@
 #include <iterator>
 #include <tuple>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 bool
 RegionMemory::Key::operator<(const Key& other) const
@@ -64,5 +63,4 @@ allFailed(const std::vector<HoleOutcome>& holes)
   });
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

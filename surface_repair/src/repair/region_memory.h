@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Whether all holes of a region stayed open. */
 bool
@@ -67,5 +66,4 @@ private:
   std::map<Key, Failure> failed_;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

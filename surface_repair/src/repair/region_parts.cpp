@@ -11,8 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -140,5 +139,4 @@ RegionParts::fills(const FillStrategy& strategy,
   return made;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

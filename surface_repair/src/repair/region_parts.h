@@ -13,8 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Operations that closing something of so many edges and samples may take (see
  * ccaa::RunControl): n log n. What exceeds them is left for TOO_COSTLY. */
@@ -78,5 +77,4 @@ private:
       fills_; /**< plain, avoiding, and basic ones avoiding */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

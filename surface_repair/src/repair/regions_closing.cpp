@@ -14,8 +14,7 @@
 #include <exception>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -183,5 +182,4 @@ closeRegions(const ClosingPlace& place,
   return RegionsClosing(place, regions, context, memory).run(tell);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

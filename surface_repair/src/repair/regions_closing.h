@@ -9,8 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Close regions (closeRegion()): those whose places do not meet side by side,
  * in as many threads as there are, and the others one after the other, so that each
@@ -24,5 +23,4 @@ closeRegions(const ClosingPlace& place,
              RegionMemory& memory,
              const std::function<void(double)>& tell);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -57,5 +56,4 @@ rollBackRelaxation(const Positions& before,
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

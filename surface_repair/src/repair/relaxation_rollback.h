@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Bring the vertices of some triangles of a patch, and those around them, back
  * to where they were before it was relaxed; further away they go back the less the more
@@ -22,5 +21,4 @@ rollBackRelaxation(const Positions& before,
                    std::size_t rings,
                    Patch& patch);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

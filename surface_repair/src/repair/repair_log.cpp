@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 TriangleOrigin
 originOf(const std::string& filling)
@@ -201,5 +200,4 @@ RepairLog::addTriangle(std::size_t hole)
   report_.origins.push_back(originOf(entry.filling));
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Where triangles of a filling come from, by its name. */
 TriangleOrigin
@@ -82,5 +81,4 @@ private:
       entry_of_bridge_; /**< of the present survey's bridges, in the report */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

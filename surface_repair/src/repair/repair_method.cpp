@@ -18,8 +18,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -301,5 +300,4 @@ repairModel(ModelSurvey survey,
   return proved(std::move(result), parameters, context, log, report);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include "repair/repaired_model.h"
 #include "survey/model_survey.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The method (thesis, Chapter 4) on a model that was read, the box in
  * doc/concepts/repair.md: orient, classify, bridge, extract contours, subdivide, fill,
@@ -26,5 +25,4 @@ repairModel(ModelSurvey survey,
             const ccaa::LoopContext& context,
             RepairReport& report);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

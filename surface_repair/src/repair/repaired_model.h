@@ -7,8 +7,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What the repair makes of a model. */
 struct RepairedModel {
@@ -21,5 +20,4 @@ struct RepairedModel {
   std::size_t input_triangles = 0;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

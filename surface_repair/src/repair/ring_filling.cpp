@@ -17,8 +17,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -303,5 +302,4 @@ closeRings(const std::vector<RingPolygon>& rings,
   return false;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

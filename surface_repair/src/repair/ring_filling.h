@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** Part of the ring between two loops, as a polygon with the surface on
  * its left. A vertex may be there twice. */
@@ -61,5 +60,4 @@ closeRings(const std::vector<RingPolygon>& rings,
            const Course& course,
            GrowingSurface& surface);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

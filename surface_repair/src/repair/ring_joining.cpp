@@ -13,8 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -96,5 +95,4 @@ joinRings(const Failures& failed, const Course& course)
   return has_joined;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

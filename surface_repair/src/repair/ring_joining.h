@@ -5,8 +5,7 @@
 
 #include "repair/passes.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Close the ring between two boundaries where bridges connect nothing else and
  * what they leave could not be filled, each hole by itself, without running into
@@ -16,5 +15,4 @@ namespace repair {
 bool
 joinRings(const Failures& failed, const Course& course);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -338,5 +337,4 @@ samplesDescribe(const Positions& free_points,
          nearShare(patch, samples, tree, longest) >= LEAST_NEAR;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

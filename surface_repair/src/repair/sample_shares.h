@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Give each free point to the region that it can be reached from in the
  * shortest hops, from the rim over other free points: however far it is from the rim,
@@ -50,5 +49,4 @@ samplesDescribe(const Positions& free_points,
                 const std::vector<std::size_t>& places,
                 const Patch& patch);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

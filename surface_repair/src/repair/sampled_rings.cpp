@@ -10,8 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -98,5 +97,4 @@ ringsOverSamples(const ModelSurvey& survey, double longest)
   return rings;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

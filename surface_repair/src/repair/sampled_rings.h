@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Pairs of loops of different islands of a body that free points link, each
  * pair as one hole: the ring between them, cut open over the shortest way. However long
@@ -17,5 +16,4 @@ namespace repair {
 std::vector<OpenHole>
 ringsOverSamples(const ModelSurvey& survey, double longest);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

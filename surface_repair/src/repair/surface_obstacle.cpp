@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -248,5 +247,4 @@ obstructedTriangles(const Patch& patch,
   return found;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The surface near the places where something is built, and what was built
  * there before. Const methods may be called from several threads. */
@@ -92,5 +91,4 @@ obstructedTriangles(const Patch& patch,
                     const SurfaceObstacle& obstacle,
                     ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 void
 TakenEdges::addPolygon(const HolePolygon& polygon)
@@ -65,5 +64,4 @@ fillingTask(const HolePolygon& polygon,
   return task;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

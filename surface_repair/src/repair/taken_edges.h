@@ -9,8 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Edges of a model, of polygons to be closed, and of what closes them. */
 class TakenEdges {
@@ -41,5 +40,4 @@ fillingTask(const HolePolygon& polygon,
             const SurfaceObstacle* obstacle,
             ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -50,5 +49,4 @@ WholeProgress::tell(const std::string& stage, double share)
   return !told_ || told_(stage, whole_);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Tells the share of the whole repair instead of that of a stage: it never
  * falls, and is 1 at the end only.
@@ -37,5 +36,4 @@ private:
   double whole_ = 0.0;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -220,5 +219,4 @@ LineFitter::meritOf(const BisectingLine& line) const
   return line.quality * apart / (length * length);
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

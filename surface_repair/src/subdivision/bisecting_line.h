@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A way from one vertex of a hole to another. */
 struct BisectingLine {
@@ -73,5 +72,4 @@ private:
   double mean_spacing_; /**< of the contour's points */
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

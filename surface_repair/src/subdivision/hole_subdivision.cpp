@@ -12,8 +12,7 @@
 #include <optional>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -240,5 +239,4 @@ divideHole(const HolePolygon& hole,
   return divided;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

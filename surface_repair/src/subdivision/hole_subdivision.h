@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief A bridge across a hole, in vertices. */
 struct DividingBridge {
@@ -53,5 +52,4 @@ divideHole(const HolePolygon& hole,
            const SubdivisionGuides& guides,
            const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -81,5 +80,4 @@ sliceField(const ModelSurvey& survey,
   return slice;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

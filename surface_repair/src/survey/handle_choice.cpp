@@ -12,8 +12,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -274,5 +273,4 @@ dropHandles(const ModelSurvey& survey,
     continue;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

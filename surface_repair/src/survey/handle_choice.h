@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What closing all contours would make of islands and bridges. */
 struct BridgedTopology {
@@ -40,5 +39,4 @@ dropHandles(const ModelSurvey& survey,
             SurveyedBridges& joined,
             ccaa::RunControl* control = nullptr);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -178,5 +177,4 @@ joinIslands(const IslandSources& islands,
   Joining(islands, parameters, context, survey).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -69,5 +68,4 @@ joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey)
   }
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

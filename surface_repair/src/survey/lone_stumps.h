@@ -5,8 +5,7 @@
 
 #include "survey/model_survey.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief In a body every mouth of a tube goes on somewhere. Where no junction of one
  * is sure, the one that is not far from it and much better than all others is JOINED,
@@ -14,5 +13,4 @@ namespace repair {
 void
 joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -257,5 +256,4 @@ surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
   return survey;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Force lines of one step of the method: between islands, or within one hole.
  */
@@ -126,5 +125,4 @@ sliceField(const ModelSurvey& survey,
            std::size_t columns,
            const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

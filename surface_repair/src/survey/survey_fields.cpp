@@ -14,8 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -240,5 +239,4 @@ surveyHole(const ModelSurvey& survey,
   return surveyed;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

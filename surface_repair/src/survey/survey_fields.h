@@ -8,8 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The sources of step ICM3 -> ICM2, and the boundaries they stand for. */
 struct IslandSources {
@@ -76,5 +75,4 @@ surveyHole(const ModelSurvey& survey,
            const SurveyParameters& parameters,
            const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 
 #include "survey/model_survey.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Cloud and polygons as islands, free points and what is known of sensors
  * (D1.3-1), without the islands that are to be left out. reading.problem says why there
@@ -53,5 +52,4 @@ putInOrder(ModelSurvey before,
            const std::vector<bool>& used,
            const ccaa::LoopContext& context);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

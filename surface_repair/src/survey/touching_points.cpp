@@ -6,8 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -112,5 +111,4 @@ touchingBridges(const ModelSurvey& survey, const BoundaryEdges& boundaries)
   return Touching(survey, boundaries).run();
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

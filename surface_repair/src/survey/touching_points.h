@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief Bridges without a length, from the vertex of one boundary to that of another
  * one at the same point of the cloud: there the islands meet already, and the gap
@@ -18,5 +17,4 @@ namespace repair {
 std::vector<Bridge>
 touchingBridges(const ModelSurvey& survey, const BoundaryEdges& boundaries);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

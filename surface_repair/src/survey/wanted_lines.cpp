@@ -8,8 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 namespace {
 
@@ -154,5 +153,4 @@ wantedLines(const ModelSurvey& survey,
   return list;
 }
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief The lines that bridges may follow, in the order they were traced: those that
  * are believed in junctions that are joined, all of a junction that the user wants
@@ -39,5 +38,4 @@ wantedChords(const ModelSurvey& survey,
              const BoundaryEdges& boundaries,
              double spacing);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

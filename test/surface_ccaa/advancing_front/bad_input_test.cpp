@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 class BadInput : public CompletionTest {
@@ -298,6 +296,4 @@ TEST_F(BadInput, SelfIntersectingGivenTrianglesAreKept)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

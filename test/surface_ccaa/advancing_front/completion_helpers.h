@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief A completion of clouds without normals. The text of errors is captured by
  * those tests that ask for it, and not under test elsewhere. */
@@ -164,6 +162,4 @@ keepsGiven(const Triangles& given, const Triangles& result)
   return ::testing::AssertionSuccess();
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

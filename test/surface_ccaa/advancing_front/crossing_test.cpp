@@ -10,9 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 bool
@@ -176,6 +174,4 @@ TEST(NearbyTriangles, OfNothingAreNone)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 Position
@@ -199,6 +197,4 @@ TEST(TangentFrame, TurnsTheOtherWayWithTheNormalReversed)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -11,9 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using DirectedEdge = std::pair<index_t, index_t>;
@@ -312,6 +310,4 @@ TEST(GrowingSurface, WeighsNormalsByAngle)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

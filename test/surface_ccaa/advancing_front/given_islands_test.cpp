@@ -15,9 +15,7 @@
 #include <cmath>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 std::vector<std::size_t>
@@ -374,6 +372,4 @@ TEST(NeighborhoodThickness, IsZeroInAPlaneAndLargeInSpace)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

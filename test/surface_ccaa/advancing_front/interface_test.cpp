@@ -8,9 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Interface = CompletionTest;
@@ -394,6 +392,4 @@ TEST_F(Interface, NormalsThatAreAllMissingAreNotAsked)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

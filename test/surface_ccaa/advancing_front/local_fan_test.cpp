@@ -7,9 +7,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr index_t SPOKES = 36;
@@ -92,6 +90,4 @@ TEST(LocalFanAtAPoint, RefusesATriangleThatFacesTheOtherWay)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

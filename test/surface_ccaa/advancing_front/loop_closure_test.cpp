@@ -12,9 +12,7 @@
 #include <cmath>
 #include <functional>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Outcome = LoopClosure::Outcome;
@@ -235,6 +233,4 @@ TEST(LoopClosure, DoesNotUseAnEdgeThatIsThere)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 TEST(Spacing, OfAFreePointIsTheRootMeanSquareToItsNeighbors)
@@ -133,6 +131,4 @@ TEST(OpenRegions, BecomeOpenSurfacesOfTheirOwn)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

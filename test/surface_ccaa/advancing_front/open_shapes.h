@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 inline TriangleAdjacency
 adjacencyOf(const Shape& shape)
@@ -90,6 +88,4 @@ randomPositions(std::size_t count, std::uint64_t seed)
   return positions;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** A correct surface and what is known of it. */
@@ -351,6 +349,4 @@ TEST_F(PartialMeshes, ThatAreKeptWholeReportNoSelection)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

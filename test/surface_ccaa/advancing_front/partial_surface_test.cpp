@@ -11,9 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 std::vector<index_t>
@@ -246,6 +244,4 @@ TEST(SettleFans, EndsWithOneFanEverywhereWhateverIsAdded)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

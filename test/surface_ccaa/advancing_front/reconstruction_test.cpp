@@ -6,9 +6,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Reconstruction = CompletionTest;
@@ -210,6 +208,4 @@ TEST_F(Reconstruction, MakesASingleTetrahedron)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

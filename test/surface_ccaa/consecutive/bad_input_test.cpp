@@ -8,9 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using ConsecutiveBadInput = ConsecutiveTest;
@@ -297,6 +295,4 @@ TEST_F(ConsecutiveCancelling, CancelsTheMeasurementOfBothRuns)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

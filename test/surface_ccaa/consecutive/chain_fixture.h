@@ -13,9 +13,7 @@
 
 #include <memory>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 using Chain = ConsecutiveReconstruction<PointXYZ>;
 
@@ -75,6 +73,4 @@ protected:
   Chain chain_;
 };
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

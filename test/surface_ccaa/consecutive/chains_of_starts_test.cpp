@@ -9,9 +9,7 @@
 #include <algorithm>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** A mesh of which the start algorithms make parts. */
@@ -222,6 +220,4 @@ TEST_F(ConsecutiveChainTest, AFurtherStartThatLosesGivenTrianglesIsAnError)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

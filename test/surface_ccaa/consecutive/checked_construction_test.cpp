@@ -11,9 +11,7 @@
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Organized = search::OrganizedNeighbor<PointXYZ>;
@@ -108,6 +106,4 @@ TEST(ConsecutiveReconstruction, TakesAnOrganisedSearchFromAStartThatGetsAPlainCl
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

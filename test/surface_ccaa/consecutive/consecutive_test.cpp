@@ -14,9 +14,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using ConsecutiveReconstructionTest = ConsecutiveTest;
@@ -358,6 +356,4 @@ TEST_F(ConsecutiveReconstructionTest, MeshesTheBunny)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

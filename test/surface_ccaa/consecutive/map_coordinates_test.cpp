@@ -9,9 +9,7 @@
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** As the page of the global shift says. */
@@ -43,6 +41,4 @@ TEST(MapCoordinates, AreReconstructedByTheShiftToTheSameTriangles)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

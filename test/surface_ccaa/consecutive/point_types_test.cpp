@@ -16,9 +16,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 template <typename PointT>
@@ -86,6 +84,4 @@ TYPED_TEST(PointTypes, AreAllCompletedAlike)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -7,9 +7,7 @@
 #include "support/random_source.h"
 #include "support/repair_shapes.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief A random surface with holes, noise, repeated, scattered and not finite points
@@ -91,6 +89,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds,
                          ::testing::Range<std::uint64_t>(1, 13));
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -10,9 +10,7 @@
 #include "support/shapes.h"
 #include "support/single_view.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr double LEAST_SHARE = 0.97;
@@ -224,6 +222,4 @@ TEST(Terrain, IsNotGuessedWhereSurfacesLieOverEachOther)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 #include <chrono>
 #include <thread>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using SpeedupTest = ConsecutiveTest;
@@ -77,6 +75,4 @@ TEST_F(SpeedupTest, TheBaseRunsAloneFirstAndThenInTheChain)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

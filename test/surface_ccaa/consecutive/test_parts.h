@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 using Cloud = pcl::PointCloud<PointXYZ>;
 using Polygons = std::vector<Vertices>;
@@ -133,6 +131,4 @@ private:
   Script script_;
 };
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -5,9 +5,7 @@
 #include "mesh/surface_topology.h"
 #include "support/random_source.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 struct Wedge {
@@ -114,6 +112,4 @@ TEST(Torus, HasAHandleThatIsNotInDoubt)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

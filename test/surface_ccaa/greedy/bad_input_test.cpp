@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using GreedyStartBadInput = GreedyStartTest;
@@ -72,6 +70,4 @@ TEST_F(GreedyStartBadInput, ParametersOutOfRangeGiveNothing)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

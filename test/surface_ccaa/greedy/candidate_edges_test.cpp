@@ -9,9 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Edge = std::pair<index_t, index_t>;
@@ -123,6 +121,4 @@ TEST_F(CandidateEdgesTest, AnEdgeHasTheLengthBetweenItsEnds)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

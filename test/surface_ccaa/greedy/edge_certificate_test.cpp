@@ -10,9 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr float ANY_LENGTH = 1e6f;
@@ -175,6 +173,4 @@ TEST(EdgeCertificate, AShortRowVotesOnItsNeighborsOnly)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

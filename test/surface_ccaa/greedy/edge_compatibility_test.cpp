@@ -11,9 +11,7 @@
 #include <random>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr double DEGREE = M_PI / 180;
@@ -191,6 +189,4 @@ TEST_F(EdgeCompatibility, NoEdgeEverHasThreeTrianglesWhateverIsTried)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

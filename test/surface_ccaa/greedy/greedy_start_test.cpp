@@ -15,9 +15,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 std::size_t
@@ -300,6 +298,4 @@ TEST_F(GreedyStartTest, ProgressStaysBetweenZeroAndOne)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

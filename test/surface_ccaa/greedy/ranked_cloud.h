@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Points in the order given, each with its k nearest neighbors. */
 class RankedCloud {
@@ -58,6 +56,4 @@ private:
   std::vector<index_t> rows_;
 };
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -14,9 +14,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 using Start = GreedyStart<PointXYZ>;
 using Cloud = PointCloud<PointXYZ>;
@@ -49,6 +47,4 @@ protected:
   Start start_;
 };
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -11,9 +11,7 @@
 #include <random>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Edge = TriangleAdjacency::Edge;
@@ -258,6 +256,4 @@ TEST(TriangleAdjacency, IsEmptyWhenCancelled)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

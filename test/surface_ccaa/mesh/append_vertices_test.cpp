@@ -12,9 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 NewVertex
@@ -231,6 +229,4 @@ TEST(AppendVertices, RefusesAMalformedCloud)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 std::vector<Box>
@@ -239,6 +237,4 @@ TEST(BoxTree, StopsAtTheFirstThatPasses)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

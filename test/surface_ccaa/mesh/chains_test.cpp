@@ -7,9 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief Sizes of the chains around a vertex, negative for closed ones, ascending. */
@@ -107,6 +105,4 @@ TEST(PointChains, ListsChainsInWalkingOrder)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

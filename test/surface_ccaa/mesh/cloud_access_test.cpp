@@ -10,9 +10,7 @@
 #include "support/raw_clouds.h"
 #include "support/shared_data.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 TEST(CloudAccess, ReadsPositionsOfFloats)
@@ -159,6 +157,4 @@ TEST(CloudAccess, AcceptsWhatPclReadsFromFiles)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

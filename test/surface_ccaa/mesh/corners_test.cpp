@@ -4,9 +4,7 @@
 
 #include "mesh/corners.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 const Positions POSITIONS{{1, 1, 1}, {3, 1, 1}, {9, 9, 9}, {1, 2, 1}};
@@ -32,6 +30,4 @@ TEST(Corners, HaveNoNormalWithoutArea)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

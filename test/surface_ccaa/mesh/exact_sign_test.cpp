@@ -11,9 +11,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -130,6 +128,4 @@ TEST(ExactSign, NoAxisIsDroppableOnlyForCollinearPoints)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -10,9 +10,7 @@
 
 #include <cstring>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 const Position ORIGIN = Position::Zero();
@@ -148,6 +146,4 @@ TEST(GlobalShift, RefusesACloudWithoutPositions)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 const Corners FLOOR = {Position(0, 0, 0), Position(4, 0, 0), Position(0, 4, 0)};
@@ -215,6 +213,4 @@ TEST(SelfIntersections, CancellingLeavesNoPairs)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 MeshFacts
@@ -219,6 +217,4 @@ TEST(MeshFacts, CancellingIsReported)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

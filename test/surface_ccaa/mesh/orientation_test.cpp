@@ -8,9 +8,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 OrientationReport
@@ -316,6 +314,4 @@ TEST(Orientation, CancellingLeavesTheTrianglesAsTheyWere)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 pcl::Vertices
@@ -108,6 +106,4 @@ TEST(PolygonAccess, KeepsLiveTrianglesInOrder)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

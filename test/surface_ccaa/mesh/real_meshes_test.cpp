@@ -13,9 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief Figures published with the test models. */
@@ -113,6 +111,4 @@ INSTANTIATE_TEST_SUITE_P(,
                          [](const auto& scan) { return testName(scan.param); });
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,8 +8,7 @@
 #include <string>
 #include <thread>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 namespace {
 
 TEST(RunControl, TellsFromTheThreadThatMadeItOnly)
@@ -101,5 +100,4 @@ TEST(RunControl, PartStopsWithTheWholeAndTellsNoStages)
 }
 
 } // namespace
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,9 +6,7 @@
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 TEST(Shapes, ClosedOnesAreManifoldAndWoundOutward)
@@ -69,6 +67,4 @@ TEST(Shapes, GoToPclAndBack)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 TEST(Origin, HasCloudsOfSensorsBeforeIt)
@@ -79,6 +77,4 @@ TEST(SideTallyText, HasTheRuleOfMostTrianglesFirst)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 #include "mesh/surface_topology.h"
 #include "support/shapes.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 SurfaceTopology
@@ -64,6 +62,4 @@ TEST(SurfaceTopology, WhatIsOneSidedOrNoManifoldHasNoGenus)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -9,9 +9,7 @@
 #include <cstring>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Normals = std::vector<Eigen::Vector3f>;
@@ -157,6 +155,4 @@ TEST(VertexNormals, OfTrianglesThatCancelOutAreNone)
 TEST(VertexNormals, OfNothingAreNothing) { EXPECT_TRUE(normalsOf(Shape()).empty()); }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -10,9 +10,7 @@
 
 #include "search_inputs.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -201,6 +199,4 @@ TEST(BlockSearch, ServesGreedyProjectionTriangulation)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 TEST(PointArrayOf, ShowsTheCoordinatesOfAnyPointType)
@@ -41,6 +39,4 @@ TEST(FindIndexOutside, IsTheEndWhenAllArePoints)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

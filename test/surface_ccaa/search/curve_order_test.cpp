@@ -7,9 +7,7 @@
 
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 bool
@@ -158,6 +156,4 @@ TEST(CurveOrder, CopesWithAMillionIdenticalPoints)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -6,9 +6,7 @@
 #include "search/curve_order.h"
 #include "search_inputs.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 constexpr auto KEEP = PointBlocks::Distances::KEEP;
@@ -228,6 +226,4 @@ TEST(PointBlocks, ReportsProgressAndStopsWhenToldTo)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief Coordinates in a row, three per point. */
 using Coordinates = std::vector<float>;
@@ -141,6 +139,4 @@ bruteForce(const PointBlocks& blocks, const std::array<float, 3>& query)
   return all;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

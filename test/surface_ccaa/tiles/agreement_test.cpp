@@ -12,9 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** Points of a rough sheet over 3 * 3 tiles of side 16, at a spacing of about 1, and a
@@ -308,6 +306,4 @@ TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

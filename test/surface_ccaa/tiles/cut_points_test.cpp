@@ -5,9 +5,7 @@
 
 #include <numeric>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 IndicesPtr
@@ -110,6 +108,4 @@ TEST_F(CutPoints, AnIndexOutsideOfTheCloudIsAnError)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -14,9 +14,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** The triangles of a shape without those with a corner in some places, whose points
@@ -233,6 +231,4 @@ TEST(DisputeGroups, AreThoseWithChainsOfShortSteps)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

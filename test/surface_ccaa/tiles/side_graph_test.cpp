@@ -12,9 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief The number of the tile of a place. */
@@ -192,6 +190,4 @@ TEST(SideGraph, NoTilesAndEmptyTilesHaveNoSides)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

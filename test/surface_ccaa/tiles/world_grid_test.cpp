@@ -10,9 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** Of any size and sign, on corners of cells now and then. */
@@ -176,6 +174,4 @@ TEST(WorldGrid, RoundedPlacesLessACornerAreExactFloats)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

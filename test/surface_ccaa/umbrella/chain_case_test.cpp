@@ -5,9 +5,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief Builds surfaces around vertex 0 at the origin. */
@@ -207,6 +205,4 @@ TEST(UmbrellaFilter, Row5MakesAFreePointOfSeveralClosedChains)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

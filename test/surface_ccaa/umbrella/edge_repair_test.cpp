@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief Triangles on the edge 0-1 along z, at the given angles around it (degrees).
@@ -139,6 +137,4 @@ TEST(EdgeRepair, DoesNotDependOnNumbering)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

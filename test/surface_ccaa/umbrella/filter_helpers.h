@@ -16,9 +16,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 
 /** \brief What came out of one run. */
 struct Filtered {
@@ -130,6 +128,4 @@ damaged(Shape shape, double share, unsigned int seed)
   return shape;
 }
 
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -4,9 +4,7 @@
 #include "umbrella/chain_case.h"
 #include "umbrella/edge_repair.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief Soups from sparse to so dense that every edge is overfull. */
@@ -166,6 +164,4 @@ TEST(UmbrellaInvariants, AgreesWithThePlainWay)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

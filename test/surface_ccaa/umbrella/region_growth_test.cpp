@@ -2,9 +2,7 @@
 // Part of PclSurfaceRepair: tests of condition C3.4-3.
 #include "filter_helpers.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 TEST(RegionGrowth, KeepsARegionWithExactlyEnoughInternalPoints)
@@ -63,6 +61,4 @@ TEST(RegionGrowth, CountsAfterTheUmbrellaRows)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -8,9 +8,7 @@
 #include "support/shapes.h"
 #include "umbrella/twist_cut.h"
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** Two sheets of a wall, one above the other, with a strip that leaves the upper one on
@@ -114,6 +112,4 @@ TEST(TwistCut, TheFilterReportsASmoothOneSidedRegion)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

@@ -15,9 +15,7 @@
 #include <chrono>
 #include <limits>
 
-namespace pcl {
-namespace ccaa {
-namespace test {
+namespace pcl::ccaa::test {
 namespace {
 
 /** \brief Errors are part of these tests: keep them off the terminal. */
@@ -369,6 +367,4 @@ TEST(UmbrellaFilter, CertifiesGp3OutputOfARealScan)
 }
 
 } // namespace
-} // namespace test
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::test

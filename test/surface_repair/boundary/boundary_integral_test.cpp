@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 using ccaa::test::RandomSource;
@@ -194,6 +192,4 @@ TEST(BoundaryIntegral, OfOnePlaceIsZeroAndFinite)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

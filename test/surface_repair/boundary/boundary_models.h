@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 /** \brief A manifold shape as a model, in double precision. */
 inline IncompleteModel
@@ -135,6 +133,4 @@ brokenCliff(double height)
   return shape;
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

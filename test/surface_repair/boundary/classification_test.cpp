@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 using namespace ccaa::test;
@@ -296,6 +294,4 @@ TEST(Classification, AHoleThatMeetsTheBorderIsToldFromIt)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -9,9 +9,7 @@
 
 #include <set>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 using namespace ccaa::test;
@@ -178,6 +176,4 @@ TEST(Extraction, PinchedVerticesAreAllOfAPointButTheLowest)
 TEST(BoundaryLoop, LengthOfNothingIsZero) { EXPECT_EQ(0.0, lengthOf({})); }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

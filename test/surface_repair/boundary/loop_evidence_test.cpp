@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::pinchedSphere;
@@ -153,5 +152,4 @@ TEST(Turning, OfAHoleDoesNotChangeWhereAnotherOneMeetsIt)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -216,5 +215,4 @@ TEST(LoopAhead, IsNoneBehindTheMouth)
 TEST(OpposedLoops, NoLoopsAreNoPairs) { EXPECT_TRUE(opposedLoops({}).empty()); }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::Islands;
@@ -134,5 +133,4 @@ TEST(BridgeSelection, BridgeHasTheLineOfItsForceLine)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

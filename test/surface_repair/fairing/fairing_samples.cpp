@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 using Edge = std::pair<pcl::index_t, pcl::index_t>;
@@ -193,6 +191,4 @@ largestOf(const Patch& patch, const std::function<double(const Position&)>& dist
   return largest;
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

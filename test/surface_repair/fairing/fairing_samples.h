@@ -9,9 +9,7 @@
 
 #include <functional>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 /** \brief A model with one hole, and a patch that closes it. */
 struct PatchedHole {
@@ -55,6 +53,4 @@ eulerCharacteristic(const Patch& patch);
 double
 largestOf(const Patch& patch, const std::function<double(const Position&)>& distance);
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -8,9 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 double
@@ -158,6 +156,4 @@ TEST(RefinePatch, LeavesAnEmptyPatchAlone)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

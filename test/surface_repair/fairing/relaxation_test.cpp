@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 double
@@ -225,6 +223,4 @@ TEST(RelaxPatch, SurvivesPointsOfThePatchAtOnePlace)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

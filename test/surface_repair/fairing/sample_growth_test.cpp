@@ -9,9 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 constexpr std::size_t EVERY = 15; /**< vertex that is lost is a sample */
@@ -110,6 +108,4 @@ TEST(GrowOver, LeavesThePatchAloneWithoutSamples)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

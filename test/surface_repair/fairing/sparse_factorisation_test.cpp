@@ -7,8 +7,7 @@
 #include "fairing/sparse_factorisation.h"
 #include "support/random_source.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using ccaa::test::RandomSource;
@@ -110,5 +109,4 @@ TEST(SparseFactorisation, IsLeftInTheMiddleAndCanBeDoneAfterwards)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

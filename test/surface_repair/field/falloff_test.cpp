@@ -4,9 +4,7 @@
 
 #include "field/falloff.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 const Falloff SAMPLE{0.1, 0.5, 2.5};
@@ -52,6 +50,4 @@ TEST(Falloff, TrustGivesTheTensionAtAFreePoint)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

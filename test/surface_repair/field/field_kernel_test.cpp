@@ -9,9 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 using namespace field_kernel;
@@ -116,6 +114,4 @@ TEST_F(FieldKernel, SelectsTheSameBlocks)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

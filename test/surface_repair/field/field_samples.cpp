@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** \brief sigma by h (E4.5-1), 0 within arc T of the origin; 1 without 4.5. */
@@ -162,6 +160,4 @@ modelOf(const ccaa::test::Shape& shape)
   return model;
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

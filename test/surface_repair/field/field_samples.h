@@ -12,9 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 using ccaa::test::RandomSource;
 
@@ -59,6 +57,4 @@ weightAt(const SourceSet& sources, const FieldQuery& query);
 IncompleteModel
 modelOf(const ccaa::test::Shape& shape);
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

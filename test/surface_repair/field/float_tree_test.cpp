@@ -5,8 +5,7 @@
 
 #include "field/float_tree.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 TEST(FloatTree, FindsTheNearestFromBeyondWhatFloatsHold)
@@ -17,5 +16,4 @@ TEST(FloatTree, FindsTheNearestFromBeyondWhatFloatsHold)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

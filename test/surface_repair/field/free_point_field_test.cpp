@@ -8,9 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 const Falloff REACH{0.05, 0.2, 1.0};
@@ -119,6 +117,4 @@ TEST(FreePointField, ShortensMoreTheMoreThePointsAreTrusted)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

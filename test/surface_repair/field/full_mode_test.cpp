@@ -6,9 +6,7 @@
 #include "field/indicator_field.h"
 #include "field_samples.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 std::vector<FieldQuery>
@@ -156,6 +154,4 @@ TEST(IndicatorFieldFull, GivesTheSameBitsSinglyInBatchesAndOnThreads)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

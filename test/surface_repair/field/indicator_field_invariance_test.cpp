@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** \brief Queries around the gap of twoCaps(), neighbours side by side. */
@@ -144,6 +142,4 @@ TEST(IndicatorFieldFrame, DoesNotFeelAShift)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -5,9 +5,7 @@
 #include "field/indicator_field.h"
 #include "field_samples.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 void
@@ -169,6 +167,4 @@ TEST(IndicatorField, CountsAllAlikeWithinAStep)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

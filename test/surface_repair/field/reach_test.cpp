@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 double
@@ -86,6 +84,4 @@ TEST(Reach, TakesTheMeanDistanceOfNearestNeighbours)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -6,9 +6,7 @@
 #include "field_samples.h"
 #include "mesh/intersection.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 bool
@@ -103,6 +101,4 @@ TEST(Shield, PassesOverTrianglesWithoutAreaAndEmptyModels)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

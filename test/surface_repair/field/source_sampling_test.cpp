@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 TEST(SourceSampling, PutsSourcesAtEqualDistancesAlongTheCurve)
@@ -130,6 +128,4 @@ TEST(SourceSampling, LeavesOutAHoleWithoutAnIslandInReach)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::holeIn;
@@ -90,5 +89,4 @@ TEST(AvoidingFans, SayWhenThereIsNoWay)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -13,8 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::holeIn;
@@ -165,5 +164,4 @@ TEST(CompletionFilling, SamplesThatSurroundTheHoleDoNotChangeIt)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 #include "filling/disc_check.h"
 #include "support/shapes.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 TEST(DiscCheck, OneTriangleIsADisc) { EXPECT_TRUE(isDisc({{2, 1, 0}}, 3, 3)); }
@@ -79,5 +78,4 @@ TEST(DiscCheck, PinchedVertexIsRefused)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

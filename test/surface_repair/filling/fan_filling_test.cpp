@@ -7,8 +7,7 @@
 #include "filling/fan_filling.h"
 #include "filling_samples.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::holeIn;
@@ -68,5 +67,4 @@ TEST(FanFilling, TwoEdgesAreNoHole)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

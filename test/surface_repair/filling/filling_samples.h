@@ -12,9 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 /** \brief The hole of a surface given by height over the plane, above a star-shaped
  * outline: the surface lies outside, on the left of the polygon. */
@@ -89,6 +87,4 @@ areaOf(const FillingTask& task, const Filling& filling)
   return area;
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

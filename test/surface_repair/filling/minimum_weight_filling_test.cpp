@@ -16,8 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::areaOf;
@@ -357,5 +356,4 @@ TEST(MinimumWeightFilling, NormalsThatAreNotThereAreNotAsked)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Two circles around the z axis, one some way above the other, cut open. */
@@ -55,5 +54,4 @@ TEST(StitchRing, MakesTheTubeThatItsLoopsAreTheEndsOf)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::sphereRim;
@@ -127,5 +126,4 @@ TEST(BoundaryEdges, ArcBetweenGoesTheShorterWayRound)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

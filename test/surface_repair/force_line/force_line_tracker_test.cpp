@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::Islands;
@@ -299,5 +298,4 @@ TEST(ResampledLine, InnerNormalsAreUnitVectorsAcrossTheLine)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

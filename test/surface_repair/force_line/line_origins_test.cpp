@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::Islands;
@@ -111,5 +110,4 @@ TEST(LineOrigins, NarrowerGapComesFirst)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

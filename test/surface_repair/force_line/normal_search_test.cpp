@@ -8,8 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 Eigen::Vector3d
@@ -90,5 +89,4 @@ TEST(NormalSearch, ZeroFieldHasNoTension)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 constexpr double TWO_PI = 6.28318530717958647692;
 
@@ -91,6 +89,4 @@ struct Islands {
   BoundaryEdges targets;
 };
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -10,8 +10,7 @@
 #include <map>
 #include <random>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::sphereRim;
@@ -271,5 +270,4 @@ TEST(ContourCurve, EdgesOfABridgeHaveItsNormals)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

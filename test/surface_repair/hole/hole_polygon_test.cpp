@@ -11,8 +11,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::sphereRim;
@@ -233,5 +232,4 @@ TEST(HolePolygon, OfALoopIsThatLoop)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -204,5 +203,4 @@ TEST(EdgeSheets, DoNotMakeAnIslandOneSided)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -93,5 +92,4 @@ TEST(Fins, LargeSheetsOnAnEdgeAreNone)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -4,8 +4,7 @@
 
 #include "icadm/icm_class.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 TEST(IcmClass, OneRegionWithoutHolesIsTheFirstClass)
@@ -38,5 +37,4 @@ TEST(IcmClass, CountsHolesOnBothSidesOfTheLimit)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,8 +9,7 @@
 
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -91,5 +90,4 @@ TEST(IslandDropping, HasAProblemWhereNothingIsLeft)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -277,5 +276,4 @@ TEST(ModelReading, TheBunnyIsTakenAsItIs)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -170,5 +169,4 @@ TEST(ReadingOfTouchingFans, PutsTheirVerticesAfterAllOthers)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

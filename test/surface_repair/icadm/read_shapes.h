@@ -6,9 +6,7 @@
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 inline pcl::PolygonMesh::Ptr
 meshOf(const ccaa::test::Shape& shape)
@@ -39,6 +37,4 @@ pointTriangles(const IncompleteModel& model)
   return triangles;
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::brokenCliff;
@@ -99,5 +98,4 @@ TEST(Outline, IsUnknownWithoutTheOneSensorThatHasMeasuredItAll)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

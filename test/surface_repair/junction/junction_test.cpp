@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -199,5 +198,4 @@ TEST(Junctions, KeepBridgesFromLeadingFromOneObjectToAnother)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

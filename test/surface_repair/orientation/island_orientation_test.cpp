@@ -8,8 +8,7 @@
 
 #include <random>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -318,5 +317,4 @@ TEST(TurnIslands, OtherIslandsKeepTheirTriangles)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -15,8 +15,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -139,5 +138,4 @@ TEST(ToldSides, ATerrainLooksUpThatIsToldUp)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,8 +7,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 /** Along x from 0 to 2 in steps of 0.05, normals along z. */
@@ -159,5 +158,4 @@ TEST(FreePointPerturbation, LengthIsThatOfTheMovedLine)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

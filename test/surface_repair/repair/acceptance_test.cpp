@@ -4,8 +4,7 @@
 #include "mesh/surface_topology.h"
 #include "repair_fixture.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -72,5 +71,4 @@ INSTANTIATE_TEST_SUITE_P(Cases,
                          nameOf);
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -11,8 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -156,5 +155,4 @@ TEST(WholeProgress, DoesNotFallWhereAStageBeginsAnew)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -342,5 +341,4 @@ TEST_F(RepairContract, BridgesEndAtPointsOfTheIslandsThatTheyJoin)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

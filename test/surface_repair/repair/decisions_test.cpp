@@ -8,8 +8,7 @@
 #include <cmath>
 #include <memory>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -260,5 +259,4 @@ TEST_F(RefusedDecisions, AboutAJunctionOfALoopThatIsNotListed)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -211,5 +210,4 @@ TEST(Doubts, SureJunctionsSupportWhatIsNewBetweenIslands)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

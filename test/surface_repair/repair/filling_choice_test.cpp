@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <string>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::capHeight;
@@ -167,5 +166,4 @@ TEST(FillingChoice, WhereAllIsInTheWayThereIsNoFilling)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -150,5 +149,4 @@ TEST(FlatCap, OfOneHoleCanBeDecidedByItself)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

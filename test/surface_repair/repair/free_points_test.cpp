@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** Mean length of an edge of the bodies here. */
@@ -216,6 +214,4 @@ TEST(FreePoints, OverTheGivenSurfaceTellNothingNew)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -8,8 +8,7 @@
 
 #include <memory>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -81,5 +80,4 @@ TEST_P(RandomWishes, MakeNothingWorseAndLeaveOpenWhatIsToBeOpen)
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomWishes, ::testing::Range<std::uint64_t>(1, 31));
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -208,5 +207,4 @@ TEST(HoleList, NewVerticesOfBridgesAreNumberedWithoutGaps)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -7,9 +7,7 @@
 #include "repair_fixture.h"
 #include "surface_repair/boundary/boundary_models.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** A sheet with two square holes, and patches of three more vertices that the tests
@@ -151,6 +149,4 @@ TEST_F(LastCheckOfASheet, CutsTheInputWhereItAloneIsAtFaultAndKeepsIt)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -184,5 +183,4 @@ TEST(RepairLimits, NegativeLimitsAreRefused)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -9,9 +9,7 @@
 #include "repair_fixture.h"
 #include "support/clouds.h"
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** The shift of all models here. */
@@ -182,6 +180,4 @@ TEST(MapCoordinates, TellTheOuterSideBySensorsThere)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** A model all of which is new. */
@@ -58,6 +56,4 @@ TEST(Opening, OfAllThatThereIsHasNoLoopInWhatIsLeft)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

@@ -10,8 +10,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -235,5 +234,4 @@ TEST(PatchThatFits, MayLeaveAPartOfTheHoleOpen)
 TEST(PatchThatFits, IsAnEmptyOne) { EXPECT_TRUE(fitsModel(holedSheet(), Patch())); }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -10,9 +10,7 @@
 
 #include <map>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** A sphere of which the cap above a height is a patch. */
@@ -152,6 +150,4 @@ TEST(PatchMending, LeavesAPatchThatIsWrongAsAWhole)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

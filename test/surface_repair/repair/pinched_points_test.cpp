@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 VertexMap
@@ -202,6 +200,4 @@ TEST(PinchedPoints, ASlitBetweenTwoNewTrianglesIsFound)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

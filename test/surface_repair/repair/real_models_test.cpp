@@ -6,8 +6,7 @@
 
 #include <cctype>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -72,5 +71,4 @@ INSTANTIATE_TEST_SUITE_P(
     nameOf);
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

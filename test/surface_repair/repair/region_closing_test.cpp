@@ -19,8 +19,7 @@
 #include <set>
 #include <utility>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -403,5 +402,4 @@ TEST(CloseRegion, TakesNoMoreWorkThanItMayInACrowd)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

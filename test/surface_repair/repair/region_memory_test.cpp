@@ -5,8 +5,7 @@
 
 #include "repair/region_memory.h"
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 Region
@@ -95,5 +94,4 @@ TEST(RegionMemory, TriesAgainARegionThatHasChanged)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -80,5 +79,4 @@ TEST(RelaxationRollback, HeldVerticesStay)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -20,9 +20,7 @@
 #include <memory>
 #include <string>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 using namespace ccaa::test;
 
@@ -209,6 +207,4 @@ expectNothingWorse(const Repaired& result, const Triangles& wound)
   EXPECT_TRUE(hasConsistentReport(result));
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

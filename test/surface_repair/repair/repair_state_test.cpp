@@ -11,8 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace test;
@@ -98,5 +97,4 @@ TEST_F(RepairState, RefusesASearchOfOrganisedCloudsForFreePoints)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

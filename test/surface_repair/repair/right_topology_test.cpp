@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 namespace {
 
 /** As expectNothingWorse(), where islands may touch in points. */
@@ -398,6 +396,4 @@ TEST(RightTopology, NoDamageIsRepairedWronglyInSilence)
 }
 
 } // namespace
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

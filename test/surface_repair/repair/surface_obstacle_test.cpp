@@ -12,8 +12,7 @@
 #include <algorithm>
 #include <set>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
@@ -290,5 +289,4 @@ TEST(ObstructedTriangles, APatchBesideTheSurfaceHasNone)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 namespace {
 
 using test::capHole;
@@ -278,5 +277,4 @@ TEST(HoleSubdivision, BridgesDoNotRunThroughTheSurface)
 }
 
 } // namespace
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,9 +12,7 @@
 #include <map>
 #include <utility>
 
-namespace pcl {
-namespace repair {
-namespace test {
+namespace pcl::repair::test {
 
 /** \brief A contour from points and the normals of the surface at places; vertices are
  * numbered 0, 1, .. */
@@ -138,6 +136,4 @@ passagesOf(const std::vector<HolePolygon>& parts)
   return passages;
 }
 
-} // namespace test
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair::test

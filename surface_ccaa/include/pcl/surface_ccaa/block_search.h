@@ -6,8 +6,7 @@
 #include <pcl/surface_ccaa/impl/compat.h>
 #include <pcl/surface_ccaa/impl/point_blocks.h>
 
-namespace pcl {
-namespace search {
+namespace pcl::search {
 
 /** \brief Exact neighbor search over blocks of points along a space-filling curve.
  *
@@ -101,8 +100,7 @@ private:
   unsigned int threads_ = 0;
 };
 
-} // namespace search
-} // namespace pcl
+} // namespace pcl::search
 
 #ifdef PCL_NO_PRECOMPILE
 #include <pcl/surface_ccaa/impl/block_search.hpp>

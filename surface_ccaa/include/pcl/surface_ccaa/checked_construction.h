@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief A MeshConstruction that survives what PCL's reconstruct() crashes on: no
  * input cloud, and a search method that cannot search it. Both are errors (PCL_ERROR)
@@ -35,8 +34,7 @@ protected:
   hasUsableCloud(const char* method) const;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa
 
 #ifdef PCL_NO_PRECOMPILE
 #include <pcl/surface_ccaa/impl/checked_construction.hpp>

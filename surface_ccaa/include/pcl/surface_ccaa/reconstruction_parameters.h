@@ -4,8 +4,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Settings of the greedy start; the defaults need no knowledge of the cloud. */
 struct GreedyParameters {
@@ -52,5 +51,4 @@ struct CompletionParameters {
   bool keep_given = true;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -6,8 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Called from the thread that started the run with the name of the stage and
  * the share of a whole chain or repair that is done, else of the stage, 0 to 1. False
@@ -58,5 +57,4 @@ protected:
   ProgressCallback progress_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

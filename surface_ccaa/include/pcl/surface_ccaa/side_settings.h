@@ -11,8 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief What told the outer side of a component, in the order in which they are
  * asked. */
@@ -149,5 +148,4 @@ protected:
   SideTally side_tally_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Pieces, openings and handles of a surface. */
 struct SurfaceTopology {
@@ -29,5 +28,4 @@ struct SurfaceTopology {
   }
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -10,10 +10,7 @@
 // computed like the distance to a point is never above that of a point inside. And NaN
 // loses every comparison, so the lanes that pad the last block and group drop out.
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 inline void
 writeRow(const Scratch& scratch,
@@ -81,7 +78,4 @@ within(const BlockView& view,
   return RangeSearch(view, cursor).run(capacity, ranks, sqr_distances);
 }
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

@@ -4,10 +4,7 @@
 
 #include "search/kernel/row_sort.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 /** Rows up to here are sorted by counting, which takes the square of their length. */
 constexpr unsigned int SHORT_ROW = 192;
@@ -134,7 +131,4 @@ private:
   unsigned int sizes_[LANES];
 };
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

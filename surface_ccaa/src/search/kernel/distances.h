@@ -4,10 +4,7 @@
 
 #include "search/kernel/lanes.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 constexpr float INFINITE = __builtin_inff();
 
@@ -124,7 +121,4 @@ smallest(const float* values, unsigned int lanes)
   return best;
 }
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

@@ -5,10 +5,7 @@
 #include "run/registers.h"
 #include "search/block_kernel.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 template <typename T>
 using Register = ccaa::PCL_KERNEL::Register<T>;
@@ -199,7 +196,4 @@ pack(const Floats& distances,
 #endif
 }
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

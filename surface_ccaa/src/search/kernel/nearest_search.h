@@ -5,10 +5,7 @@
 #include "search/kernel/candidate_rows.h"
 #include "search/kernel/window_bound.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 constexpr std::uint32_t NO_BLOCK = ~std::uint32_t(0);
 /** A query whose bound is so many times the median of its block walks alone. */
@@ -218,7 +215,4 @@ private:
   float reach_ = -1.f;
 };
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

@@ -4,10 +4,7 @@
 
 #include "search/kernel/distances.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 /** Points within a distance, in the order of their ranks. */
 class RangeSearch {
@@ -79,7 +76,4 @@ private:
   float* sqr_distances_ = nullptr;
 };
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

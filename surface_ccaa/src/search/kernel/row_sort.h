@@ -4,10 +4,7 @@
 
 #include "search/kernel/lanes.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 /** The bits of a distance that is not negative order as the distance does. */
 inline std::uint32_t
@@ -87,7 +84,4 @@ sortedPlaces(const float* row, unsigned int size, std::int32_t* places)
   }
 }
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

@@ -5,10 +5,7 @@
 #include "search/kernel/distances.h"
 #include "search/kernel/row_sort.h"
 
-namespace pcl {
-namespace ccaa {
-namespace block_kernel {
-namespace PCL_KERNEL {
+namespace pcl::ccaa::block_kernel::PCL_KERNEL {
 
 /** Halvings of the interval that holds the bound, down to 1/16 of an octave. */
 constexpr int BOUND_STEPS = 7;
@@ -161,7 +158,4 @@ private:
   std::uint32_t width_;
 };
 
-} // namespace PCL_KERNEL
-} // namespace block_kernel
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa::block_kernel::PCL_KERNEL

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 /** \brief What is to become of a boundary loop. */
 enum class LoopWish : std::uint8_t {
@@ -84,5 +83,4 @@ struct Decisions {
   std::vector<JunctionDecision> junctions;
 };
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace repair {
+namespace pcl::repair {
 
 using Position = Eigen::Vector3d;
 using Positions = std::vector<Position>;
@@ -182,5 +181,4 @@ enum class JunctionVerdict : std::uint8_t {
 const char*
 describe(JunctionVerdict verdict);
 
-} // namespace repair
-} // namespace pcl
+} // namespace pcl::repair

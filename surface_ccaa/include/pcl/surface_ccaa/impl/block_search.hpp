@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pcl {
-namespace search {
+namespace pcl::search {
 
 namespace detail {
 
@@ -104,8 +103,7 @@ BlockSearch<PointT>::radiusSearch(const PointT& point,
                                 k_sqr_distances);
 }
 
-} // namespace search
-} // namespace pcl
+} // namespace pcl::search
 
 #define PCL_INSTANTIATE_BlockSearch(T)                                                 \
   template class PCL_EXPORTS pcl::search::BlockSearch<T>;

@@ -9,8 +9,7 @@
 
 #include <string>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 /** \brief Whether \a tree can search \a cloud: a search::OrganizedNeighbor needs rows
  * and columns. Null can. */
@@ -72,8 +71,7 @@ CheckedConstruction<PointT>::hasUsableCloud(const char* method) const
   return false;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa
 
 #define PCL_INSTANTIATE_CheckedConstruction(T)                                         \
   template class PCL_EXPORTS pcl::ccaa::CheckedConstruction<T>;

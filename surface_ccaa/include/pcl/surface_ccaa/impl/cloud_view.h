@@ -13,8 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 template <typename PointT>
 PointArray
@@ -89,5 +88,4 @@ treeSearchOf(const typename search::Search<PointT>::Ptr& tree,
   return search;
 }
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa

@@ -11,8 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace pcl {
-namespace ccaa {
+namespace pcl::ccaa {
 
 class RunControl;
 
@@ -214,5 +213,4 @@ private:
   std::vector<std::vector<float>> boxes_;
 };
 
-} // namespace ccaa
-} // namespace pcl
+} // namespace pcl::ccaa
