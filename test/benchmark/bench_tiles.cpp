@@ -11,8 +11,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -44,8 +46,22 @@ struct Settings {
 struct Run {
   double processor_seconds = 0.0, wall_seconds = 0.0;
   double peak_bytes = 0.0;
+  double disk_bytes = 0.0; ///< most in the folder beside what was there before
   Json report;
 };
+
+double
+sizeOf(const std::string& folder)
+{
+  double sum = 0.0;
+  std::error_code gone; // a temporary file may go while this looks
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(folder, gone)) {
+    const std::uintmax_t size = entry.is_regular_file(gone) ? entry.file_size(gone) : 0;
+    sum += gone ? 0.0 : double(size);
+  }
+  return sum;
+}
 
 Run
 run(const Settings& settings,
@@ -59,16 +75,20 @@ run(const Settings& settings,
   for (std::string& word : arguments)
     words.push_back(word.data());
   words.push_back(nullptr);
+  const double before = sizeOf(settings.folder);
   const auto begin = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0) {
     execv(words.front(), words.data());
     _exit(127);
   }
+  Run result;
   int status = 0;
   rusage usage{};
-  wait4(child, &status, 0, &usage);
-  Run result;
+  while (wait4(child, &status, WNOHANG, &usage) == 0) {
+    result.disk_bytes = std::max(result.disk_bytes, sizeOf(settings.folder) - before);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
   result.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const auto seconds = [](const timeval& time) {
@@ -111,12 +131,14 @@ bumpy(const Settings& settings, std::uint64_t points, double shift = 0.0)
 void
 tell(const char* what, std::uint64_t points, const Run& made)
 {
-  std::printf("%-28s %10zu points  %6.2f us/point  %7.1f s wall  %5.2f GiB\n",
+  std::printf("%-14s %10zu points  %6.2f us/point  %7.1f s wall  %5.2f GiB  "
+              "disk %5.2f GiB\n",
               what,
               std::size_t(points),
               1e6 * made.processor_seconds / double(points),
               made.wall_seconds,
-              made.peak_bytes / double(1u << 30));
+              made.peak_bytes / double(1u << 30),
+              made.disk_bytes / double(1u << 30));
   std::fflush(stdout);
 }
 
@@ -209,15 +231,18 @@ readSettings(const std::vector<std::string>& words)
   Settings settings;
   settings.programs = words.at(0);
   settings.folder = words.at(1);
-  for (std::size_t i = 2; i < words.size(); ++i)
-    if (words[i] == "--tiles")
-      settings.tiles = std::stoull(words.at(++i));
-    else if (words[i] == "--large")
-      settings.large = std::stoull(words.at(++i));
-    else if (words[i] == "--small")
-      settings.small = std::stoull(words.at(++i));
-    else
+  const std::map<std::string, std::uint64_t*> counts = {{"--tiles", &settings.tiles},
+                                                        {"--large", &settings.large},
+                                                        {"--small", &settings.small}};
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    const auto count = counts.find(words[i]);
+    if (count == counts.end())
       settings.parts.push_back(words[i]);
+    else if (++i == words.size())
+      throw std::runtime_error(count->first + " needs a number");
+    else
+      *count->second = std::stoull(words[i]);
+  }
   fs::create_directories(settings.folder);
   return settings;
 }

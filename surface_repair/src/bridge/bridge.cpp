@@ -108,7 +108,7 @@ supportedByVertices(Bridge bridge, const BoundaryEdges& boundaries)
 Bridge
 bridgeAlong(const ForceLine& line)
 {
-  return {line.origin, line.target, line.points, line.normals, line.quality};
+  return {line.origin, line.target, line.points, line.normals, line.quality, false};
 }
 
 namespace {
@@ -116,13 +116,19 @@ namespace {
 /** Takes lines as bridges, one after the other, where there is room for them. */
 class Selection {
 public:
-  Selection(const std::vector<ForceLine>& lines, const BoundaryEdges& boundaries)
+  Selection(const std::vector<ForceLine>& lines,
+            const BoundaryEdges& boundaries,
+            const std::vector<Bridge>& given)
   : lines_(lines)
   , boundaries_(boundaries)
+  , given_(given)
   , taken_(boundaries)
   , is_chosen_(lines.size(), false)
   , bridges_of_(boundaries.curves().size(), 0)
-  {}
+  {
+    for (const Bridge& bridge : given)
+      take(bridge);
+  }
 
   void
   consider(std::size_t line, double apart)
@@ -132,14 +138,54 @@ public:
     Bridge bridge = supportedByVertices(bridgeAlong(lines_[line]), boundaries_);
     if (!taken_.hasRoomFor(bridge.begin, apart) ||
         !taken_.hasRoomFor(bridge.end, apart) ||
-        !endsAreApart(bridge, boundaries_, apart))
+        !endsAreApart(bridge, boundaries_, apart) || crossesGiven(bridge))
       return;
-    taken_.add(bridge.begin);
-    taken_.add(bridge.end);
-    ++bridges_of_[bridge.begin.curve];
-    ++bridges_of_[bridge.end.curve];
+    take(bridge);
     is_chosen_[line] = true;
     chosen_.push_back(std::move(bridge));
+  }
+
+  /** Whether it leads from between two given bridges to elsewhere than between them. On
+   * the two boundaries of a gap bridges follow each other in opposite order. */
+  bool
+  crossesGiven(const Bridge& bridge) const
+  {
+    const double length = boundaries_.lengthOf(bridge.begin.curve);
+    const double other_length = boundaries_.lengthOf(bridge.end.curve);
+    double before = length, after = length; // along the first boundary, to given ones
+    double other_before = 0.0, other_after = 0.0; // of these, along the other boundary
+    const auto ahead = [&](const BoundaryPoint& from, const BoundaryPoint& to) {
+      const double way = boundaries_.arcAt(to) - boundaries_.arcAt(from);
+      return way < 0.0 ? way + boundaries_.lengthOf(from.curve) : way;
+    };
+    for (const Bridge& given : given_) {
+      const bool is_same = given.begin.curve == bridge.begin.curve &&
+                           given.end.curve == bridge.end.curve;
+      const bool is_turned = given.begin.curve == bridge.end.curve &&
+                             given.end.curve == bridge.begin.curve;
+      if (!is_same && !is_turned)
+        continue;
+      const BoundaryPoint& here = is_same ? given.begin : given.end;
+      const BoundaryPoint& there = is_same ? given.end : given.begin;
+      if (const double way = ahead(bridge.begin, here); way < after) {
+        after = way;
+        other_after = ahead(there, bridge.end);
+      }
+      if (const double way = ahead(here, bridge.begin); way < before) {
+        before = way;
+        other_before = ahead(bridge.end, there);
+      }
+    }
+    return other_after + other_before > (1.0 + 1e-9) * other_length;
+  }
+
+  void
+  take(const Bridge& bridge)
+  {
+    for (const BoundaryPoint& end : {bridge.begin, bridge.end}) {
+      taken_.add(end);
+      ++bridges_of_[end.curve];
+    }
   }
 
   /** Whether a line ends at a boundary with too few bridges to keep them. */
@@ -160,6 +206,7 @@ public:
 private:
   const std::vector<ForceLine>& lines_;
   const BoundaryEdges& boundaries_;
+  const std::vector<Bridge>& given_;
   TakenPoints taken_;
   std::vector<bool> is_chosen_;
   std::vector<std::size_t> bridges_of_; /**< of each boundary */
@@ -171,14 +218,15 @@ private:
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
-              const SupportSpacing& spacing)
+              const SupportSpacing& spacing,
+              const std::vector<Bridge>& given)
 {
   std::vector<std::size_t> order(lines.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return rankOf(lines[a]) > rankOf(lines[b]);
   });
-  Selection selection(lines, boundaries);
+  Selection selection(lines, boundaries, given);
   for (const std::size_t i : order)
     selection.consider(i, std::max(spacing.least, spacing.share * lines[i].length));
   for (const std::size_t i : order)

@@ -15,11 +15,12 @@ namespace pcl::repair {
  * along it (D4.32-1). An overlay: it is no part of the mesh until a hole beside it is
  * filled. */
 struct Bridge {
-  BoundaryPoint begin;  /**< supporting point at points.front() */
-  BoundaryPoint end;    /**< supporting point at points.back() */
-  Positions points;     /**< at least two */
-  Directions normals;   /**< unit, one a point */
-  double quality = 0.0; /**< mean tension (4.41) */
+  BoundaryPoint begin;    /**< supporting point at points.front() */
+  BoundaryPoint end;      /**< supporting point at points.back() */
+  Positions points;       /**< at least two */
+  Directions normals;     /**< unit, one a point */
+  double quality = 0.0;   /**< mean tension (4.41) */
+  bool is_crease = false; /**< the surface along it is creased, and runs through it */
 };
 
 /** \brief The bridge along a force line that reached another boundary. */
@@ -47,10 +48,13 @@ struct SupportSpacing {
  * A boundary that gets less than three that way may have more, nearer to their
  * neighbours, down to `least`: bridges of others may have taken the places that its
  * lines reach, and with one bridge alone it would lose it (C4.47-3).
- * \param[in] boundaries the curves that the lines' ends refer to */
+ * \param[in] boundaries the curves that the lines' ends refer to
+ * \param[in] given bridges that there are already: they have taken their places, and
+ * are not among what is returned */
 std::vector<Bridge>
 selectBridges(const std::vector<ForceLine>& lines,
               const BoundaryEdges& boundaries,
-              const SupportSpacing& spacing);
+              const SupportSpacing& spacing,
+              const std::vector<Bridge>& given = {});
 
 } // namespace pcl::repair

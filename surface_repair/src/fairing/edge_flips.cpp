@@ -111,7 +111,8 @@ private:
                            patch_.positions[pair.b],
                            patch_.positions[pair.c],
                            patch_.positions[pair.d]};
-    return pair.c != pair.d && corners.wantsFlip() && corners.staysUnfolded() &&
+    return pair.c != pair.d && !patch_.isCrease(pair.a, pair.b) &&
+           corners.wantsFlip() && corners.staysUnfolded() &&
            (!keeps_shape_ || corners.areInOnePlane()) &&
            !edges_.areJoined(pair.c, pair.d) &&
            !edges_.areJoinedInModel(pair.c, pair.d);

@@ -92,7 +92,7 @@ addBending(const JoinedSurface& surface, const FairingTask& task, Residuals& res
   if (!task.curvatures.empty())
     normals = areaNormals(surface.triangles, surface.positions);
   for (std::size_t v = 0; v < surface.patch_vertices; ++v) {
-    if (surface.whole[v] == 0)
+    if (surface.whole[v] == 0 || task.hinges[v] != 0)
       continue;
     const auto column = static_cast<Eigen::Index>(v);
     const double root = std::sqrt(laplacian.mass[column]);

@@ -22,6 +22,7 @@ struct Pull {
 /** \brief Which vertices move, and what their surface is to be like. */
 struct FairingTask {
   std::vector<char> fixed;        /**< of all vertices of the joined surface */
+  std::vector<char> hinges;       /**< of the patch's vertices: nothing bends there */
   std::vector<double> curvatures; /**< wanted, of the vertices of the patch; empty: 0 */
   std::vector<Pull> pulls;
 };

@@ -174,7 +174,13 @@ private:
   split(std::size_t side)
   {
     const std::size_t a = edges_.from(side), b = edges_.to(side);
-    edges_.split(side, 0.5 * (patch_.positions[a] + patch_.positions[b]));
+    const std::size_t middle =
+        edges_.split(side, 0.5 * (patch_.positions[a] + patch_.positions[b]));
+    if (patch_.isCrease(a, b)) {
+      patch_.creases.erase({std::min(a, b), std::max(a, b)});
+      patch_.addCrease(a, middle);
+      patch_.addCrease(middle, b);
+    }
     lengths_.push_back(std::sqrt(lengths_[a] * lengths_[b]));
   }
 

@@ -83,6 +83,15 @@ fixedVertices(const JoinedSurface& surface, const Patch& patch)
   return fixed;
 }
 
+std::vector<char>
+creasedVertices(const JoinedSurface& surface, const Patch& patch)
+{
+  std::vector<char> creased(surface.patch_vertices, 0);
+  for (std::size_t v = 0; v < surface.patch_vertices; ++v)
+    creased[v] = patch.isOnCrease(v) ? 1 : 0;
+  return creased;
+}
+
 /** \return the largest move */
 double
 takeOver(const JoinedSurface& surface, const std::vector<char>& fixed, Patch& patch)
@@ -112,6 +121,7 @@ relaxPatch(const IncompleteModel& model,
   ccaa::spend(control, JOINING_WORK * surface.triangles.size());
   FairingTask task;
   task.fixed = fixedVertices(surface, patch);
+  task.hinges = creasedVertices(surface, patch);
   const std::vector<double> rim = rimCurvatures(surface, patch.rim.size());
   const FreePointPulls pulls(model, free_points, parameters, patch, surface);
   ccaa::spend(control, JOINING_WORK * surface.triangles.size());

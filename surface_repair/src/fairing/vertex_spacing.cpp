@@ -114,7 +114,8 @@ spaceVertices(std::size_t first,
 {
   Spacing spacing(lengths, patch, keeps_shape);
   for (std::size_t vertex = first; vertex < patch.positions.size(); ++vertex) {
-    spacing.moveVertex(vertex);
+    if (!patch.isHeld(vertex))
+      spacing.moveVertex(vertex);
     if (vertex % VERTICES_AT_ONCE == 0 &&
         !ccaa::spend(control, VERTICES_AT_ONCE * VERTEX_WORK))
       return;

@@ -7,6 +7,7 @@
 #include "hole/hole_contour.h"
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace pcl::repair {
@@ -34,6 +35,10 @@ struct ContourVertices {
   std::vector<pcl::index_t> first_inner; /**< of each bridge: number of the vertex that
                                               its second point is; the others follow */
 };
+
+/** \brief The crease that vertices lie on, by its number: bridges that are creases,
+ * ends included. */
+using CreaseVertices = std::map<pcl::index_t, std::size_t>;
 
 /** \brief The polygon of a contour whose supporting points are all vertices (see
  * supportedByVertices()). */

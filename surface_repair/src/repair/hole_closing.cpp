@@ -40,6 +40,7 @@ regionsOf(const HoleList& list, Cap usual)
   for (const std::vector<std::size_t>& holes : list.regions) {
     Region region;
     region.bridge_vertices = list.bridge_vertices;
+    region.creases = list.creases;
     for (const std::size_t hole : holes) {
       region.holes.push_back(list.holes[hole].polygon);
       region.is_certain.push_back(list.holes[hole].is_wanted ||

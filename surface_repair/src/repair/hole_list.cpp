@@ -111,6 +111,8 @@ public:
 private:
   void
   addContours();
+  void
+  addCrease(std::size_t bridge, const ContourVertices& vertices);
   OpenReason
   outsideOf(DisjointSets& groups) const;
   void
@@ -170,6 +172,16 @@ Listing::outsideOf(DisjointSets& groups) const
 }
 
 void
+Listing::addCrease(std::size_t bridge, const ContourVertices& vertices)
+{
+  const Bridge& crease = survey_.joined.bridges[bridge];
+  for (const BoundaryPoint& end : {crease.begin, crease.end})
+    list_.creases[vertices.of_curve[end.curve][end.edge]] = bridge;
+  for (std::size_t k = 0; k + 2 < crease.points.size(); ++k)
+    list_.creases[vertices.first_inner[bridge] + static_cast<pcl::index_t>(k)] = bridge;
+}
+
+void
 Listing::addContours()
 {
   const SurveyedBridges& joined = survey_.joined;
@@ -190,6 +202,8 @@ Listing::addContours()
       continue;
     for (const ContourStep& step : contour.steps) {
       hole.bridges.push_back(step.bridge);
+      if (joined.bridges[step.bridge].is_crease)
+        addCrease(step.bridge, vertices);
       is_listed_[joined.loops[step.section.from.curve]] = true;
     }
     hole.polygon = polygonOf(contour, boundaries, joined.bridges, vertices);

@@ -34,6 +34,7 @@ struct HoleList {
   /** Of the model, for a point in which holes meet: polygons have the vertex that is
    * kept, see weldPinches(). */
   VertexMap replaced;
+  CreaseVertices creases;          /**< on all bridges that are creases */
   std::size_t bridge_vertices = 0; /**< inner points of all bridges */
   std::size_t islands = 0;         /**< once all regions are closed */
 };

@@ -17,7 +17,9 @@ namespace {
 /** Numbers the vertices of a patch: those of the model first. */
 class PatchNumbering {
 public:
-  PatchNumbering(const std::vector<FilledPart>& parts, std::size_t model_vertices)
+  PatchNumbering(const std::vector<FilledPart>& parts,
+                 std::size_t model_vertices,
+                 const CreaseVertices& creases)
   {
     for (const FilledPart& part : parts)
       for (std::size_t k = 0; k < part.polygon.size(); ++k)
@@ -29,6 +31,9 @@ public:
         patch_.rim.push_back(vertex);
     }
     patch_.free_point.assign(patch_.positions.size(), NONE);
+    if (!creases.empty())
+      for (const FilledPart& part : parts)
+        addCreases(part.polygon, creases);
   }
 
   void
@@ -61,6 +66,20 @@ public:
   }
 
 private:
+  void
+  addCreases(const HolePolygon& polygon, const CreaseVertices& creases)
+  {
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const pcl::index_t from = polygon.vertices[k];
+      const pcl::index_t to = polygon.vertices[polygon.curve.next(k)];
+      const auto one = creases.find(from), other = creases.find(to);
+      if (one != creases.end() && other != creases.end() &&
+          one->second == other->second)
+        patch_.addCrease(static_cast<std::size_t>(number_of_.at(from)),
+                         static_cast<std::size_t>(number_of_.at(to)));
+    }
+  }
+
   std::map<pcl::index_t, Position> position_of_; /**< ascending: the model's first */
   std::map<pcl::index_t, pcl::index_t> number_of_;
   Patch patch_;
@@ -112,9 +131,11 @@ nearestFloats(Position place, const Position& origin)
 } // namespace
 
 Patch
-assemblePatch(const std::vector<FilledPart>& parts, std::size_t model_vertices)
+assemblePatch(const std::vector<FilledPart>& parts,
+              std::size_t model_vertices,
+              const CreaseVertices& creases)
 {
-  PatchNumbering numbering(parts, model_vertices);
+  PatchNumbering numbering(parts, model_vertices, creases);
   for (const FilledPart& part : parts)
     numbering.add(part);
   return numbering.finish();
@@ -142,6 +163,10 @@ withoutHoles(const Patch& patch, const std::set<std::size_t>& holes)
     if (v < patch.rim.size())
       left.rim.push_back(patch.rim[v]);
   }
+  for (const auto& [a, b] : patch.creases)
+    if (number[a] != -1 && number[b] != -1)
+      left.addCrease(static_cast<std::size_t>(number[a]),
+                     static_cast<std::size_t>(number[b]));
   for (Triangle& triangle : left.triangles)
     for (pcl::index_t& corner : triangle)
       corner = number[static_cast<std::size_t>(corner)];

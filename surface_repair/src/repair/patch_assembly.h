@@ -28,7 +28,9 @@ addFill(const FilledPart& part, FillArea& fill);
 /** \brief Put fillings together; parts meet at the vertices that they share.
  * \param[in] model_vertices number of vertices of the model */
 Patch
-assemblePatch(const std::vector<FilledPart>& parts, std::size_t model_vertices);
+assemblePatch(const std::vector<FilledPart>& parts,
+              std::size_t model_vertices,
+              const CreaseVertices& creases = {});
 
 /** \brief The patch without the triangles of some holes, and without the vertices that
  * only these have. */

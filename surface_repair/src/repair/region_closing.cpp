@@ -182,7 +182,7 @@ RegionClosing::assemble()
   for (std::size_t p = 0; p < parts_.parts.size(); ++p)
     if (fills[p] != NONE)
       closed.push_back(parts_.parts[p]);
-  result_.patch = assemblePatch(closed, place_.model.positions.size());
+  result_.patch = assemblePatch(closed, place_.model.positions.size(), region_.creases);
   if (!grows)
     return;
   const auto is_obstructed = [&](const ccaa::Corners& corners) {

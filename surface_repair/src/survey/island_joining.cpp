@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: lines and bridges between islands, until each that can be
 // reached is reached (4.47).
 
+#include "survey/crease_bridges.h"
 #include "survey/handle_choice.h"
 #include "survey/lone_stumps.h"
 #include "survey/survey_fields.h"
@@ -104,11 +105,14 @@ Joining::choose()
   if (context_.cancelled())
     return;
   joinLoneStumps(parameters_.junction, survey_);
-  joined.bridges = touchingBridges(survey_, targets_);
+  const std::vector<Bridge> creases = creaseBridges(survey_, targets_);
   const std::vector<Bridge> along_lines =
       selectBridges(wantedLines(survey_, parameters_, joined.refused),
                     targets_,
-                    {parameters_.bridge_spacing, 2.0 * spacing_});
+                    {parameters_.bridge_spacing, 2.0 * spacing_},
+                    creases);
+  joined.bridges = touchingBridges(survey_, targets_);
+  joined.bridges.insert(joined.bridges.end(), creases.begin(), creases.end());
   joined.bridges.insert(joined.bridges.end(), along_lines.begin(), along_lines.end());
   ccaa::spend(context_.control, CHOICE_WORK * lines().size());
   survey_.joined.holes = extractContours(targets_, survey_.joined.bridges);
