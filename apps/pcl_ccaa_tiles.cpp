@@ -82,7 +82,7 @@ merge(const Task& task, const TilePlan& plan)
     throw Failure("the step 'merge' needs the name of a .ply file");
   OutputFile file;
   require(file.open(task.rest.front()));
-  mergeShards(plan, file);
+  mergeTiles(plan, true, file);
   require(file.commit());
 }
 

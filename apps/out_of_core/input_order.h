@@ -25,7 +25,7 @@ public:
   explicit InputOrder(const TilePlan& plan)
   : plan_(plan)
   , scratch_(plan.file("merging"))
-  , entry_bytes_(sizeof(std::uint64_t) + plan.layout.point_step)
+  , entry_bytes_(sizeof(std::uint32_t) + plan.layout.point_step)
   {
     windows_ = (plan.points() + WINDOW - 1) / WINDOW;
     std::filesystem::remove_all(scratch_);
@@ -55,10 +55,11 @@ public:
     std::map<std::uint64_t, std::vector<char>> waiting;
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t place = placeOf(source_at(i));
-      const auto* number = reinterpret_cast<const char*>(&place);
+      const auto within = static_cast<std::uint32_t>(place % WINDOW);
+      const auto* number = reinterpret_cast<const char*>(&within);
       const auto* record = reinterpret_cast<const char*>(record_at(i));
       std::vector<char>& bytes = waiting[place / WINDOW];
-      bytes.insert(bytes.end(), number, number + sizeof(place));
+      bytes.insert(bytes.end(), number, number + sizeof(within));
       bytes.insert(bytes.end(), record, record + plan_.layout.point_step);
     }
     for (const auto& [window, bytes] : waiting) {
@@ -69,10 +70,10 @@ public:
     }
   }
 
-  /** \brief Calls use(cloud) for all windows, ascending. */
+  /** \brief Calls use(cloud) for all windows, ascending; their files are removed. */
   template <typename Use>
   void
-  forWindows(const Use& use) const
+  takeWindows(const Use& use) const
   {
     for (std::uint64_t window = 0; window < windows_; ++window) {
       std::ifstream file(pathOf(window), std::ios::binary);
@@ -85,12 +86,14 @@ public:
       cloud.width = static_cast<pcl::uindex_t>(bytes / entry_bytes_);
       cloud.data.resize(cloud.width * cloud.point_step);
       for (std::size_t at = 0; at < bytes; at += entry_bytes_) {
-        std::uint64_t place = 0;
-        std::memcpy(&place, &entries[at], sizeof(place));
-        std::memcpy(&cloud.data[(place - window * WINDOW) * cloud.point_step],
-                    &entries[at + sizeof(place)],
+        std::uint32_t within = 0;
+        std::memcpy(&within, &entries[at], sizeof(within));
+        std::memcpy(&cloud.data[within * cloud.point_step],
+                    &entries[at + sizeof(within)],
                     cloud.point_step);
       }
+      file.close();
+      std::filesystem::remove(pathOf(window));
       use(cloud);
     }
   }

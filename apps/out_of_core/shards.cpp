@@ -92,17 +92,6 @@ readShardHead(const TilePlan& plan,
   return header;
 }
 
-/** Triangles that a shard holds. */
-std::size_t
-countTriangles(const TilePlan& plan, std::size_t tile)
-{
-  const std::string path = plan.file(tile, SHARD_STEP);
-  InputFile file;
-  require(file.open(path));
-  TextScanner scanner(file.bytes());
-  return readShardHead(plan, path, file, scanner).elements.back().rows;
-}
-
 /** A shard as writeShard() wrote it. */
 TileSurface
 readShard(const TilePlan& plan, std::size_t tile)
@@ -131,6 +120,27 @@ readShard(const TilePlan& plan, std::size_t tile)
   return surface;
 }
 
+/** The final triangles of a tile. */
+TileSurface
+finalSurface(const TilePlan& plan, std::size_t tile)
+{
+  return fs::exists(plan.file(tile, SHARD_STEP)) ? readShard(plan, tile)
+                                                 : readSurface(plan, tile);
+}
+
+/** Their number. */
+std::size_t
+countTriangles(const TilePlan& plan, std::size_t tile)
+{
+  const std::string path = plan.file(tile, SHARD_STEP);
+  InputFile file;
+  if (!fs::exists(path))
+    return readSurface(plan, tile).triangles.size();
+  require(file.open(path));
+  TextScanner scanner(file.bytes());
+  return readShardHead(plan, path, file, scanner).elements.back().rows;
+}
+
 void
 addNowhere(const TilePlan& plan, InputOrder& order)
 {
@@ -150,7 +160,7 @@ writeFaces(const TilePlan& plan,
            const InputOrder& order,
            PlyParts& parts)
 {
-  const TileSurface surface = readShard(plan, tile);
+  const TileSurface surface = finalSurface(plan, tile);
   std::vector<std::uint32_t> places;
   {
     const TilePoints points(plan, tile);
@@ -245,12 +255,13 @@ describeTiles(const TilePlan& plan)
     triangles += count;
     added += closed.added.size();
     failed += closed.failed;
-    shards.push_back({{"file", fs::path(plan.file(tile, SHARD_STEP)).filename()},
-                      {"first_vertex", own.first},
+    shards.push_back({{"first_vertex", own.first},
                       {"vertices", own.count},
                       {"triangles", count},
                       {"level", own.cell.level},
                       {"cell", own.cell.at}});
+    if (const fs::path path = plan.file(tile, SHARD_STEP); fs::exists(path))
+      shards.back()["file"] = path.filename();
   }
   const AllDisputes disputes = readDisputes(plan);
   return {{"key", plan.key},
@@ -279,7 +290,7 @@ writeIndex(const TilePlan& plan)
 }
 
 void
-mergeShards(const TilePlan& plan, OutputFile& file)
+mergeTiles(const TilePlan& plan, bool keeps, OutputFile& file)
 {
   if (plan.points() > std::numeric_limits<std::uint32_t>::max())
     throw Failure("a PLY file numbers 2^32 points at most; the shards in '" +
@@ -297,11 +308,14 @@ mergeShards(const TilePlan& plan, OutputFile& file)
   }
   addNowhere(plan, order);
   PlyParts parts(plan.layout, counts, extrasOf(plan), file);
-  order.forWindows([&](const pcl::PCLPointCloud2& cloud) { parts.points(cloud); });
+  order.takeWindows([&](const pcl::PCLPointCloud2& cloud) { parts.points(cloud); });
   if (plan.viewpoint.isTold())
     writeCamera(plan.viewpoint, plan.layout, file);
-  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
     writeFaces(plan, tile, order, parts);
+    if (!keeps)
+      fs::remove(plan.file(tile, PIECES_STEP));
+  }
 }
 
 } // namespace app

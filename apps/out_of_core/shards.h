@@ -29,14 +29,16 @@ hasShard(const TilePlan& plan, std::size_t tile);
 void
 writeIndex(const TilePlan& plan);
 
-/** \brief That list, from the shards. */
+/** \brief That list, from the shards, or else without their names from what they would
+ * be made of. */
 nlohmann::json
 describeTiles(const TilePlan& plan);
 
 /** \brief Write the whole mesh as one PLY file: all points in the order of the input,
- * file by file, then the triangles of all shards. Memory: that of one tile's points and
- * triangles. Fails for more than 2^32 points. */
+ * file by file, then the triangles of all tiles, from their shards or from what these
+ * would be made of. Memory: that of one tile's points and triangles. Fails for more
+ * than 2^32 points. \param[in] keeps if not, what was read is removed */
 void
-mergeShards(const TilePlan& plan, OutputFile& file);
+mergeTiles(const TilePlan& plan, bool keeps, OutputFile& file);
 
 } // namespace app

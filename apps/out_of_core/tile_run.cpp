@@ -128,6 +128,7 @@ void
 runTiles(const TilePlan& plan,
          std::uint64_t memory,
          unsigned int threads,
+         bool keeps,
          const std::function<bool(const char*, double)>& tell)
 {
   const std::size_t tiles = plan.tiling.tiles.size();
@@ -138,18 +139,26 @@ runTiles(const TilePlan& plan,
   const auto forPart = [&](auto step) {
     return [&plan, step](std::size_t tile, const StepRun&) { step(plan, tile); };
   };
-  std::vector<Phase> phases = {{"outer side", 1, {}, [&] { decideAllSides(plan); }},
-                               {"shards", 4, forPart(writeShard), {}},
-                               {"index", 1, {}, [&] {
-                                  removeAll(plan, PIECES_STEP);
-                                  writeIndex(plan);
-                                }}};
+  const auto wind = [&](std::size_t tile, const StepRun& run) {
+    windTile(plan, tile, run);
+    if (!keeps)
+      for (const char* step : {MESH_STEP, JOIN_STEP})
+        std::filesystem::remove(plan.file(tile, step));
+  };
+  std::vector<Phase> phases = {{"outer side", 1, {}, [&] { decideAllSides(plan); }}};
+  if (keeps) {
+    phases.push_back({"shards", 4, forPart(writeShard), {}});
+    phases.push_back({"index", 1, {}, [&] {
+                        removeAll(plan, PIECES_STEP);
+                        writeIndex(plan);
+                      }});
+  }
   const std::vector<Phase> before = {
       {"meshing tiles", 80, forTile(meshTile), {}},
       {"joining tiles", 2, forPart(joinTile), {}},
       {"disputes", 1, {}, [&] { groupAllDisputes(plan); }},
       {"closing seams", 5, forTile(closeTile), {}},
-      {"winding", 6, forTile(windTile), {}},
+      {"winding", 6, wind, {}},
       {"winding", 0, {}, [&] {
          removeAll(plan, MESH_STEP);
          removeAll(plan, JOIN_STEP);

@@ -16,6 +16,8 @@ constexpr std::uint64_t TILE_BYTES = 700;
 /** \brief Do what is left to do of the steps of all tiles, several tiles at a time as
  * far as the memory goes, each with its share of the threads; then write shards and
  * index. The files are the same for any memory and threads.
+ * \param[in] keeps the folder is for others, who may go on with it; else what no later
+ * step reads is removed, and no shards or index are made
  * \param[in] memory bytes that may be used; one tile is worked on in any case
  * \param[in] tell called from the calling thread with the step and the share of the
  * whole that is done; false stops, and a Failure says so */
@@ -23,6 +25,7 @@ void
 runTiles(const TilePlan& plan,
          std::uint64_t memory,
          unsigned int threads,
+         bool keeps,
          const std::function<bool(const char*, double)>& tell);
 
 } // namespace app

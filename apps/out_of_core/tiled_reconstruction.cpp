@@ -28,9 +28,9 @@ public:
   explicit TileFolder(const ReconstructSettings& settings)
   : path(settings.tile_folder.empty() ? settings.files.output + ".tiles"
                                       : settings.tile_folder)
-  , stays_(!settings.tile_folder.empty())
+  , stays(!settings.tile_folder.empty())
   {
-    if (!stays_ && std::filesystem::exists(path))
+    if (!stays && std::filesystem::exists(path))
       throw Failure(
           "the folder '" + path +
           "' is in the way; remove it, or name it with --tile-folder to go on "
@@ -39,7 +39,7 @@ public:
   ~TileFolder()
   {
     std::error_code error;
-    if (!stays_)
+    if (!stays)
       std::filesystem::remove_all(path, error);
   }
   TileFolder(const TileFolder&) = delete;
@@ -47,9 +47,7 @@ public:
   operator=(const TileFolder&) = delete;
 
   const std::string path;
-
-private:
-  bool stays_;
+  const bool stays;
 };
 
 std::string
@@ -118,7 +116,7 @@ reconstructInTiles(const ReconstructSettings& settings)
     return bar.show(step, CUTTING + (BEFORE_MERGING - CUTTING) * share);
   };
   try {
-    runTiles(plan, settings.memory, settings.threads, tell);
+    runTiles(plan, settings.memory, settings.threads, folder.stays, tell);
   }
   catch (const Failure&) {
     if (interrupted())
@@ -129,7 +127,7 @@ reconstructInTiles(const ReconstructSettings& settings)
   Outcome outcome = judge(facts, plan);
   OutputFolder outputs;
   if (!settings.files.output.empty() && bar.show("merging", BEFORE_MERGING))
-    mergeShards(plan, outputs.addElsewhere(settings.files.output));
+    mergeTiles(plan, folder.stays, outputs.addElsewhere(settings.files.output));
   if (!settings.files.report.empty())
     writeReport(facts, outputs.addElsewhere(settings.files.report));
   if (interrupted())
