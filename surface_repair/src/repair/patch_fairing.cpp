@@ -3,6 +3,7 @@
 
 #include "repair/patch_fairing.h"
 
+#include "fairing/edge_collapse.h"
 #include "fairing/flat_cap.h"
 #include "fairing/refinement.h"
 #include "fairing/relaxation.h"
@@ -31,7 +32,7 @@ public:
   : place_(place), obstacle_(obstacle), how_(how), context_(context), patch_(patch)
   {}
 
-  std::vector<std::size_t>
+  FairedPatch
   run()
   {
     const RepairParameters& parameters = place_.parameters;
@@ -39,7 +40,7 @@ public:
       findCollisions();
       const std::size_t most = how_.keeps_shape ? 0 : MOST_IN_THE_WAY;
       if (!parameters.refine || obstructed_.size() > most)
-        return std::move(obstructed_);
+        return {std::move(obstructed_), !parameters.refine};
     }
     refinePatch(place_.model,
                 parameters.refinement,
@@ -50,7 +51,9 @@ public:
       relax();
     else
       findCollisions();
-    return std::move(obstructed_);
+    if (obstructed_.empty() && !context_.cancelled())
+      collapse();
+    return {std::move(obstructed_), true};
   }
 
 private:
@@ -58,6 +61,8 @@ private:
   relax();
   void
   findCollisions();
+  void
+  collapse();
 
   const ClosingPlace& place_;
   const SurfaceObstacle& obstacle_;
@@ -91,6 +96,20 @@ Fairing::relax()
   }
 }
 
+/** Unless it would run into something then. */
+void
+Fairing::collapse()
+{
+  const Patch before = patch_;
+  if (collapseShortEdges(patch_) == 0)
+    return;
+  findCollisions();
+  if (!obstructed_.empty()) {
+    patch_ = before;
+    obstructed_.clear();
+  }
+}
+
 /** What the patch, as it would be written, runs into. */
 void
 Fairing::findCollisions()
@@ -102,7 +121,7 @@ Fairing::findCollisions()
 
 } // namespace
 
-std::vector<std::size_t>
+FairedPatch
 fairPatch(const ClosingPlace& place,
           const SurfaceObstacle& obstacle,
           const PatchFairing& how,

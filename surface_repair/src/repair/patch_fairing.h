@@ -17,11 +17,17 @@ struct PatchFairing {
   bool is_tested = false;   /**< a patch that runs into much is left as it is */
 };
 
+/** \brief What came of a patch. */
+struct FairedPatch {
+  std::vector<std::size_t> obstructed; /**< triangles that run into something in the
+                                            patch as it would be written, ascending */
+  bool is_faired = true; /**< it was not given up for running into much before */
+};
+
 /** \brief Refine and relax a patch; where it runs into something then, it goes back to
  * what it was before it was relaxed, in wider and wider surroundings.
- * \return triangles that run into something in the patch as it would be written,
- * ascending */
-std::vector<std::size_t>
+ */
+FairedPatch
 fairPatch(const ClosingPlace& place,
           const SurfaceObstacle& obstacle,
           const PatchFairing& how,

@@ -84,7 +84,7 @@ private:
   RegionParts parts_;
   ClosedRegion result_;
   std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
-  std::vector<std::size_t> obstructed_;   /**< triangles of the patch as it is */
+  FairedPatch faired_;                    /**< the patch as it is */
 };
 
 /** Each triangle at an edge that the surface crosses would meet it: nothing is tried.
@@ -206,7 +206,7 @@ RegionClosing::fair()
   how.is_flat = parts_.isFlat();
   how.keeps_shape = any(&FillStrategy::keeps_shape);
   how.is_tested = region_.holes.size() == 1 && !place_.mends;
-  obstructed_ = fairPatch(place_, obstacle_, how, context_, result_.patch);
+  faired_ = fairPatch(place_, obstacle_, how, context_, result_.patch);
 }
 
 void
@@ -233,7 +233,7 @@ RegionClosing::verify()
 {
   const Patch& patch = result_.patch;
   std::set<std::size_t> obstructed;
-  for (const std::size_t triangle : obstructed_)
+  for (const std::size_t triangle : faired_.obstructed)
     obstructed.insert(patch.hole[triangle]);
   if (!obstructed.empty() && place_.mends)
     keepForMending();
@@ -242,6 +242,8 @@ RegionClosing::verify()
   if (std::any_of(obstructed.begin(), obstructed.end(), [&](std::size_t hole) {
         return region_.holes.size() == 1 || strategy_[hole] != GIVEN_UP;
       }))
+    return false;
+  if (!faired_.is_faired) // nor is the rest
     return false;
   // What is left of the patch without the holes in question has no other fault.
   if (!obstructed.empty())
