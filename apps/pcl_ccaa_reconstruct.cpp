@@ -53,8 +53,24 @@ faceProperties(const ReconstructSettings& settings, const ReconstructResult& res
   return {{"stage", {result.labels.begin(), result.labels.end()}}};
 }
 
+/** Handles a point from which noise makes them: thin walls of whole scans have a
+ * twentieth of that, a sphere with noise of its spacing ten times as many. */
+constexpr double NOISY_HANDLES = 0.004;
+
+/** What to do about handles that are in doubt. */
+std::string
+adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  const auto points = static_cast<double>(pointCount(result.model.mesh.cloud));
+  return !settings.clean && static_cast<double>(result.chain.doubtful_handles) >
+                                NOISY_HANDLES * points
+             ? "; they are so many that the points seem to scatter by more than their "
+               "distances: try --clean"
+             : "";
+}
+
 Outcome
-judge(const ReconstructResult& result)
+judge(const ReconstructSettings& settings, const ReconstructResult& result)
 {
   if (result.model.mesh.polygons.empty())
     return {INCOMPLETE,
@@ -71,7 +87,8 @@ judge(const ReconstructResult& result)
   if (result.chain.doubtful_handles > 0)
     return {INCOMPLETE,
             "the surface has " + plural(result.chain.doubtful_handles, "handle") +
-                " and places so thin that some may be tunnels that nobody scanned",
+                " and places so thin that some may be tunnels that nobody scanned" +
+                adviceFor(settings, result),
             {}};
   return {DONE, "", {}};
 }
@@ -187,7 +204,7 @@ runOne(const ReconstructSettings& settings, ReconstructResult& result)
     work(settings, bar, result);
   if (!bar.show("writing", 0))
     return {INTERRUPTED, stopped_by_signal, {}};
-  Outcome outcome = settings.dry_run ? Outcome() : judge(result);
+  Outcome outcome = settings.dry_run ? Outcome() : judge(settings, result);
   writeOutputs(settings, outcome, result);
   bar.clear();
   if (!settings.quiet)

@@ -3,6 +3,7 @@
 #include "io/wording.h"
 #include "repair_fixture.h"
 #include "report/verdict.h"
+#include "support/clouds.h"
 #include "support/random_source.h"
 #include <nlohmann/json.hpp>
 
@@ -110,6 +111,18 @@ TEST_F(RunVerdict, TellsHandlesThatMayBeTunnelsThroughThinPlaces)
   const auto report = nlohmann::json::parse(result.output);
   EXPECT_GT(report.at("genus"), 0);
   EXPECT_EQ(report.at("genus"), report.at("doubtful_handles"));
+}
+
+TEST_F(RunVerdict, AdvisesToCleanWhereNoiseMakesHandles)
+{
+  save(folder_.path("noisy.ply"),
+       test::toPolygonMesh({test::noisySphere(4000, 0.06), {}}));
+  const std::string advice = "try --clean";
+  const RunResult result = run("pcl_ccaa_reconstruct noisy.ply out.ply");
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_NE(std::string::npos, result.errors.find(advice)) << result.errors;
+  const RunResult cleaned = run("pcl_ccaa_reconstruct noisy.ply out.ply --clean");
+  EXPECT_EQ(std::string::npos, cleaned.errors.find(advice)) << cleaned.errors;
 }
 
 TEST_F(RunVerdict, EndsEveryProgram)
