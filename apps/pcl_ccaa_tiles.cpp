@@ -172,7 +172,7 @@ main(int argc, char** argv)
   line.positional("FOLDER", task.folder);
   line.morePositionals("ARGUMENT", task.rest);
   line.options().count("tiles", task.most_points, app::LEAST_TILE_POINTS, 1000000000)(
-      "with 'cut': most points of a tile");
+      "with 'cut': most points of a tile", "lower for machines with little memory");
   app::addThreads(line, task.settings.threads);
   app::addChainOptions(line, task.settings);
   return app::runApp(line, argc, argv, [&] { return app::run(task); });

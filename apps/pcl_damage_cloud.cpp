@@ -52,20 +52,27 @@ void
 addRegionOptions(OptionGroup& options, DamageSettings& settings)
 {
   constexpr long long many = 1000000;
-  options.texts("sphere", settings.spheres)("x,y,z,r: take out a sphere (repeatable)");
+  options.texts("sphere", settings.spheres)("x,y,z,r: take out a sphere (repeatable)",
+                                            "for a hole at a known place");
   options.texts("slab", settings.slabs)(
-      "nx,ny,nz,offset,thickness: take out a slab (repeatable)");
+      "nx,ny,nz,offset,thickness: take out a slab (repeatable)",
+      "for a cut at a known place");
   options.flag("absolute",
-               settings.absolute)("--sphere and --slab are in the units of the cloud");
+               settings.absolute)("--sphere and --slab are in the units of the cloud",
+                                  "where the place was measured, not guessed");
   options.count("spheres", settings.random_spheres, 0, many)(
-      "number of spheres around random points");
-  options.real("sphere-size", settings.sphere_size, 0, 1)("their radius, 0 to 1");
-  options.count("slabs", settings.random_slabs, 0, many)("number of slabs at random");
-  options.real("slab-size", settings.slab_size, 0, 1)("their thickness, 0 to 1");
+      "number of spheres around random points", "for round holes");
+  options.real("sphere-size", settings.sphere_size, 0, 1)(
+      "their radius, 0 to 1", "to test up to which size a repair is good");
+  options.count("slabs", settings.random_slabs, 0, many)("number of slabs at random",
+                                                         "to cut a model into islands");
+  options.real("slab-size", settings.slab_size, 0, 1)(
+      "their thickness, 0 to 1", "to test up to which gap islands are joined");
   options.count("patches", settings.random_patches, 0, many)(
-      "number of connected patches of random shape");
+      "number of connected patches of random shape", "for ragged holes, as scans have");
   options.real("patch-size", settings.patch_size, 0, 1)(
-      "points in each patch as a share of all points, 0 to 1");
+      "points in each patch as a share of all points, 0 to 1",
+      "to test up to which size a repair is good");
 }
 
 bool
@@ -92,15 +99,21 @@ addOptions(CommandLine& line, DamageSettings& settings)
   OptionGroup& options = line.options();
   addRegionOptions(options, settings);
   options.real("keep", settings.keep, 0, 1)(
-      "share of the points taken out that stays as free points, 0 to 1");
+      "share of the points taken out that stays as free points, 0 to 1",
+      "to test what sparse samples are worth");
   options.real("noise", settings.noise, 0, 1000)(
-      "deviation of the noise on them, in mean distances between neighbours");
-  options.count("seed", settings.seed, 0, 4294967295LL)("same seed, same damage");
-  options.text("removed", settings.removed)("write what was taken out to this file");
+      "deviation of the noise on them, in mean distances between neighbours",
+      "to test how much noise they may have");
+  options.count("seed", settings.seed, 0, 4294967295LL)(
+      "same seed, same damage", "to repeat a test on other damage");
+  options.text("removed", settings.removed)("write what was taken out to this file",
+                                            "to measure a repair against the truth");
   options.text("free-points", settings.free_points)(
-      "write the free points also to a cloud of their own");
+      "write the free points also to a cloud of their own",
+      "to hand them to --free-points of a repair");
   options.text("report",
-               settings.report)("write figures about the run to this JSON file");
+               settings.report)("write figures about the run to this JSON file",
+                                "where a program goes on with the figures");
   addFormatOption(line,
                   "ply, vtk, obj, off, stl, pcd or xyz",
                   settings.format,

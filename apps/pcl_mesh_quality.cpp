@@ -52,10 +52,13 @@ addOptions(CommandLine& line, Settings& settings)
 {
   OptionGroup& options = line.options();
   options.text("report", settings.report)(
-      "write the facts to this JSON file, or to standard output (-)");
+      "write the facts to this JSON file, or to standard output (-)",
+      "where a program goes on with the figures");
   options.flag("no-self-intersections", settings.self_intersections, false)(
-      "do not look for triangles that cross each other, which takes longest");
-  options.count("threads", settings.threads, 0, 1024)("number of threads, 0 = all");
+      "do not look for triangles that cross each other, which takes longest",
+      "for a quick look at a large mesh");
+  options.count("threads", settings.threads, 0, 1024)("number of threads, 0 = all",
+                                                      "to leave processors to others");
   line.positional("MESH", settings.mesh);
 }
 

@@ -142,6 +142,7 @@ main(int argc, char** argv)
   line.positional("OUTPUT", settings.output);
   app::addRenderOptions(line, settings.picture);
   line.options().text("report", settings.report)(
-      "write figures about the picture to this JSON file, or to standard output (-)");
+      "write figures about the picture to this JSON file, or to standard output (-)",
+      "where a program goes on with the figures");
   return app::runApp(line, argc, argv, [&] { return app::renderMesh(settings); });
 }

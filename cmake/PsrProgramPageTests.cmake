@@ -11,6 +11,11 @@ foreach(psr_program IN LISTS psr_programs)
         $<TARGET_FILE:${psr_program}> "${PROJECT_BINARY_DIR}/programs")
   endforeach()
 endforeach()
+if(psr_programs AND TARGET app_viewer)
+  add_test(NAME PackagePages.options_page_tells_when
+           COMMAND bash "${PROJECT_SOURCE_DIR}/scripts/make_options.sh" --check
+                   "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+endif()
 if(psr_programs)
   add_test(
     NAME PackagePages.completion_offers_what_fits

@@ -25,7 +25,7 @@ help_options() {
       text = substr($0, RSTART + RLENGTH)
       sub(/^ \]/, "", text)
       takes = ""
-      if (match(text, /^ arg( \(=[^)]*\))?/)) {
+      if (match(text, /^ (arg( \(=[^)]*\))?|\[=arg\(=[^)]*\)\])/)) {
         takes = substr(text, 2, RLENGTH - 1)
         text = substr(text, RLENGTH + 1)
       }

@@ -13,16 +13,17 @@ namespace app {
 /** \brief How a cloud is cleaned. */
 struct CleanParameters {
   /** \brief Distance that points keep, in units of the cloud; 0: the median spacing of
-   * the cloud. Greater where the mesh may be coarser. */
+   * the cloud. Set it higher where the mesh may be coarser. */
   double spacing = 0;
 
   /** \brief Radius of the patches that smooth the points, in units of the cloud; 0:
    * four spacings, or where the cloud is thicker, as much as makes it a surface. What
-   * is smaller is smoothed away. */
+   * is smaller is smoothed away. Set it higher where the mesh is still rough. */
   double radius = 0;
 
   /** \brief A point is an outlier when its neighbours are this many standard deviations
-   * farther away than is usual; 1 or more. */
+   * farther away than is usual; 1 or more. Set it lower where strays are left, higher
+   * where thin parts vanish. */
   double outlier_deviations = 4.0;
 };
 

@@ -24,13 +24,14 @@ checkRange(const std::string& name, Number value, std::pair<Number, Number> rang
 } // namespace
 
 void
-OptionGroup::Waiting::operator()(const std::string& help)
+OptionGroup::Waiting::operator()(const std::string& help, const std::string& use)
 {
+  const std::string text = use.empty() ? help : help + "; use it " + use;
   auto add = group.options_.add_options();
   if (type == nullptr)
-    add(name.c_str(), help.c_str());
+    add(name.c_str(), text.c_str());
   else
-    add(name.c_str(), type, help.c_str());
+    add(name.c_str(), type, text.c_str());
   group.takes_.emplace_back(name.substr(0, name.find(',')), std::move(take));
 }
 
@@ -121,18 +122,18 @@ CommandLine::CommandLine(Usage usage, bool& quiet) : usage_(std::move(usage))
 {
   options_.options_.add_options()("help,h", "print this text and stop")(
       "version", "print the version and stop");
-  options_.flag("quiet,q",
-                quiet)("print nothing but errors: no progress, no summary, no notes");
+  options_.flag("quiet,q", quiet)(
+      "print nothing but errors: no progress, no summary, no notes", "in scripts");
   options_.options_.add_options()(
       "force",
       "write over files that hold points without triangles and were not written by "
-      "these programs, such as scans; refused otherwise");
+      "these programs, such as scans; refused otherwise; use it where they may go");
 }
 
 void
 CommandLine::positional(const std::string& name, std::string& value)
 {
-  hidden_.text(name, value)("");
+  hidden_.text(name, value)("", "");
   positional_.add(name.c_str(), 1);
   required_.push_back(name);
 }
@@ -142,8 +143,8 @@ CommandLine::positional(const std::string& name,
                         std::vector<std::string>& values,
                         bool is_required)
 {
-  hidden_.parsed(name,
-                 [&values](const std::string& value) { values.push_back(value); })("");
+  hidden_.parsed(
+      name, [&values](const std::string& value) { values.push_back(value); })("", "");
   positional_.add(name.c_str(), 1);
   if (is_required)
     required_.push_back(name);
@@ -152,7 +153,7 @@ CommandLine::positional(const std::string& name,
 void
 CommandLine::morePositionals(const std::string& name, std::vector<std::string>& values)
 {
-  hidden_.texts(name, values)("");
+  hidden_.texts(name, values)("", "");
   positional_.add(name.c_str(), -1);
 }
 
@@ -210,7 +211,8 @@ void
 addThreads(CommandLine& command_line, unsigned int& threads)
 {
   command_line.options().count("threads", threads, 0, 1024)(
-      "number of threads, 0 = all; the result is the same for any");
+      "number of threads, 0 = all; the result is the same for any",
+      "to leave processors to others");
 }
 
 } // namespace app

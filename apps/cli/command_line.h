@@ -24,12 +24,14 @@ struct Usage {
 
 /** \brief Options under one heading of the help. Each is bound to a variable, which has
  * to outlive the command line; the value that it has when it is bound is the default.
- * What describes an option is called with its text for the help, which adds it. */
+ * What describes an option is called with its text for the help and when one needs it,
+ * which adds it. */
 class OptionGroup {
   using Variable = boost::program_options::variable_value;
   using Take = std::function<void(const Variable&)>;
 
-  /** \brief An option that waits for its text. */
+  /** \brief An option that waits for its text. "use it" goes before \a use, such as
+   * "for noisy scans"; an argument without a dash has neither. */
   struct [[nodiscard]] Waiting {
     OptionGroup& group;
     std::string name;
@@ -37,7 +39,7 @@ class OptionGroup {
     Take take;
 
     void
-    operator()(const std::string& help);
+    operator()(const std::string& help, const std::string& use);
   };
 
 public:

@@ -41,10 +41,12 @@ addFileNames(CommandLine& command_line, const FileRules& rules, FileNames& names
                               std::string(mesh_output_endings) +
                               "); all names without a dash are inputs then";
   OptionGroup& options = command_line.options();
-  options.name("output,o", names.output)(to_file);
+  options.name("output,o", names.output)(to_file,
+                                         "with more names than two, or in scripts");
   options.name("output-folder", names.folder)(
       "write NAME.ply to this folder (made if missing) for each of any number of "
-      "inputs; --format chooses another ending");
+      "inputs; --format chooses another ending",
+      "for many models at once");
   command_line.positional(rules.input, names.inputs);
   command_line.positional(rules.output, names.inputs, false);
   command_line.morePositionals(further_names, names.inputs);
@@ -57,11 +59,14 @@ addFormatOption(CommandLine& command_line,
                 FileFormat& format,
                 std::function<bool()> is_needed)
 {
-  command_line.options().parsed("format", [&format](const std::string& name) {
-    format = formatOfName(name);
-    if (format == FileFormat::UNKNOWN)
-      throw Failure("--format '" + name + "' is not known (try --help)");
-  })("format of an output whose name does not tell it: " + list);
+  command_line.options().parsed(
+      "format",
+      [&format](const std::string& name) {
+        format = formatOfName(name);
+        if (format == FileFormat::UNKNOWN)
+          throw Failure("--format '" + name + "' is not known (try --help)");
+      })("format of an output whose name does not tell it: " + list,
+         "for standard output and many outputs");
   command_line.then([&format, is_needed = std::move(is_needed)] {
     if (format != FileFormat::UNKNOWN && !is_needed())
       throw Failure("--format is for outputs without an ending of their own; the "

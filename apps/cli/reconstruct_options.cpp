@@ -42,36 +42,46 @@ void
 addCleaning(OptionGroup& options, ReconstructSettings& settings)
 {
   options.flag("clean", settings.clean)(
-      "first make one even layer of the points, for scans that overlap and disagree: "
-      "grid, outliers away, smoothing; the points are new ones then");
+      "first make one even layer of the points: grid, outliers away, smoothing; the "
+      "points are new ones then",
+      "for noise, and for scans that overlap and disagree");
   options.real("clean-spacing", settings.cleaning.spacing, 0, LONGEST)(
       "distance that points keep in --clean, in units of the cloud; 0: as dense as the "
-      "cloud");
+      "cloud",
+      "for a coarser mesh");
   options.real("clean-radius", settings.cleaning.radius, 0, LONGEST)(
       "radius of the patches that smooth in --clean, in units of the cloud; what is "
-      "smaller goes; 0: by the noise");
+      "smaller goes; 0: by the noise",
+      "greater where the mesh is still rough, less where edges are rounded off");
   options.real("clean-outliers", settings.cleaning.outlier_deviations, 1, 1000)(
-      "how many standard deviations farther than usual neighbours of an outlier are");
+      "how many standard deviations farther than usual neighbours of an outlier are",
+      "lower where strays are left, higher where thin parts vanish");
 }
 
 void
 addOutputs(OptionGroup& options, ReconstructSettings& settings)
 {
   options.flag("repair", settings.repair)(
-      "then join the islands and close the holes, as pcl_repair_holes does");
+      "then join the islands and close the holes, as pcl_repair_holes does",
+      "for a finished model, not only what was measured");
   options.flag("merge", settings.merge)(
       "all inputs are views of one object and become one cloud, in which each point "
-      "keeps the viewpoint of its file");
+      "keeps the viewpoint of its file",
+      "for registered scans from several places");
   addCleaning(options, settings);
   options.flag("labels", settings.labels)(
       "write which stage made each triangle as the face property 'stage': 0 start, 1 "
-      "base, 2 repair; PLY only");
+      "base, 2 repair; PLY only",
+      "to tell what was measured from what was added");
   options.flag("normals", settings.normals)(
-      "write a normal of the surface for each point, unless the cloud has normals");
+      "write a normal of the surface for each point, unless the cloud has normals",
+      "for viewers and programs that want them");
   options.flag("dry-run", settings.dry_run)(
-      "say what would be read and how, and write nothing but the report");
+      "say what would be read and how, and write nothing but the report",
+      "to see how an unknown scan is understood");
   options.text("report", settings.files.report)(
-      "write figures about the run to this JSON file, or to standard output (-)");
+      "write figures about the run to this JSON file, or to standard output (-)",
+      "where a program goes on with the figures");
 }
 
 void
@@ -79,34 +89,43 @@ addStageOptions(OptionGroup& options, ReconstructSettings& settings)
 {
   options.choice("until", settings.until, STAGES)(
       "last stage: start (raw triangles, some of them wrong, wound in any way), filter "
-      "(correct triangles only) or base (what is missing between them, too)");
+      "(correct triangles only) or base (what is missing between them, too)",
+      "to look at a stage, or to go on by other means");
   options.choice("start", settings.start, STARTS)(
       "which points the first triangles join: greedy (near ones), grid (neighbours in "
       "rows and columns of an organised cloud) or auto (of these the one that leaves "
-      "fewer islands)");
+      "fewer islands)",
+      "as grid for depth cameras whose steps of depth are wider than their pixels");
   options.flag("measure-speedup", settings.measure_speedup)(
-      "also run the base stage alone, and print whether the stages before it pay");
+      "also run the base stage alone, and print whether the stages before it pay",
+      "to judge the method on data of your kind");
   options.choice("search", settings.search, SEARCHES)(
-      "neighbour search: fast, or kdtree (PCL's own)");
+      "neighbour search: fast, or kdtree (PCL's own)", "to compare their times");
 }
 
 void
 addGreedyOptions(OptionGroup& options, ReconstructSettings& settings)
 {
   options.count("neighbors", settings.neighbors, 3, 64)(
-      "neighbours looked at for each point, 3 to 64");
+      "neighbours looked at for each point, 3 to 64",
+      "higher where points lie in lines, as of the profiles of a scanner");
   options.real("min-angle", settings.minimum_angle, 0, 60)(
-      "smallest angle between two edges at a point, in degrees, 0 to 60");
+      "smallest angle between two edges at a point, in degrees, 0 to 60",
+      "lower where narrow triangles are better than holes");
   options.real("certified-angle", settings.certified_minimum_angle, 0, 60)(
-      "the same for edges that no other point speaks against, in degrees, 0 to 60");
+      "the same for edges that no other point speaks against, in degrees, 0 to 60",
+      "higher against slivers");
   options.real("max-length", settings.length_factor, 1, 1e6)(
-      "longest edge as a multiple of the spacing around it, 1 or more");
+      "longest edge as a multiple of the spacing around it, 1 or more",
+      "higher where scan lines lie far apart, lower where separate parts get joined");
   options.flag("plain", settings.plain)(
       "shortest edges first and --min-angle alone, without asking for each edge "
-      "whether other points speak against it; faults and holes are more");
+      "whether other points speak against it; faults and holes are more",
+      "to compare with the thesis");
   options.count("min-region", settings.minimum_internal_points, 0, 1000000000)(
       "regions with fewer inner points than this are removed by the filter; 0 keeps "
-      "all");
+      "all",
+      "at 0 where small separate parts are wanted, higher where strays form crumbs");
 }
 
 void
@@ -114,19 +133,22 @@ addTileOptions(OptionGroup& options, ReconstructSettings& settings)
 {
   options.optionalCount(
       "tiles", settings.tiles, DEFAULT_TILE_POINTS, LEAST_TILE_POINTS, 1000000000)(
-      "work tile by tile, for clouds larger than memory: each tile has at most so many "
+      "work tile by tile: each tile has at most so many "
       "points, 4 000 000 when it is just --tiles; all inputs are one cloud, "
       "OUTPUT_MESH "
-      "is PLY");
+      "is PLY",
+      "for clouds larger than memory");
   options.parsed(
       "memory",
       [&settings](const std::string& text) { settings.memory = bytesOf(text); },
       "4G")("with --tiles: memory for tiles that are worked on at a time, such as 500M "
-            "or 4G; the result is the same for any");
+            "or 4G; the result is the same for any",
+            "where other programs need memory, too");
   options.text("tile-folder", settings.tile_folder)(
       "with --tiles: keep the tiles as shards, one PLY each with an index, in this "
       "folder; a run that was stopped goes on there. With one input OUTPUT_MESH may be "
-      "left out");
+      "left out",
+      "for long runs, and for maps that are read piece by piece");
 }
 
 void

@@ -45,25 +45,33 @@ checkOutputs(const CommandLine& line, const RepairSettings& settings)
 void
 addRunOptions(OptionGroup& options, RepairSettings& settings)
 {
-  options.text("free-points",
-               settings.free_points)("a cloud of points of the missing regions");
+  options.text("free-points", settings.free_points)(
+      "a cloud of points of the missing regions",
+      "where a second scan or a probe has touched what is missing");
   options.flag("dry-run", settings.dry_run)(
       "say what would be repaired, and write nothing but the report; exit code 0: "
-      "nothing to do, 2: something");
+      "nothing to do, 2: something",
+      "before anything is invented, and in scripts");
   options.text("report", settings.files.report)(
-      "write figures about the model to this JSON file, or to standard output (-)");
+      "write figures about the model to this JSON file, or to standard output (-)",
+      "where a program goes on with the figures");
   options.flag("labels", settings.labels)(
       "write how each triangle came about as the face property 'origin': 0 input, 1 "
-      "fan, 2 minimum weight, 3 completion; PLY only");
+      "fan, 2 minimum weight, 3 completion; PLY only",
+      "to tell what was measured from what was invented");
   options.text("bridges", settings.bridges)(
-      "write the bridges that were built, with normals and quality, to this .vtk file");
+      "write the bridges that were built, with normals and quality, to this .vtk file",
+      "to see how islands were joined");
   options.text("inspect", settings.inspect)(
       "write what was found to this folder (made if missing): .vtk and .pcd files for "
-      "pcl_viewer, PNG pictures, and legend.txt, which explains them");
-  options.flag("no-pictures", settings.pictures, false)("leave out the pictures");
+      "pcl_viewer, PNG pictures, and legend.txt, which explains them",
+      "to see what is missing, and why something stays open");
+  options.flag("no-pictures", settings.pictures, false)(
+      "leave out the pictures", "where there is no display, or time matters");
   options.text("decisions", settings.decisions)(
       "with --dry-run write to this JSON file what would be done about each boundary "
-      "and junction; else do what it says, after you have changed it");
+      "and junction; else do what it says, after you have changed it",
+      "where you know better about one hole or one pair of islands");
 }
 
 } // namespace

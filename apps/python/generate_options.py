@@ -5,7 +5,8 @@
 
 An option is a member of a public options struct, or a setter of a class that has none; its name,
 type, default and description come from the header. A member is known by its own name, behind that
-of the member that holds it where two options of a function would be called alike.
+of the member that holds it where two options of a function would be called alike. Its description
+has a sentence "Set it ...", which tells when one needs the option.
 
 usage: generate_options.py INCLUDE_FOLDER... --cpp FILE --python FILE
 """
@@ -159,6 +160,10 @@ def main():
                         for header in sorted(folder.glob("*.h")))
     headers = re.sub(r"//.*", "", headers)
     functions = {function: list(options_of(function, headers)) for function in FUNCTIONS}
+    silent = [f"{function}: {option[0]}" for function, options in functions.items()
+              for option in options if "Set it " not in option[3]]
+    if silent:
+        sys.exit("generate_options.py: no 'Set it ...' tells when one needs " + ", ".join(silent))
     for target, lines in (arguments.cpp, cpp), (arguments.python, python):
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text("\n".join(lines(functions, headers)) + "\n", encoding="utf-8")

@@ -16,7 +16,11 @@ constexpr Word<Coloring> COLORINGS[] = {{"none", Coloring::NONE},
                                         {"rgb", Coloring::RGB}};
 
 void
-addSize(OptionGroup& options, int& width, int& height, const std::string& help)
+addSize(OptionGroup& options,
+        int& width,
+        int& height,
+        const std::string& help,
+        const std::string& use)
 {
   const auto take = [&](const std::string& text) {
     constexpr int largest = 8192;
@@ -29,7 +33,7 @@ addSize(OptionGroup& options, int& width, int& height, const std::string& help)
     height = size[1];
   };
   options.parsed("size", take, std::to_string(width) + "x" + std::to_string(height))(
-      help);
+      help, use);
 }
 
 /** A direction has a length. */
@@ -52,33 +56,48 @@ addRenderOptions(CommandLine& command_line, RenderSettings& settings)
   const auto add_direction = [&](const std::string& name,
                                  Eigen::Vector3d& direction,
                                  const std::string& help,
+                                 const std::string& use,
                                  const std::string& default_text) {
     const auto take = [&direction, name](const std::string& text) {
       return takeDirection(name, text, direction);
     };
-    options.parsed(name, take, default_text)(help);
+    options.parsed(name, take, default_text)(help, use);
   };
-  addSize(options, settings.width, settings.height, "WxH in pixels");
-  add_direction(
-      "view", settings.view, "X,Y,Z: direction from the object to the camera", "0,0,1");
+  addSize(options,
+          settings.width,
+          settings.height,
+          "WxH in pixels",
+          "to fit a page or a screen");
+  add_direction("view",
+                settings.view,
+                "X,Y,Z: direction from the object to the camera",
+                "to see another side",
+                "0,0,1");
   add_direction("view-up",
                 settings.up,
                 "X,Y,Z: direction that points up in the picture",
+                "where z, not y, is up: 0,0,1",
                 "0,1,0");
   options.parsed("focus", [&settings](const std::string& text) {
     return parsePlace("focus", text, settings.focus.emplace(Eigen::Vector3d::Zero()));
-  })("X,Y,Z: place in the centre of the picture");
-  options.real("zoom", settings.zoom, 1e-3, 1e6)("1 shows the whole object");
-  options.flag("edges", settings.edges)("draw the edges of the triangles");
+  })("X,Y,Z: place in the centre of the picture", "with --zoom for details");
+  options.real("zoom", settings.zoom, 1e-3, 1e6)("1 shows the whole object",
+                                                 "above 1 for details");
+  options.flag("edges", settings.edges)("draw the edges of the triangles",
+                                        "to see how dense the mesh is");
   options.flag("no-boundaries", settings.boundaries, false)(
-      "leave out boundary (red) and overfull (magenta) edges");
+      "leave out boundary (red) and overfull (magenta) edges",
+      "where only the shape matters");
   options.choice("color-by", settings.coloring, COLORINGS)(
       "none: front faces grey, back faces orange; role: also free points (blue dots) "
       "and boundary points (red dots); component: a colour per connected component; "
-      "rgb: the colours of the points");
+      "rgb: the colours of the points",
+      "as role to find free points, as component to find loose parts");
   options.text("new-since", settings.new_since)(
-      "MESH: an earlier state of the mesh; triangles that it has not are green");
-  options.real("point-size", settings.point_size, 0.1, 100.0)("size of dots in pixels");
+      "MESH: an earlier state of the mesh; triangles that it has not are green",
+      "to see what a repair has added");
+  options.real("point-size", settings.point_size, 0.1, 100.0)(
+      "size of dots in pixels", "lower for dense clouds, higher for sparse ones");
   command_line.then([&settings] {
     const bool colors_faces =
         settings.coloring == Coloring::COMPONENT || settings.coloring == Coloring::RGB;
@@ -93,19 +112,26 @@ addViewOptions(CommandLine& command_line, InspectionView& view)
   OptionGroup& options = command_line.options();
   const auto add_direction = [&](const std::string& name,
                                  std::optional<Eigen::Vector3d>& direction,
-                                 const std::string& help) {
+                                 const std::string& help,
+                                 const std::string& use) {
     options.parsed(name, [&direction, name](const std::string& text) {
       return takeDirection(name, text, direction.emplace(Eigen::Vector3d::Zero()));
-    })(help);
+    })(help, use);
   };
-  addSize(options, view.width, view.height, "of the pictures, WxH in pixels");
+  addSize(options,
+          view.width,
+          view.height,
+          "of the pictures, WxH in pixels",
+          "to fit a page or a screen");
   add_direction("view",
                 view.view,
                 "X,Y,Z: direction from the model to the camera; without it chosen to "
-                "show most of the boundary");
+                "show most of the boundary",
+                "to see another side");
   add_direction("view-up",
                 view.up,
-                "X,Y,Z: direction that points up in the pictures; without it y or z");
+                "X,Y,Z: direction that points up in the pictures; without it y or z",
+                "where another axis is up");
 }
 
 void

@@ -63,23 +63,30 @@ addViewerOptions(CommandLine& command_line, ViewerSettings& settings)
   OptionGroup& options = command_line.options();
   options.text("stage", settings.stage)(
       "stage to be shown: " + joinedStageNames() +
-      "; without it the first in the window, the result in a picture");
+          "; without it the first in the window, the result in a picture",
+      "to begin where the question is");
   options.name("screenshot", settings.screenshot)(
-      "open no window, write a picture of the stage to this PNG file");
+      "open no window, write a picture of the stage to this PNG file",
+      "for pictures in scripts");
   options.name("screenshots",
                settings.folder)("open no window, write a picture of every stage to "
-                                "this folder (made if missing)");
+                                "this folder (made if missing)",
+                                "to document a repair");
   addViewOptions(command_line, settings.view);
   options.flag("points-only", settings.task.points_only)(
-      "take the points of a mesh alone, as a cloud");
-  options.text("free-points",
-               settings.task.free_points)("a cloud of points of the missing regions");
+      "take the points of a mesh alone, as a cloud",
+      "to see how a cloud without its triangles would do");
+  options.text("free-points", settings.task.free_points)(
+      "a cloud of points of the missing regions",
+      "where a second scan or a probe has touched what is missing");
   options.text("decisions", settings.decisions)(
       "JSON file of decisions about boundaries and junctions of a mesh: read if it is "
-      "there, written by the key w; without it that writes INPUT_decisions.json");
+      "there, written by the key w; without it that writes INPUT_decisions.json",
+      "to go on with earlier decisions, or to keep several");
   options.name("output,o", settings.output)(
       "file for the mesh that the key y repairs as decided; without it "
-      "INPUT_repaired.ply beside the input");
+      "INPUT_repaired.ply beside the input",
+      "where the result has a place of its own");
   addThreads(command_line, settings.task.threads);
   command_line.then([&settings] { return checkChoices(settings); });
   addMethodOptions(command_line, settings.task.method);

@@ -28,7 +28,8 @@ public:
   operator=(const RunSettings&) = default;
   virtual ~RunSettings() = default;
 
-  /** \brief Threads to use, 0 (the default) = all. The result is the same for any. */
+  /** \brief Threads to use, 0 (the default) = all. The result is the same for any. Set
+   * it to leave processors to others. */
   void
   setNumberOfThreads(unsigned int threads)
   {

@@ -85,7 +85,8 @@ public:
   operator=(const SideSettings&) = default;
   virtual ~SideSettings() = default;
 
-  /** \brief Where the sensor of all points stood, units of the cloud. Default: none. */
+  /** \brief Where the sensor of all points stood, units of the cloud. Default: none.
+   * Set it for open surfaces without normals. */
   void
   setViewpoint(const std::optional<Eigen::Vector3d>& position)
   {
@@ -98,7 +99,8 @@ public:
   }
 
   /** \brief Where the outer side looks, as that of a terrain does to the sky; of any
-   * length. Asked after a viewpoint. Default: none. */
+   * length. Asked after a viewpoint. Default: none. Set it for terrain and
+   * floors. */
   void
   setUp(const std::optional<Eigen::Vector3d>& direction)
   {
@@ -112,7 +114,8 @@ public:
 
   /** \brief Whether the origin counts as the sensor's place where nothing says where it
    * stood and the points lie before it (see ccaa::liesBeforeOrigin()). Default true for
-   * typed clouds, whose sensor_origin_ is the origin unless it is set; else false. */
+   * typed clouds, whose sensor_origin_ is the origin unless it is set; else false. Set
+   * it for single scans in the frame of their sensor. */
   void
   setOriginAsViewpoint(bool allowed)
   {

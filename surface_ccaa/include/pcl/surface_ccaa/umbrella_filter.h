@@ -82,7 +82,8 @@ public:
   using ConstPtr = shared_ptr<const UmbrellaFilter>;
 
   /** \brief N_i of C3.4-3: a region with fewer internal points goes altogether.
-   * 0 keeps every region. Default 10. */
+   * 0 keeps every region. Default 10. Set it to 0 where small separate parts are
+   * wanted, higher where strays form crumbs. */
   void
   setMinimumInternalPoints(std::size_t count)
   {
@@ -96,7 +97,7 @@ public:
 
   /** \brief Wind all triangles of a region alike, and outward where that can be told
    * (see mesh/orientation.h). Default true; with false the windings of the input stay.
-   */
+   * Set it false where these are right though they look inward. */
   void
   setConsistentOrientation(bool orient)
   {
@@ -110,7 +111,8 @@ public:
 
   /** \brief Largest share of a one-sided region's triangles that may go to make it
    * two-sided, 0 to 1 (see ccaa::findTwists()). Default 0.1; 0 leaves one-sided regions
-   * as they are. Without consistent orientation nothing is cut. */
+   * as they are. Without consistent orientation nothing is cut. Set it to 0 for objects
+   * that have one side only, such as a Moebius band. */
   void
   setLargestTwistShare(double share)
   {

@@ -91,7 +91,7 @@ public:
   }
 
   /** \brief Least confidence of a class; below it the answer is UNDECIDED. 0 to 1,
-   * default 0.4. */
+   * default 0.4. Set it higher where a wrong class costs more than an open question. */
   void
   setMinimumConfidence(double confidence)
   {
@@ -104,7 +104,8 @@ public:
   }
 
   /** \brief Share of a rim that must be faced by other islands before it counts as
-   * ISLAND_RIM and not as OUTER_BORDER. 0 to 1, default 0.25. */
+   * ISLAND_RIM and not as OUTER_BORDER. 0 to 1, default 0.25. Set it lower where
+   * islands lie side by side and their rims count as outer borders. */
   void
   setMinimumFacedShare(double share)
   {
@@ -117,7 +118,7 @@ public:
   }
 
   /** \brief Edges up to which a hole counts as simple (D4.1-3). Default 12, for the
-   * fan of thesis 4.7. */
+   * fan of thesis 4.7. Set it higher where your own filling takes larger ones. */
   void
   setSimpleHoleEdges(std::size_t edges)
   {
