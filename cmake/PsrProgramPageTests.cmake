@@ -15,6 +15,9 @@ if(psr_programs AND TARGET app_viewer)
   add_test(NAME PackagePages.options_page_tells_when
            COMMAND bash "${PROJECT_SOURCE_DIR}/scripts/make_options.sh" --check
                    "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  add_test(NAME Documentation.GalleryEndsAsThePageSays
+           COMMAND bash "${PROJECT_SOURCE_DIR}/scripts/make_gallery.sh" --check
+                   "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
 endif()
 if(psr_programs)
   add_test(

@@ -4,37 +4,20 @@
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/script_tools.sh
+source scripts/script_tools.sh
 
 demo=build/demo
 bin=build/release/bin
-scan=$demo/data/usr/share/glmark2/models/bunny.obj
-
-download_package() {
-  # As root apt would warn that it cannot download as a user of less rights.
-  (cd "$demo/package" &&
-    apt-get -qq -o APT::Sandbox::User=root download glmark2-data </dev/null)
-}
-
-# The points of the Stanford Bunny come with a Debian package; its content is only
-# unpacked here, nothing is installed.
-fetch_scan() {
-  [[ -f $scan ]] && return
-  rm -rf "$demo/package" "$demo/data"
-  mkdir -p "$demo/package"
-  if ! download_package 2>/dev/null; then
-    scripts/install_dependencies.sh --update # apt did not know the package
-    download_package
-  fi
-  dpkg-deb -x "$demo"/package/glmark2-data_*.deb "$demo/data"
-}
 
 scripts/install_dependencies.sh demo
 mkdir -p "$demo"
-fetch_scan
+unpack_package glmark2-data build/packages_of_models # the points of the Stanford Bunny
 cmake --preset release -DPSR_BUILD_TESTS=OFF
 cmake --build --preset release --target apps
 
-grep '^v ' "$scan" >"$demo/bunny_cloud.obj"
+grep '^v ' build/packages_of_models/glmark2-data/usr/share/glmark2/models/bunny.obj \
+  >"$demo/bunny_cloud.obj"
 echo
 echo "Meshing $(wc -l <"$demo/bunny_cloud.obj") points of the Stanford Bunny:"
 "$bin/pcl_ccaa_reconstruct" "$demo/bunny_cloud.obj" "$demo/bunny.ply" \

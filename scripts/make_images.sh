@@ -16,8 +16,17 @@ mkdir -p "$images"
 "$render" "$mesh" "$images/bunny_detail.png" --size 600x480 --zoom 6 --edges \
   --focus=-0.45,0.45,0.5
 
-# The Bunny in pieces, and what pcl_repair_holes finds in it.
+# What the README begins with: some of the points, and beside them what becomes of all.
 bin=build/release/bin
+"$bin/pcl_ccaa_reconstruct" build/demo/bunny_cloud.obj build/demo/bunny.obj --repair --quiet
+{
+  grep '^v ' build/demo/bunny.obj
+  awk 'NR % 12 == 0 { print "v", $2 - 2.1, $3, $4 }' build/demo/bunny_cloud.obj
+  grep '^f ' build/demo/bunny.obj
+} >build/demo/first.obj
+"$render" build/demo/first.obj "$images/first.png" --size 560x260 --point-size 1.5 --color-by role
+
+# The Bunny in pieces, and what pcl_repair_holes finds in it.
 viewer=$bin/pcl_repair_viewer
 "$bin/pcl_damage_cloud" "$mesh" build/demo/pieces.ply --slabs 4 --slab-size 0.06 \
   --spheres 4 --sphere-size 0.05 --keep 0.05 --noise 0.3 --seed 7

@@ -9,6 +9,8 @@
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/script_tools.sh
+source scripts/script_tools.sh
 root=$PWD
 images=$root/doc/images/tutorials
 scans=${PSR_SHARED_DATA:-$root/../shared/data}
@@ -27,11 +29,6 @@ run_commands() {
     cat log >&2
     return 1
   }
-}
-
-# size=WxH picture NAME MESH OPTIONS...
-picture() {
-  pcl_render_mesh "$2" "$images/$1.png" --size "${size:-420x360}" "${@:3}"
 }
 
 # size=WxH layer=LAYER lines NAME MESH OPTIONS...: the force lines in it, or another layer

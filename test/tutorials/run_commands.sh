@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Part of PclSurfaceRepair: runs the shell commands of a tutorial on a small cloud.
+# Part of PclSurfaceRepair: runs the shell commands of a page on a small cloud.
 #
-# usage: run_commands.sh TUTORIAL.md FOLDER_OF_PROGRAMS SCRATCH_FOLDER
+# usage: run_commands.sh PAGE.md FOLDER_OF_PROGRAMS SCRATCH_FOLDER [HEADING]
+#
+# With a heading only the commands below it are run, in a folder that looks as the
+# repository does: there is a scripts/demo.sh, which builds and fetches nothing here.
 
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$here/shapes.sh"
 tutorial=$(realpath "$1")
-PATH=$(realpath "$2"):$PATH
+programs=$(realpath "$2")
+PATH=$programs:$PATH
 
 # A page names the programs of others that it needs; without them it is skipped.
 for needed in $(sed -n 's/^<!-- needs: \(.*\) -->$/\1/p' "$tutorial"); do
@@ -19,6 +23,16 @@ rm -rf "$3"
 mkdir -p "$3"
 cd "$3"
 make_cloud 3000 bunny_cloud.obj
-commands=$(awk '/^```$/ { on = 0 } on { print } /^```sh$/ { on = 1 }' "$tutorial")
+if [[ -n ${4:-} ]]; then
+  mkdir -p scripts build/demo build/release
+  ln -s "$programs" build/release/bin
+  printf 'cp bunny_cloud.obj build/demo\n' >scripts/demo.sh
+  chmod +x scripts/demo.sh
+fi
+commands=$(awk -v heading="${4:-}" '
+  /^## / { elsewhere = heading != "" && $0 != "## " heading }
+  /^```$/ { on = 0 }
+  on && !elsewhere { print }
+  /^```sh$/ { on = 1 }' "$tutorial")
 [[ -n $commands ]]
 bash -euxo pipefail -c "$commands"
