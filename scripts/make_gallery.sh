@@ -126,7 +126,7 @@ pcl_repair_holes cube.ply whole_cube.ply" \
 smoothly, with a rounded corner: nothing was measured there, and the verdict knows of no lack."
 
   view=(--view 0.3,-0.8,1.2 --view-up 0,0,1 --zoom 2)
-  size=200x165 entry wall "Limit: a wall thinner than its points are far apart" wall.xyz wall.ply \
+  size=190x160 entry wall "Limit: a wall thinner than its points are far apart" wall.xyz wall.ply \
     "make_shape.sh wall >wall.xyz
 pcl_ccaa_reconstruct wall.xyz wall.ply" \
     "Both sides of a wall, half a spacing apart. Nothing in the points says which of them belong to
@@ -224,7 +224,8 @@ Made by `scripts/make_gallery.sh`: seven shapes that `scripts/make_shape.sh` gen
 of Debian packages, which the script unpacks and does not install. Each entry has the commands and
 the verdict that they end with. Red lines are boundaries, back faces are orange, what a repair has
 added is green. Where we fall short the heading says *limit*; what other methods do with such clouds
-is in [the comparison](comparison.md).
+is in [the comparison](comparison.md), what to do about bad data in
+[tutorial 9](tutorials/9_bad_data.md).
 END
 generated
 from_packages

@@ -179,12 +179,28 @@ tutorial_7() {
     "${view[@]}"
 }
 
+tutorial_9() {
+  run_commands 9_bad_data
+  local name size=280x240 near=(--zoom 2 --focus=-0.4,0.5,0.4)
+  size=300x260 picture 9_strays strays.ply --color-by role --point-size 2
+  picture 9_strays_whole strays_whole.ply --color-by none --zoom 1.5
+  for name in noisy clean finer; do
+    picture "9_$name" "$name.ply"
+  done
+  for name in double single wound.obj rewound fins.obj without_fins; do
+    [[ $name == *.obj ]] || name=$name.ply
+    picture "9_${name%.*}" "$name" "${near[@]}"
+  done
+  picture 9_uneven_points uneven.xyz
+  picture 9_uneven uneven.ply
+}
+
 [[ -f build/demo/bunny_cloud.obj && -x build/release/bin/scan_to_mesh ]] || {
   scripts/demo.sh
   cmake --build --preset release --target examples
 }
 mkdir -p "$images"
-(($# > 0)) || set -- 1 2 3 4 5 6 7
+(($# > 0)) || set -- 1 2 3 4 5 6 7 9
 for number; do
   (tutorial_"$number")
 done
