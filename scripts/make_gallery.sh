@@ -125,7 +125,7 @@ pcl_repair_holes cube.ply whole_cube.ply" \
     "The edges of the cube lead to a corner, and a person would put it there. The repair closes the hole
 smoothly, with a rounded corner: nothing was measured there, and the verdict knows of no lack."
 
-  view=(--view 0.3,-0.8,1.2 --view-up 0,0,1 --zoom 2)
+  view=(--view 0.3,-0.8,1.2 --view-up 0,0,1 --zoom 4)
   size=190x160 entry wall "Limit: a wall thinner than its points are far apart" wall.xyz wall.ply \
     "make_shape.sh wall >wall.xyz
 pcl_ccaa_reconstruct wall.xyz wall.ply" \

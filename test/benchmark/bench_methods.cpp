@@ -2,14 +2,11 @@
 // Part of PclSurfaceRepair: which method when: ours and others on ten kinds of clouds.
 // Nothing passes or fails.
 #include <pcl/console/print.h>
-#include <pcl/io/ply_io.h>
-#include <pcl/conversions.h>
-
-#include <Eigen/Geometry>
 
 #include "free_methods.h"
 #include "mesh/mesh_facts.h"
 #include "mesh_distance.h"
+#include "mesh_row.h"
 #include "rivals.h"
 #include "run/run_control.h"
 
@@ -82,71 +79,14 @@ printRow(const MethodInput& input, const FreeMethod& method, const FreeMesh& mes
   std::fflush(stdout);
 }
 
-/** Meshes side by side, as the viewer sees them, the cloud first. */
-class Row {
-public:
-  explicit Row(const MethodInput& input)
-  : turn_(Eigen::Quaterniond::FromTwoVectors(input.view, Position::UnitZ()))
-  {
-    for (const pcl::PointXYZ& point : *input.cloud)
-      box_.extend(turned(point.getVector3fMap().cast<double>()));
-    add(*input.cloud);
-  }
-
-  void
-  add(const FreeMesh& mesh)
-  {
-    const auto first = static_cast<pcl::index_t>(cloud_.size());
-    for (const Position& position : mesh.positions)
-      append(position);
-    for (const pcl::ccaa::Triangle& t : mesh.triangles) {
-      polygons_.emplace_back();
-      for (const pcl::index_t corner : t)
-        polygons_.back().vertices.push_back(
-            static_cast<pcl::Indices::value_type>(first + corner));
-    }
-    ++places_;
-  }
-
-  void
-  write(const std::string& file) const
-  {
-    pcl::PolygonMesh mesh;
-    pcl::toPCLPointCloud2(cloud_, mesh.cloud);
-    mesh.polygons = polygons_;
-    if (pcl::io::savePLYFileBinary(file, mesh) < 0)
-      throw std::runtime_error("cannot write " + file);
-  }
-
-private:
-  void
-  add(const Cloud& points)
-  {
-    for (const pcl::PointXYZ& point : points)
-      append(point.getVector3fMap().cast<double>());
-    ++places_;
-  }
-
-  Position
-  turned(const Position& position) const
-  {
-    return turn_ * position;
-  }
-
-  void
-  append(const Position& position)
-  {
-    const Eigen::Vector3f at = turned(position).cast<float>();
-    const auto step = static_cast<float>(1.1 * box_.sizes().x() * places_);
-    cloud_.emplace_back(at.x() + step, at.y(), at.z());
-  }
-
-  Eigen::Quaterniond turn_;
-  Eigen::AlignedBox3d box_;
-  Cloud cloud_;
-  std::vector<pcl::Vertices> polygons_;
-  int places_ = 0;
-};
+Positions
+positionsOf(const Cloud& cloud)
+{
+  Positions positions;
+  for (const pcl::PointXYZ& point : cloud)
+    positions.push_back(point.getVector3fMap().cast<double>());
+  return positions;
+}
 
 std::string
 fileName(std::string name)
@@ -165,11 +105,11 @@ run(const std::string& folder)
         "| method | seconds | points used, %% | pieces | loops | handles | faulty "
         "edges | crossings | too much | missing |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n");
-    Row row(input);
+    MeshRow row(input.view, positionsOf(*input.cloud));
     for (const FreeMethod& method : methods) {
       const FreeMesh mesh = method.run(input);
       printRow(input, method, mesh);
-      row.add(mesh);
+      row.add(mesh.positions, mesh.triangles);
     }
     row.write(folder + "/" + fileName(input.name) + ".ply");
   }

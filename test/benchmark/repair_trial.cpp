@@ -84,13 +84,19 @@ runTrial(const Shape& damaged, const TrialSettings& settings)
 }
 
 Shape
-readShared(const std::string& name)
+readShape(const std::string& file)
 {
   app::Model model;
-  const app::Status status = app::readMesh(sharedFile(name), model);
+  const app::Status status = app::readMesh(file, model);
   if (!status.ok())
     throw std::runtime_error(status.message());
   return {positionsOf(model.mesh.cloud), pcl::ccaa::fanTriangles(model.mesh.polygons)};
+}
+
+Shape
+readShared(const std::string& name)
+{
+  return readShape(sharedFile(name));
 }
 
 std::size_t

@@ -37,8 +37,11 @@ meshOf(const Shape& shape);
 RepairTrial
 runTrial(const Shape& damaged, const TrialSettings& settings);
 
-/** \brief The triangles of a file of the shared data; throws std::runtime_error when it
- * cannot be read. */
+/** \brief The triangles of a file; throws std::runtime_error when it cannot be read. */
+Shape
+readShape(const std::string& file);
+
+/** \brief Those of a file of the shared data. */
 Shape
 readShared(const std::string& name);
 
