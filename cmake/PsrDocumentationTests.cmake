@@ -26,4 +26,13 @@ if(PSR_DOXYGEN)
            COMMAND bash "${PROJECT_SOURCE_DIR}/scripts/build_docs.sh")
   set_tests_properties(Documentation.SiteBuildsWithoutWarnings
                        PROPERTIES FIXTURES_SETUP documentation)
+  find_program(PSR_NODE NAMES node nodejs)
+  mark_as_advanced(PSR_NODE)
+  if(PSR_NODE)
+    add_test(NAME Documentation.SearchFindsWhatPagesSay
+             COMMAND "${PSR_NODE}" "${psr_doc_tests}/search_test.js"
+                     "${PROJECT_SOURCE_DIR}/build/docs/html")
+    set_tests_properties(Documentation.SearchFindsWhatPagesSay
+                         PROPERTIES FIXTURES_REQUIRED documentation)
+  endif()
 endif()
