@@ -98,14 +98,6 @@ test_other_meshes() {
   has gp3.ply '"non_manifold_edges": 0' '"consistently_wound": true'
 }
 
-# make_frame POINTS FILE.pcd
-make_frame() {
-  make_cloud "$1" cloud.obj
-  awk -v points="$1" 'BEGIN { print "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1"
-      print "WIDTH", points "\nHEIGHT 1\nPOINTS", points "\nDATA ascii" }
-    /^v / { print $2, $3, $4 }' cloud.obj >"$2"
-}
-
 test_streaming_node() {
   exits_with 1 streaming_node
   exits_with 1 streaming_node missing.pcd -o out.ply

@@ -14,3 +14,11 @@ make_cloud() {
     }
   }' >"$2"
 }
+
+# make_frame POINTS FILE.pcd
+make_frame() {
+  make_cloud "$1" cloud.obj
+  awk -v points="$1" 'BEGIN { print "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1"
+      print "WIDTH", points "\nHEIGHT 1\nPOINTS", points "\nDATA ascii" }
+    /^v / { print $2, $3, $4 }' cloud.obj >"$2"
+}
