@@ -4,6 +4,7 @@
 
 #ifdef PSR_HAS_QT
 
+#include "io/interrupt.h"
 #include "io/model_io.h"
 
 #include <clocale>
@@ -11,10 +12,14 @@
 #include <QApplication>
 #include <QFile>
 #include <QFileDialog>
+#include <QTimer>
 #include <sstream>
 
 namespace app {
 namespace {
+
+/** Milliseconds between looks for a signal. */
+constexpr int SIGNAL_INTERVAL = 50;
 
 /** "*.pcd *.ply" and so on. */
 std::string
@@ -45,6 +50,12 @@ askForFile(const std::string& title, const std::string& beside)
   char* arguments[] = {name, nullptr};
   const QApplication application(count, arguments);
   std::setlocale(LC_ALL, "C"); // Qt has set that of the user: commas in numbers
+  QTimer timer;                // nothing else of Qt's loop sees a signal
+  QObject::connect(&timer, &QTimer::timeout, [] {
+    if (interrupted())
+      QApplication::closeAllWindows(); // what the dialog has to say before it
+  });
+  timer.start(SIGNAL_INTERVAL);
   const std::string filter = "Clouds and meshes (" + patterns() + ");;All files (*)";
   // Qt's own dialog: that of a desktop is another one everywhere.
   const QString chosen = QFileDialog::getOpenFileName(

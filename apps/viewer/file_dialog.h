@@ -13,7 +13,7 @@ hasFileDialog();
 /** \brief Let somebody choose the file of a cloud or mesh. Needs a display, and
  * hasFileDialog(). \param[in] title of the window, for what has to be said
  * \param[in] beside a file, in whose folder the choice begins; empty: the current one
- * \return empty where nothing was chosen */
+ * \return empty where nothing was chosen, and after a signal: interrupted() */
 std::string
 askForFile(const std::string& title, const std::string& beside);
 
