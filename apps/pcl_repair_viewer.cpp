@@ -264,10 +264,10 @@ showWindow(const Session& session)
   const ViewerSettings& settings = session.settings;
   const ViewerRun& run = session.run;
   const ViewerFiles files(settings, run);
-  const auto say = [&](const std::string& told) {
+  const auto say = [&](const Written& written) {
     if (!settings.quiet)
-      std::cout << told << std::endl;
-    return told;
+      std::cout << written.told << std::endl;
+    return written;
   };
   ViewerWindow window(*session.view,
                       settings.view.width,

@@ -152,11 +152,10 @@ DecisionDesk::apply(Command command)
     more = undo();
     break;
   case Command::SAVE:
-    editor_.setSaved();
-    more = savers_.decisions(editor_.decisions());
+    more = save();
     break;
   case Command::SAVE_MESH:
-    more = savers_.mesh(editor_.decisions());
+    more = savers_.mesh(editor_.decisions()).told;
     break;
   default:
     return false;
@@ -190,6 +189,27 @@ DecisionDesk::undo()
   results_ = std::move(before_.back());
   before_.pop_back();
   return "";
+}
+
+std::string
+DecisionDesk::save()
+{
+  const Written written = savers_.decisions(editor_.decisions());
+  if (written.done)
+    editor_.setSaved();
+  return written.told;
+}
+
+std::string
+DecisionDesk::tellUnsaved(Command command) const
+{
+  const std::size_t count = editor_.unsaved();
+  if (count == 0)
+    return "";
+  return std::to_string(count) + (count == 1 ? " decision is" : " decisions are") +
+         " not saved: w saves, " +
+         (command == Command::QUIT ? "q again quits without."
+                                   : "f again opens a file.");
 }
 
 /** Also of other choices about the same loops. */
@@ -285,7 +305,7 @@ DecisionDesk::show(const std::string& more)
 {
   StageOverlay overlay;
   overlay.note = editor_.tell() + (more.empty() ? "" : " " + more);
-  if (editor_.isChanged())
+  if (editor_.unsaved() > 0)
     overlay.note += " (w writes it)";
   if (!survey_.loops.empty())
     overlay.lines.push_back({makePart(coloredLoops()), LOOP_WIDTH});

@@ -15,9 +15,14 @@
 
 namespace app {
 
-/** \brief Writes decisions, or what comes of them. \return a sentence about how that
- * went */
-using DecisionSaver = std::function<std::string(const pcl::repair::Decisions&)>;
+/** \brief How writing a file went. */
+struct Written {
+  bool done = false;
+  std::string told; /**< a sentence */
+};
+
+/** \brief Writes decisions, or what comes of them. */
+using DecisionSaver = std::function<Written(const pcl::repair::Decisions&)>;
 
 /** \brief What is written by keys. */
 struct DecisionSavers {
@@ -43,6 +48,11 @@ public:
   bool
   apply(Command command);
 
+  /** \brief What somebody is told who is about to leave: decisions that are not saved.
+   * \param[in] command QUIT or OPEN_FILE \return empty where nothing would be lost */
+  std::string
+  tellUnsaved(Command command) const;
+
   /** \brief Choose the loop or junction that is seen within a few pixels of a place of
    * the window, in pixels from its lower left corner. Not after the camera has moved
    * without drawing. \return false where there is none: nothing changes */
@@ -63,6 +73,8 @@ private:
   decide(Command command);
   std::string
   undo();
+  std::string
+  save();
   void
   hideResult();
   std::string

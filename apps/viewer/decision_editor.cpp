@@ -35,7 +35,6 @@ void
 DecisionEditor::remember()
 {
   steps_.push_back({chosen_, decisions_});
-  changed_ = true;
 }
 
 void
@@ -68,8 +67,21 @@ DecisionEditor::undo()
   chosen_ = steps_.back().chosen;
   decisions_ = std::move(steps_.back().before);
   steps_.pop_back();
-  changed_ = true;
   return true;
+}
+
+std::size_t
+DecisionEditor::unsaved() const
+{
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < decisions_.loops.size(); ++k) {
+    const auto& now = decisions_.loops[k];
+    const auto& before = saved_.loops[k];
+    count += now.wish != before.wish || now.cap != before.cap ? 1 : 0;
+  }
+  for (std::size_t k = 0; k < decisions_.junctions.size(); ++k)
+    count += decisions_.junctions[k].join != saved_.junctions[k].join ? 1 : 0;
+  return count;
 }
 
 std::string

@@ -15,7 +15,7 @@ namespace app {
 class DecisionEditor {
 public:
   explicit DecisionEditor(pcl::repair::Decisions decisions)
-  : decisions_(std::move(decisions))
+  : decisions_(std::move(decisions)), saved_(decisions_)
   {}
 
   const pcl::repair::Decisions&
@@ -88,16 +88,14 @@ public:
     return steps_.size();
   }
 
-  /** \brief Whether anything is not as it was when it was saved last. */
-  bool
-  isChanged() const
-  {
-    return changed_;
-  }
+  /** \brief Loops and junctions about which something else is decided than at the start
+   * or when it was saved last. Cost: linear. */
+  std::size_t
+  unsaved() const;
   void
   setSaved()
   {
-    changed_ = false;
+    saved_ = decisions_;
   }
 
   /** \brief What is chosen, and what is decided about it, in a line or two. */
@@ -126,9 +124,9 @@ private:
   remember();
 
   pcl::repair::Decisions decisions_;
+  pcl::repair::Decisions saved_;
   std::size_t chosen_ = 0;
   std::vector<Step> steps_;
-  bool changed_ = false;
 };
 
 } // namespace app

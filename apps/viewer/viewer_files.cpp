@@ -39,7 +39,7 @@ stemOf(const std::string& input)
 
 /** \param[in] write what the file is to hold */
 template <typename Write>
-std::string
+Written
 writeFile(const std::string& name, const Write& write)
 {
   OutputFile file;
@@ -48,7 +48,7 @@ writeFile(const std::string& name, const Write& write)
     write(file);
     status = file.commit();
   }
-  return status.ok() ? "Written to " + name + "." : status.message();
+  return {status.ok(), status.ok() ? "Written to " + name + "." : status.message()};
 }
 
 } // namespace
@@ -60,14 +60,14 @@ ViewerFiles::ViewerFiles(const ViewerSettings& settings, const ViewerRun& run)
     decisions_ = freeName(stemOf(settings.task.input) + "_decisions", ".json");
 }
 
-std::string
+Written
 ViewerFiles::savePicture(const std::string& stage, const std::string& bytes) const
 {
   const std::string stem = fs::path(settings_.task.input).stem().string() + "_" + stage;
   return writeFile(freeName(stem, ".png"), [&](OutputFile& file) { file.text(bytes); });
 }
 
-std::string
+Written
 ViewerFiles::saveDecisions(const pcl::repair::Decisions& decisions) const
 {
   return writeFile(decisions_, [&](OutputFile& file) {
@@ -75,7 +75,7 @@ ViewerFiles::saveDecisions(const pcl::repair::Decisions& decisions) const
   });
 }
 
-std::string
+Written
 ViewerFiles::saveMesh(const pcl::repair::Decisions& decisions) const
 {
   const std::string output = settings_.output.empty()
@@ -89,11 +89,11 @@ ViewerFiles::saveMesh(const pcl::repair::Decisions& decisions) const
     return repairTo(output, decisions);
   }
   catch (const std::exception& error) {
-    return error.what();
+    return {false, error.what()};
   }
 }
 
-std::string
+Written
 ViewerFiles::repairTo(const std::string& output,
                       const pcl::repair::Decisions& decisions) const
 {
@@ -106,14 +106,15 @@ ViewerFiles::repairTo(const std::string& output,
   pcl::RepairReport report;
   repairMesh(task, model.viewpoint, bar, model.mesh, report);
   if (interrupted() || !report.finished)
-    return stopped_by_signal;
-  const std::string told = writeFile(output, [&](OutputFile& file) {
+    return {false, stopped_by_signal};
+  Written written = writeFile(output, [&](OutputFile& file) {
     writeMesh(
         output, model.mesh, {{}, model.viewpoint, model.remarks}, file, model.warnings);
   });
   bar.clear();
-  return told + (report.complete() ? " complete: " : " incomplete: ") +
-         tellSurface(surfaceFacts(report));
+  written.told += (report.complete() ? " complete: " : " incomplete: ") +
+                  tellSurface(surfaceFacts(report));
+  return written;
 }
 
 } // namespace app

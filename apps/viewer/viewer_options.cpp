@@ -46,9 +46,10 @@ viewerUsage()
       "cloud, start, filter, base, boundaries, lines, bridges, holes, result. A mesh\n"
       "begins with itself (stage mesh) in place of the first four. In the window n and "
       "b\n"
-      "step through the stages; the other keys are listed there. Without INPUT a "
-      "dialog\n"
-      "asks for it.\n\n"
+      "step through the stages; the other keys are listed there. Keys that would lose\n"
+      "decisions which are not saved, f and q, say so first. Without INPUT a dialog "
+      "asks\n"
+      "for it.\n\n"
       "INPUT   cloud " +
           std::string(cloud_endings) + "\n        or mesh " + mesh_endings,
       "  pcl_repair_viewer bunny.pcd\n"

@@ -125,6 +125,11 @@ ViewerWindow::ViewerWindow(StageView& view,
   viewer_ = std::make_unique<pcl::visualization::PCLVisualizer>(
       no_arguments, nullptr, model, window_, title, style.Get(), true);
   viewer_->setShowFPS(false);
+  // The window's own button: PCL would let the interactor end at once.
+  window_->GetInteractor()->RemoveObservers(vtkCommand::ExitEvent);
+  observe(*window_->GetInteractor(), vtkCommand::ExitEvent, [this] {
+    act({Command::QUIT, 0, Layer::SURFACE});
+  });
   viewer_->setSize(width, height);
   viewer_->setWindowName(title);
   view_.fit(width, height);
@@ -148,6 +153,8 @@ ViewerWindow::act(const Action& action)
   const int* const size = window_->GetSize();
   rest();
   const bool had_message = view_.setMessage("");
+  if (keepsUnsaved(action.command))
+    return;
   const bool changed = state_.apply(action) || had_message;
   wants_file_ = wants_file_ || action.command == Command::OPEN_FILE;
   if (action.command == Command::FIT_VIEW)
@@ -159,6 +166,23 @@ ViewerWindow::act(const Action& action)
   else if (!decide(action.command) && !changed)
     return;
   show();
+}
+
+/** What would lose decisions has to come twice, one after the other.
+ * \return whether it has come once */
+bool
+ViewerWindow::keepsUnsaved(Command command)
+{
+  const Command asked = std::exchange(asked_, Command::NONE);
+  if (desk_ == nullptr || command == asked ||
+      (command != Command::QUIT && command != Command::OPEN_FILE))
+    return false;
+  const std::string told = desk_->tellUnsaved(command);
+  if (told.empty())
+    return false;
+  asked_ = command;
+  tell(told);
+  return true;
 }
 
 /** \return whether a key was about decisions */
@@ -259,7 +283,7 @@ ViewerWindow::update()
   // answered then. VTK's timers miss, and without them it waits for long.
   if (waitForEvents(window_->GetGenericDisplayId(), UPDATE_INTERVAL))
     window_->GetInteractor()->ProcessEvents();
-  if (viewer_->wasStopped() || state_.quits())
+  if (state_.quits())
     return false;
   if (is_moving_ && moved_ < std::chrono::steady_clock::now() - REST) {
     rest();

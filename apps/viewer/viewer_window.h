@@ -70,7 +70,8 @@ public:
   press(const std::string& key_symbol);
 
   /** \brief Answer what has happened in the window since the last call.
-   * \return false when it was closed, or quit by a key */
+   * \return false when it was closed or quit by a key: twice, if decisions would be
+   * lost */
   bool
   update();
 
@@ -88,6 +89,8 @@ public:
 private:
   void
   act(const Action& action);
+  bool
+  keepsUnsaved(Command command);
   bool
   decide(Command command);
   void
@@ -108,6 +111,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> window_;
   std::unique_ptr<pcl::visualization::PCLVisualizer> viewer_;
   std::vector<vtkSmartPointer<vtkRenderer>> panels_;
+  Command asked_ = Command::NONE; /**< that would lose decisions, if it comes again */
   bool wants_file_ = false;
   bool is_moving_ = false;                      /**< the stage is drawn quickly */
   std::chrono::steady_clock::time_point moved_; /**< when the mouse let go of it */

@@ -77,11 +77,29 @@ TEST(DecisionEditor, KnowsWhetherThereIsSomethingToSave)
 {
   DecisionEditor editor(twoLoops());
   editor.chooseNext();
-  EXPECT_FALSE(editor.isChanged());
+  EXPECT_EQ(0U, editor.unsaved());
   editor.reject();
-  EXPECT_TRUE(editor.isChanged());
+  editor.changeCap();
+  EXPECT_EQ(1U, editor.unsaved());
+  editor.chooseNext();
+  editor.reject();
+  EXPECT_EQ(2U, editor.unsaved());
   editor.setSaved();
-  EXPECT_FALSE(editor.isChanged());
+  EXPECT_EQ(0U, editor.unsaved());
+  editor.undo();
+  EXPECT_EQ(1U, editor.unsaved()) << "the junction is another one than in the file";
+}
+
+TEST(DecisionEditor, HasNothingToSaveOfWhatIsTakenBackOrDecidedAsBefore)
+{
+  DecisionEditor editor(twoLoops());
+  editor.reject();
+  EXPECT_TRUE(editor.undo());
+  editor.choosePrevious();
+  editor.reject();
+  editor.accept();
+  EXPECT_EQ(2U, editor.steps());
+  EXPECT_EQ(0U, editor.unsaved());
 }
 
 TEST(DecisionEditor, HasNothingToDecideOnAClosedSurface)
@@ -89,7 +107,7 @@ TEST(DecisionEditor, HasNothingToDecideOnAClosedSurface)
   DecisionEditor editor{Decisions()};
   editor.chooseNext();
   editor.accept();
-  EXPECT_FALSE(editor.isChanged());
+  EXPECT_EQ(0U, editor.unsaved());
   EXPECT_TRUE(editor.chosenLoops().empty());
 }
 

@@ -13,6 +13,7 @@
 #include "viewer/stages.h"
 #include "viewer/viewer_window.h"
 #include "viewer_fixture.h"
+#include "window_button.h"
 
 #include <cstdlib>
 #include <memory>
@@ -72,6 +73,17 @@ protected:
             .exit_code);
     for (int i = 0; i < 10; ++i)
       window_->update();
+  }
+
+  /** Press the button of the window. */
+  bool
+  staysWhenClosed()
+  {
+    pressCloseButton(std::stoul(runInShell("xdotool search --name '^caps$'").output));
+    bool stays = true;
+    for (int i = 0; i < 10 && stays; ++i)
+      stays = window_->update();
+    return stays;
   }
 
   /** Where the model shows this colour, from the upper left corner. */
@@ -146,6 +158,22 @@ TEST_F(RenderViewerEvents, KeysOfTheKeyboardDecide)
   EXPECT_EQ(pcl::repair::LoopWish::CLOSE, desk_->editor().decisions().loops[1].wish);
   send("400 300 key u");
   EXPECT_EQ(pcl::repair::LoopWish::AUTO, desk_->editor().decisions().loops[1].wish);
+}
+
+TEST_F(RenderViewerEvents, TheButtonOfTheWindowLosesDecisionsOnlyWhenPressedTwice)
+{
+  send("400 300 key x");
+  EXPECT_TRUE(staysWhenClosed());
+  send("400 300 key u");
+  send("400 300 key x");
+  EXPECT_TRUE(staysWhenClosed()) << "other keys came between";
+  EXPECT_FALSE(staysWhenClosed());
+}
+
+TEST_F(RenderViewerEvents, TheButtonOfTheWindowClosesItWhenNothingWouldBeLost)
+{
+  send("400 300 key x u");
+  EXPECT_FALSE(staysWhenClosed());
 }
 
 /** The program as a user runs it, on a display of its own. */
@@ -245,6 +273,16 @@ TEST_F(RenderViewerProgram, OpensAFileFromADialogAndSaysWhenItCannotBeRead)
           "until_there caps_decisions.json; send key q");
   EXPECT_EQ(0, run.exit_code) << run.errors;
   EXPECT_NE(std::string::npos, run.output.find("complete: ")) << run.output;
+  EXPECT_FALSE(readFile(folder_.path("caps_decisions.json")).empty());
+}
+
+TEST_F(RenderViewerProgram, AsksBeforeItQuitsWithDecisionsThatAreNotSaved)
+{
+  const RunResult run = runAndDo("caps.ply",
+                                 "point '^pcl_repair_viewer: caps'\n"
+                                 "send key x f q; sleep 1; send key w\n"
+                                 "until_there caps_decisions.json; send key u q q");
+  EXPECT_EQ(0, run.exit_code) << run.errors;
   EXPECT_FALSE(readFile(folder_.path("caps_decisions.json")).empty());
 }
 

@@ -147,7 +147,7 @@ TEST_F(RenderViewerWindow, MakesDecisionsByKeysAndSavesThem)
                          view,
                          {[&](const pcl::repair::Decisions& decisions) {
                             saved.push_back(decisions);
-                            return "";
+                            return app::Written{true, ""};
                           },
                           {}});
   window.setDesk(desk);
@@ -169,6 +169,53 @@ TEST_F(RenderViewerWindow, MakesDecisionsByKeysAndSavesThem)
   EXPECT_TRUE(saved[1].junctions.at(0).join);
   window.press("b");
   EXPECT_EQ(0U, count()) << "other stages are as they were";
+}
+
+TEST_F(RenderViewerWindow, LeavesUnsavedDecisionsOnlyWhenAskedTwice)
+{
+  const app::Display display;
+  ASSERT_TRUE(display.ready());
+  app::StageView view = makeView();
+  app::ViewerWindow window(view, 700, 500, "test", {});
+  bool can_write = false;
+  app::DecisionDesk desk(proposeDecisions(run_.survey, {}),
+                         run_.survey,
+                         {},
+                         view,
+                         {[&](const pcl::repair::Decisions&) {
+                            return app::Written{can_write, ""};
+                          },
+                          {}});
+  window.setDesk(desk);
+  window.press("n");
+  window.press("f");
+  EXPECT_TRUE(window.takeOpenWish()) << "nothing is decided yet";
+  window.press("x");
+  window.press("period");
+  window.press("a");
+  EXPECT_EQ("2 decisions are not saved: w saves, q again quits without.",
+            desk.tellUnsaved(app::Command::QUIT));
+  const std::string before = window.picture();
+  window.press("f");
+  EXPECT_FALSE(window.takeOpenWish());
+  EXPECT_TRUE(before != window.picture()) << "the legend tells";
+  window.press("q");
+  EXPECT_TRUE(window.update()) << "another question than the first";
+  window.press("w"); // fails
+  window.press("f");
+  EXPECT_FALSE(window.takeOpenWish());
+  window.press("f");
+  EXPECT_TRUE(window.takeOpenWish());
+  window.press("u");
+  EXPECT_EQ("1 decision is not saved: w saves, f again opens a file.",
+            desk.tellUnsaved(app::Command::OPEN_FILE));
+  window.press("u");
+  EXPECT_EQ("", desk.tellUnsaved(app::Command::QUIT));
+  window.press("x");
+  can_write = true;
+  window.press("w");
+  window.press("q");
+  EXPECT_FALSE(window.update()) << "saved";
 }
 
 } // namespace
