@@ -20,6 +20,10 @@ namespace pcl::repair {
 
 namespace {
 
+/** A region is tried with its samples for one part in so many of its work: those of
+ * lost ears and arms take less, strays any amount. */
+constexpr std::uint64_t SAMPLED = 4;
+
 class RegionClosing {
 public:
   RegionClosing(const ClosingPlace& place,
@@ -29,7 +33,7 @@ public:
   : place_(place)
   , region_(region)
   , obstacle_(obstacle)
-  , control_(context.control, workFor(region))
+  , control_(context.control, workFor(region) / (region.samples.empty() ? 1 : SAMPLED))
   , context_{context.threads, &control_}
   , strategy_(region.holes.size(), 0)
   , completed_(region.holes.size(), false)
@@ -40,11 +44,13 @@ public:
 
   ClosedRegion
   run();
-  /** Whether what was taken for samples describes no surface: nothing came of it. */
+  /** Whether what was taken for samples describes no surface, or none that could be
+   * made with reasonable work. \param[in] whole that this is a part of */
   bool
-  areStrays() const
+  areStrays(const ccaa::LoopContext& whole) const
   {
-    return are_strays_;
+    return are_strays_ ||
+           (!region_.samples.empty() && context_.cancelled() && !whole.cancelled());
   }
 
 private:
@@ -338,7 +344,7 @@ closeRegion(const ClosingPlace& place,
 {
   RegionClosing closing(place, region, obstacle, context);
   ClosedRegion closed = closing.run();
-  if (!closing.areStrays())
+  if (!closing.areStrays(context))
     return closed;
   Region plain = region;
   plain.samples.clear();

@@ -190,6 +190,18 @@ strays(std::uint64_t seed)
   return points;
 }
 
+/** What is tried with them costs more than it may, and then they count for nothing. */
+TEST(FreePoints, StraysAllAroundLeaveNothingOpen)
+{
+  RandomSource random(1);
+  Positions points;
+  for (int i = 0; i < 400; ++i)
+    points.emplace_back(random.uniform(-2.0, 2.0),
+                        random.uniform(-2.0, 2.0),
+                        random.uniform(-4.0, 4.0));
+  expectWholeBody(repairedWith(points));
+}
+
 TEST(FreePoints, StrayClustersRaiseNothing)
 {
   const double plain = highest(repairedWith({}));
