@@ -82,7 +82,7 @@ merge(const Task& task, const TilePlan& plan)
     throw Failure("the step 'merge' needs the name of a .ply file");
   OutputFile file;
   require(file.open(task.rest.front()));
-  mergeTiles(plan, true, file);
+  mergeTiles(plan, countTriangles(plan), true, file);
   require(file.commit());
 }
 

@@ -242,6 +242,15 @@ writeShard(const TilePlan& plan, std::size_t tile)
   require(file.commit());
 }
 
+std::uint64_t
+countTriangles(const TilePlan& plan)
+{
+  std::uint64_t count = 0;
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
+    count += countTriangles(plan, tile);
+  return count;
+}
+
 nlohmann::json
 describeTiles(const TilePlan& plan)
 {
@@ -290,7 +299,7 @@ writeIndex(const TilePlan& plan)
 }
 
 void
-mergeTiles(const TilePlan& plan, bool keeps, OutputFile& file)
+mergeTiles(const TilePlan& plan, std::uint64_t triangles, bool keeps, OutputFile& file)
 {
   if (plan.points() > std::numeric_limits<std::uint32_t>::max())
     throw Failure("a PLY file numbers 2^32 points at most; the shards in '" +
@@ -298,13 +307,13 @@ mergeTiles(const TilePlan& plan, bool keeps, OutputFile& file)
   InputOrder order(plan);
   PlyCounts counts;
   counts.vertices = plan.points();
+  counts.faces = triangles;
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
     const TilePoints points(plan, tile);
     order.add(
         points.size(),
         [&](std::size_t i) { return points.record(i); },
         [&](std::size_t i) { return points.source(i); });
-    counts.faces += countTriangles(plan, tile);
   }
   addNowhere(plan, order);
   PlyParts parts(plan.layout, counts, extrasOf(plan), file);

@@ -6,6 +6,7 @@
 #include "out_of_core/tile_steps.h"
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace app {
@@ -34,11 +35,16 @@ writeIndex(const TilePlan& plan);
 nlohmann::json
 describeTiles(const TilePlan& plan);
 
+/** \brief Number of triangles of all tiles. */
+std::uint64_t
+countTriangles(const TilePlan& plan);
+
 /** \brief Write the whole mesh as one PLY file: all points in the order of the input,
  * file by file, then the triangles of all tiles, from their shards or from what these
  * would be made of. Memory: that of one tile's points and triangles. Fails for more
- * than 2^32 points. \param[in] keeps if not, what was read is removed */
+ * than 2^32 points. \param[in] triangles how many these are \param[in] keeps if not,
+ * what was read is removed */
 void
-mergeTiles(const TilePlan& plan, bool keeps, OutputFile& file);
+mergeTiles(const TilePlan& plan, std::uint64_t triangles, bool keeps, OutputFile& file);
 
 } // namespace app

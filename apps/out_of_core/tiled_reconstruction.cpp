@@ -127,7 +127,10 @@ reconstructInTiles(const ReconstructSettings& settings)
   Outcome outcome = judge(facts, plan);
   OutputFolder outputs;
   if (!settings.files.output.empty() && bar.show("merging", BEFORE_MERGING))
-    mergeTiles(plan, folder.stays, outputs.addElsewhere(settings.files.output));
+    mergeTiles(plan,
+               facts["triangles"],
+               folder.stays,
+               outputs.addElsewhere(settings.files.output));
   if (!settings.files.report.empty())
     writeReport(facts, outputs.addElsewhere(settings.files.report));
   if (interrupted())

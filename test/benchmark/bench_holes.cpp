@@ -5,6 +5,7 @@
 
 #include "boundary/extraction.h"
 #include "hole_inputs.h"
+#include "mesh/corners.h"
 #include "mesh/mesh_facts.h"
 #include "mesh_row.h"
 #include "repair_trial.h"
@@ -63,7 +64,8 @@ printRow(const HoleInput& input, const std::string& method, const Shape& mesh)
   pcl::ccaa::RunControl control;
   const pcl::ccaa::MeshFacts facts =
       measureMesh(mesh.triangles, mesh.vertices, {true, 2}, control);
-  const double edge = meanEdge(input.truth);
+  const double edge = pcl::ccaa::meanEdge(
+      input.truth.triangles, input.truth.triangles.size(), input.truth.vertices);
   std::printf("| %s | %zu | %zu | %s | %zu | %zu | %.3f | %.3f |\n",
               method.c_str(),
               facts.components,

@@ -96,16 +96,4 @@ makeHoleInputs()
           })};
 }
 
-double
-meanEdge(const Shape& shape)
-{
-  double sum = 0.0;
-  for (const auto& t : shape.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += (shape.vertices[static_cast<std::size_t>(t[i])] -
-              shape.vertices[static_cast<std::size_t>(t[(i + 1) % 3])])
-                 .norm();
-  return sum / (3.0 * double(shape.triangles.size()));
-}
-
 } // namespace bench

@@ -23,8 +23,4 @@ struct HoleInput {
 std::vector<HoleInput>
 makeHoleInputs();
 
-/** \brief Mean length of the edges, units of the shape. */
-double
-meanEdge(const pcl::ccaa::test::Shape& shape);
-
 } // namespace bench

@@ -6,8 +6,6 @@
 
 #include "mesh/corners.h"
 
-#include <cmath>
-
 namespace pcl::ccaa {
 namespace {
 
@@ -106,7 +104,7 @@ GrowingSurface::record(const Triangle& triangle)
     head_[vertex] = 3 * t + i;
     const Position u = position(triangle[(c + 1) % 3]) - position(triangle[c]);
     const Position v = position(triangle[(c + 2) % 3]) - position(triangle[c]);
-    normal_sums_[vertex] += std::atan2(u.cross(v).norm(), u.dot(v)) * unit;
+    normal_sums_[vertex] += angleBetween(u, v) * unit;
   }
 }
 

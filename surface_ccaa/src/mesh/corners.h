@@ -8,6 +8,8 @@
 #include "mesh/triangle.h"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace pcl::ccaa {
 
@@ -33,6 +35,27 @@ inline Position
 unitNormal(const Corners& corners)
 {
   return areaNormal(corners).normalized();
+}
+
+/** \brief Between two vectors of any length, radians, 0 to pi; exact near both ends. */
+inline double
+angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/** \brief Of the edges of the first `count` triangles, those that two share twice.
+ * \param[in] count above 0 */
+inline double
+meanEdge(const Triangles& triangles, std::size_t count, const Positions& positions)
+{
+  double sum = 0.0;
+  for (std::size_t t = 0; t < count; ++t)
+    for (std::size_t c = 0; c < 3; ++c)
+      sum += (positions[static_cast<std::size_t>(triangles[t][c])] -
+              positions[static_cast<std::size_t>(triangles[t][(c + 1) % 3])])
+                 .norm();
+  return sum / (3.0 * static_cast<double>(count));
 }
 
 } // namespace pcl::ccaa

@@ -23,7 +23,7 @@ anglesOf(const Corners& corners)
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d u = corners[(k + 1) % 3] - corners[k];
     const Eigen::Vector3d v = corners[(k + 2) % 3] - corners[k];
-    angles[k] = std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / M_PI;
+    angles[k] = angleBetween(u, v) * 180.0 / M_PI;
   }
   return angles;
 }

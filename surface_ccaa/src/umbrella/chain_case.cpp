@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/corners.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,8 +35,7 @@ struct ChainRank {
 double
 angleAt(const Position& apex, const Position& a, const Position& b)
 {
-  const Position to_a = a - apex, to_b = b - apex;
-  return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
+  return angleBetween(a - apex, b - apex);
 }
 
 ChainRank

@@ -3,6 +3,7 @@
 #include "boundary/loop_evidence.h"
 
 #include "boundary/extraction.h"
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +41,7 @@ angleAt(const IncompleteModel& model, pcl::index_t triangle, pcl::index_t vertex
   std::size_t corner = 0;
   while (corners[corner] != vertex)
     ++corner;
-  const Position one = at(corner + 1) - at(corner);
-  const Position other = at(corner + 2) - at(corner);
-  return std::atan2(one.cross(other).norm(), one.dot(other));
+  return ccaa::angleBetween(at(corner + 1) - at(corner), at(corner + 2) - at(corner));
 }
 
 /** \brief The angle by which a curve turns to the left where edge k begins. */

@@ -4,6 +4,7 @@
 #include "fairing/edge_collapse.h"
 
 #include "fairing/vertex_triangles.h"
+#include "mesh/corners.h"
 
 #include <algorithm>
 #include <map>
@@ -27,7 +28,7 @@ public:
   : patch_(patch)
   , around_(patch.triangles, patch.positions.size())
   , is_there_(patch.triangles.size(), true)
-  , goes_to_(patch.positions.size(), NONE)
+  , is_gone_(patch.positions.size(), false)
   {}
 
   /** \return how many went */
@@ -45,8 +46,7 @@ public:
     std::sort(found.begin(), found.end());
     std::size_t gone = 0;
     for (const auto& [length, kept, other] : found)
-      if (goes_to_[kept] == NONE && goes_to_[other] == NONE &&
-          mayCollapse(kept, other)) {
+      if (!is_gone_[kept] && !is_gone_[other] && mayCollapse(kept, other)) {
         collapse(kept, other);
         ++gone;
       }
@@ -54,7 +54,10 @@ public:
   }
 
   void
-  finish();
+  finish()
+  {
+    patch_ = keepTriangles(patch_, is_there_);
+  }
 
 private:
   std::size_t
@@ -110,52 +113,15 @@ private:
       triangles.push_back(t);
     }
     changed_[kept] = std::move(triangles);
-    goes_to_[other] = kept;
+    is_gone_[other] = true;
   }
 
   Patch& patch_;
   VertexTriangles around_;
   std::map<std::size_t, std::vector<std::size_t>> changed_; /**< vertices' triangles */
   std::vector<bool> is_there_;                              /**< of triangles */
-  std::vector<std::size_t> goes_to_; /**< of vertices: NONE while they are there */
+  std::vector<bool> is_gone_;                               /**< of vertices */
 };
-
-/** Without what went. */
-void
-Collapsing::finish()
-{
-  Patch left;
-  left.rim = std::move(patch_.rim);
-  std::vector<std::size_t> number(patch_.positions.size(), NONE);
-  for (std::size_t v = 0; v < patch_.positions.size(); ++v)
-    if (goes_to_[v] == NONE) {
-      number[v] = left.positions.size();
-      left.positions.push_back(patch_.positions[v]);
-      left.free_point.push_back(patch_.free_point[v]);
-    }
-  for (const auto& [a, b] : patch_.creases)
-    left.addCrease(number[a], number[b]);
-  for (std::size_t t = 0; t < patch_.triangles.size(); ++t)
-    if (is_there_[t]) {
-      left.hole.push_back(patch_.hole[t]);
-      left.triangles.push_back({});
-      for (std::size_t c = 0; c < 3; ++c)
-        left.triangles.back()[c] = static_cast<pcl::index_t>(number[corner(t, c)]);
-    }
-  patch_ = std::move(left);
-}
-
-double
-meanEdge(const Patch& patch)
-{
-  double sum = 0.0;
-  for (const Triangle& triangle : patch.triangles)
-    for (std::size_t c = 0; c < 3; ++c)
-      sum += (patch.positions[static_cast<std::size_t>(triangle[c])] -
-              patch.positions[static_cast<std::size_t>(triangle[(c + 1) % 3])])
-                 .norm();
-  return sum / (3.0 * static_cast<double>(patch.triangles.size()));
-}
 
 } // namespace
 
@@ -164,7 +130,9 @@ collapseShortEdges(Patch& patch)
 {
   if (patch.triangles.empty())
     return 0;
-  const double shortest = SHORTEST * meanEdge(patch);
+  const double shortest =
+      SHORTEST *
+      ccaa::meanEdge(patch.triangles, patch.triangles.size(), patch.positions);
   Collapsing collapsing(patch);
   std::size_t gone = 0;
   for (std::size_t more = 1; more > 0; gone += more)

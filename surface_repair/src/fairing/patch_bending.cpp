@@ -3,8 +3,9 @@
 
 #include "fairing/patch_bending.h"
 
+#include "mesh/corners.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace pcl::repair {
 
@@ -17,7 +18,7 @@ bendingAt(const Position& a,
           const Direction& one,
           const Direction& other)
 {
-  return (a - b).norm() * std::atan2(one.cross(other).norm(), one.dot(other));
+  return (a - b).norm() * ccaa::angleBetween(one, other);
 }
 
 } // namespace

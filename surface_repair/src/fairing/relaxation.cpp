@@ -7,6 +7,7 @@
 #include "fairing/free_point_pulls.h"
 #include "fairing/joined_surface.h"
 #include "fairing/rim_curvature.h"
+#include "mesh/corners.h"
 
 #include <algorithm>
 
@@ -60,16 +61,11 @@ isSane(const JoinedSurface& surface, const Positions& positions)
 bool
 isSettled(const JoinedSurface& surface, const Positions& positions)
 {
-  double moves = 0.0, edges = 0.0;
+  double moves = 0.0;
   for (std::size_t v = 0; v < positions.size(); ++v)
     moves += (positions[v] - surface.positions[v]).squaredNorm();
-  for (std::size_t t = 0; t < surface.patch_triangles; ++t)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto a = static_cast<std::size_t>(surface.triangles[t][c]);
-      const auto b = static_cast<std::size_t>(surface.triangles[t][(c + 1) % 3]);
-      edges += (positions[a] - positions[b]).norm();
-    }
-  const double edge = edges / (3.0 * static_cast<double>(surface.patch_triangles));
+  const double edge =
+      ccaa::meanEdge(surface.triangles, surface.patch_triangles, positions);
   return moves <
          SETTLED * SETTLED * edge * edge * static_cast<double>(positions.size());
 }

@@ -57,4 +57,9 @@ struct Patch {
   }
 };
 
+/** \brief The patch without some of its triangles, and without the vertices that only
+ * these have; what is left keeps its order. \param[in] is_kept of each triangle */
+Patch
+keepTriangles(const Patch& patch, const std::vector<bool>& is_kept);
+
 } // namespace pcl::repair

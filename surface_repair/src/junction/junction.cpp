@@ -36,12 +36,6 @@ constexpr double MOSTLY_EMPTY = 0.25;
 /** Operations for what a line says: some hundred triangles at each of its ends. */
 constexpr std::uint64_t EVIDENCE_WORK = 10000;
 
-double
-angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /** The surface beside boundary points, looked at once for each vertex. */
 class Ends {
 public:
@@ -81,9 +75,9 @@ evidenceOf(const ForceLine& line,
 {
   JunctionEvidence evidence;
   const Eigen::Vector3d chord = line.target.position - line.origin.position;
-  evidence.turn =
-      std::max(angleBetween(begin.conormal, chord), angleBetween(end.conormal, -chord));
-  evidence.fold = angleBetween(begin.normal, end.normal);
+  evidence.turn = std::max(ccaa::angleBetween(begin.conormal, chord),
+                           ccaa::angleBetween(end.conormal, -chord));
+  evidence.fold = ccaa::angleBetween(begin.normal, end.normal);
   evidence.gap = chord.norm();
   const double edge = std::max(begin.edge, end.edge);
   evidence.gap_edges = edge > 0.0 ? evidence.gap / edge : 0.0;

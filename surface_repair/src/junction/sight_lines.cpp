@@ -3,6 +3,7 @@
 
 #include "junction/sight_lines.h"
 
+#include "mesh/corners.h"
 #include "mesh/quantile.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ angularSpacing(const IncompleteModel& model,
         continue;
       const Position a = model.positions[vertex] - sensor;
       const Position b = model.positions[static_cast<std::size_t>(corner)] - sensor;
-      angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
+      angles.push_back(ccaa::angleBetween(a, b));
     }
   }
   return ccaa::medianOf(std::move(angles));

@@ -40,9 +40,11 @@ regionsOf(const HoleList& list, Cap usual)
   for (const std::vector<std::size_t>& holes : list.regions) {
     Region region;
     region.bridge_vertices = list.bridge_vertices;
-    region.creases = list.creases;
     for (const std::size_t hole : holes) {
       region.holes.push_back(list.holes[hole].polygon);
+      for (const pcl::index_t vertex : region.holes.back().vertices)
+        if (const auto on = list.creases.find(vertex); on != list.creases.end())
+          region.creases.insert(*on);
       region.is_certain.push_back(list.holes[hole].is_wanted ||
                                   !list.holes[hole].bridges.empty());
     }

@@ -20,10 +20,6 @@ namespace pcl::repair {
 
 namespace {
 
-/** A region is tried with its samples for one part in so many of its work: those of
- * lost ears and arms take less, strays any amount. */
-constexpr std::uint64_t SAMPLED = 4;
-
 class RegionClosing {
 public:
   RegionClosing(const ClosingPlace& place,
@@ -245,11 +241,10 @@ RegionClosing::verify()
     keepForMending();
   for (const std::size_t hole : obstructed)
     tryNext(hole, OpenReason::INTERSECTION);
-  if (std::any_of(obstructed.begin(), obstructed.end(), [&](std::size_t hole) {
+  if (!faired_.is_faired || // nor is the rest
+      std::any_of(obstructed.begin(), obstructed.end(), [&](std::size_t hole) {
         return region_.holes.size() == 1 || strategy_[hole] != GIVEN_UP;
       }))
-    return false;
-  if (!faired_.is_faired) // nor is the rest
     return false;
   // What is left of the patch without the holes in question has no other fault.
   if (!obstructed.empty())

@@ -42,7 +42,7 @@ struct Region {
   std::vector<HolePolygon> holes;
   std::vector<bool> is_certain; /**< of each: to be closed whatever a sensor says, since
                                    the user or bridges do; none where it is empty */
-  CreaseVertices creases;       /**< of all regions */
+  CreaseVertices creases;       /**< that its holes have */
   std::vector<std::size_t> samples; /**< free points of the missing area */
   Cap cap = Cap::SMOOTH;            /**< AUTO for a single loop only */
   std::size_t bridge_vertices = 0;  /**< new vertices on bridges of all regions: numbers

@@ -24,6 +24,10 @@ workFor(std::size_t size);
 std::uint64_t
 workFor(const Region& region);
 
+/** \brief A region is tried with its samples for one part in so many of that: those of
+ * lost ears and arms take less, strays any amount. */
+constexpr std::uint64_t SAMPLED = 4;
+
 /** \brief Which of the fills of a part serves a strategy. */
 constexpr std::size_t
 fillsIn(const FillStrategy& strategy)

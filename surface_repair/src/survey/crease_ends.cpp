@@ -205,9 +205,6 @@ creaseEnds(const IncompleteModel& model, const BoundaryLoop& loop)
     if (end.along.allFinite() && end.normal.norm() > 0.5)
       ends.push_back(end);
   }
-  std::sort(ends.begin(), ends.end(), [](const CreaseEnd& a, const CreaseEnd& b) {
-    return a.vertex < b.vertex;
-  });
   return ends;
 }
 

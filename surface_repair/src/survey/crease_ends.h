@@ -20,17 +20,17 @@ struct CreaseEnd {
   double edge = 0.0; /**< length of edges around, units of the cloud */
 };
 
-/** \brief Chains of sharp edges, all convex or all concave, that end at a loop, by
- * ascending vertex. No two share a vertex of the model, the sharpest come first. The
- * direction is that of a parabola through the last edges. Cost: some dozen operations
- * for each edge of the loop. */
+/** \brief Chains of sharp edges, all convex or all concave, that end at a loop. No two
+ * share a vertex of the model, the sharpest come first. The direction is that of a
+ * parabola through the last edges. Cost: some dozen operations for each edge of the
+ * loop. */
 std::vector<CreaseEnd>
 creaseEnds(const IncompleteModel& model, const BoundaryLoop& loop);
 
 /** \brief Places where the surface along a loop turns by more than a right angle within
  * a width, such as the rim of a thin plate: the middle of each turn. None within a
  * width of another, nor of those that are known. \param[in] width units of the cloud
- * \param[in] known ends at the loop \return by ascending vertex */
+ * \param[in] known ends at the loop */
 std::vector<CreaseEnd>
 foldEnds(const IncompleteModel& model,
          const BoundaryLoop& loop,

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "junction/junction.h"
+#include "mesh/corners.h"
 #include "survey/crease_ends.h"
 
 #include <algorithm>
@@ -83,12 +84,6 @@ private:
   std::vector<Eigen::Vector3d> sums_;
 };
 
-double
-angleBetween(const Direction& a, const Direction& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /** The normals on the two sides of a fold and in its middle. */
 struct Fold {
   Direction before, middle, after;
@@ -102,12 +97,13 @@ struct Fold {
   bool
   isSharp() const
   {
-    return angleBetween(before, after) >= LEAST_FOLD;
+    return ccaa::angleBetween(before, after) >= LEAST_FOLD;
   }
   double
   offMiddle() const
   {
-    return std::abs(angleBetween(before, middle) - angleBetween(middle, after));
+    return std::abs(ccaa::angleBetween(before, middle) -
+                    ccaa::angleBetween(middle, after));
   }
   /** \param[in] along the way the surface goes on */
   bool
@@ -155,9 +151,6 @@ foldEnds(const IncompleteModel& model,
                     Fold(normals, k, width).isConvex(surface.conormal),
                     surface.edge});
   }
-  std::sort(ends.begin(), ends.end(), [](const CreaseEnd& a, const CreaseEnd& b) {
-    return a.vertex < b.vertex;
-  });
   return ends;
 }
 

@@ -5,6 +5,7 @@
 #include "fairing/refinement.h"
 #include "fairing_samples.h"
 #include "icadm/model_assembly.h"
+#include "mesh/corners.h"
 
 #include <cmath>
 
@@ -14,13 +15,7 @@ namespace {
 double
 meanEdge(const Patch& patch)
 {
-  double sum = 0.0;
-  for (const Triangle& triangle : patch.triangles)
-    for (std::size_t c = 0; c < 3; ++c)
-      sum += (patch.positions[static_cast<std::size_t>(triangle[c])] -
-              patch.positions[static_cast<std::size_t>(triangle[(c + 1) % 3])])
-                 .norm();
-  return sum / (3.0 * static_cast<double>(patch.triangles.size()));
+  return ccaa::meanEdge(patch.triangles, patch.triangles.size(), patch.positions);
 }
 
 TEST(RefinePatch, LeavesASoundDisc)
