@@ -28,22 +28,25 @@ usage()
 {
   Usage usage;
   usage.program = "pcl_ccaa_tiles";
-  usage.synopsis = "cut FOLDER INPUT_CLOUD... [options]\n"
-                   "       pcl_ccaa_tiles mesh|join|close|wind|shard FOLDER TILE\n"
-                   "       pcl_ccaa_tiles disputes|sides|index FOLDER\n"
-                   "       pcl_ccaa_tiles merge FOLDER OUTPUT_MESH\n"
-                   "       pcl_ccaa_tiles count|neighbors|seams FOLDER";
+  usage.synopsis =
+      "cut FOLDER INPUT_CLOUD... [options]\n"
+      "       pcl_ccaa_tiles mesh|join|close|wind|repair|shard FOLDER TILE\n"
+      "       pcl_ccaa_tiles disputes|sides|holes|numbers|index FOLDER\n"
+      "       pcl_ccaa_tiles merge FOLDER OUTPUT_MESH\n"
+      "       pcl_ccaa_tiles count|neighbors|seams|regions FOLDER";
   usage.summary =
       R"(One step of the reconstruction of a cloud larger than memory, for a workflow engine that
 runs the steps on one machine or many. 'pcl_ccaa_reconstruct --tiles' does all of them.
 Each step reads files of FOLDER and writes one file, whole or not at all; a step whose
 file is there does nothing. Order: cut, then for all tiles mesh, then join, then once
 disputes, then for all tiles close, then wind, then once sides, then for all tiles shard,
-then once index; merge makes one PLY file. 'count' prints the number of tiles; they are
+then once index; merge makes one PLY file. Where 'cut' was told to --repair, before shard
+come once holes, for all tiles repair, and once numbers. 'count' prints the number of tiles; they are
 numbered from 0. 'neighbors' prints for each a line with its number of points and the
 tiles around it: it is meshed from points of these, joined with their meshes. 'seams',
 after disputes, prints which tiles' meshes 'close' reads and, behind a colon, which
-closed seams 'wind' reads.)";
+closed seams 'wind' reads; 'regions', after holes, of which tiles 'repair' reads the
+surface.)";
   usage.examples = R"(  pcl_ccaa_tiles cut work scan1.ply scan2.ply --tiles=2000000
   pcl_ccaa_tiles mesh work 0
 )";
@@ -67,6 +70,7 @@ cut(const Task& task)
 {
   if (task.rest.empty())
     throw Failure("the step 'cut' needs clouds to cut");
+  checkTileRepair(task.settings.method);
   ProgressBar bar(task.settings.quiet);
   partition(task.rest,
             task.folder,
@@ -116,6 +120,15 @@ printSeams(const TilePlan& plan)
 }
 
 void
+printRegions(const TilePlan& plan)
+{
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    print(holeParts(plan, tile));
+    std::cout << '\n';
+  }
+}
+
+void
 runStep(const Task& task, const TilePlan& plan)
 {
   StepRun run;
@@ -128,6 +141,8 @@ runStep(const Task& task, const TilePlan& plan)
     printNeighbors(plan);
   else if (step == "seams")
     printSeams(plan);
+  else if (step == "regions")
+    printRegions(plan);
   else if (step == "mesh")
     meshTile(plan, tileOf(task, plan), run);
   else if (step == "join")
@@ -140,6 +155,12 @@ runStep(const Task& task, const TilePlan& plan)
     windTile(plan, tileOf(task, plan), run);
   else if (step == "sides")
     decideAllSides(plan);
+  else if (step == "holes")
+    findHoles(plan);
+  else if (step == "repair")
+    repairTile(plan, tileOf(task, plan), run);
+  else if (step == "numbers")
+    numberRepairs(plan);
   else if (step == "shard")
     writeShard(plan, tileOf(task, plan));
   else if (step == "index")
@@ -175,5 +196,6 @@ main(int argc, char** argv)
       "with 'cut': most points of a tile", "lower for machines with little memory");
   app::addThreads(line, task.settings.threads);
   app::addChainOptions(line, task.settings);
+  app::addRepairWishes(line, task.settings);
   return app::runApp(line, argc, argv, [&] { return app::run(task); });
 }

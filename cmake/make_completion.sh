@@ -39,11 +39,16 @@ endings_of() {
   endings_in <<<"$text"
 }
 
+# The first word of a program that takes a step to do.
+first_step() {
+  help_synopsis <<<"$help" | head -n 1 | grep -oE '^[a-z]+\b' || true
+}
+
 # The words an option takes: the program names them when it refuses another one, or its
 # description ends in a list of them.
 choices_of() {
   local placeholders refusal words
-  mapfile -t placeholders < <(arguments | sed -E -e '/\.\.\.$/d' -e 's/^([A-Z_]+)\.([a-z]+)$/no-file.\2/; t
+  mapfile -t placeholders < <(first_step; arguments | sed -E -e '/\.\.\.$/d' -e 's/^([A-Z_]+)\.([a-z]+)$/no-file.\2/; t
     s/^.*IN.*/no-file.pcd/; t; s/^OUT.*/no-result.ply/; t; s/.*/no-file.ply/')
   refusal=$("$program" "$1" '?' "${placeholders[@]}" 2>&1 || true)
   words=$(sed -nE \

@@ -61,9 +61,6 @@ addCleaning(OptionGroup& options, ReconstructSettings& settings)
 void
 addOutputs(OptionGroup& options, ReconstructSettings& settings)
 {
-  options.flag("repair", settings.repair)(
-      "then join the islands and close the holes, as pcl_repair_holes does",
-      "for a finished model, not only what was measured");
   options.flag("merge", settings.merge)(
       "all inputs are views of one object and become one cloud, in which each point "
       "keeps the viewpoint of its file",
@@ -159,15 +156,16 @@ checkTiles(const ReconstructSettings& settings)
   if (settings.tiles == 0)
     return;
   const FileNames& files = settings.files;
-  if (settings.repair || settings.labels || settings.normals ||
-      settings.until != "base" || settings.measure_speedup ||
-      settings.search != "fast" || files.isBatch() || settings.dry_run)
+  if (settings.labels || settings.normals || settings.until != "base" ||
+      settings.measure_speedup || settings.search != "fast" || files.isBatch() ||
+      settings.dry_run)
     throw Failure("--tiles makes the mesh of the stage base and nothing else; it does "
-                  "not go with --repair, --labels, --normals, --until, "
+                  "not go with --labels, --normals, --until, "
                   "--measure-speedup, --search, --dry-run, --clean, --start grid and "
                   "--output-folder");
   if (!files.output.empty() && files.target().format != FileFormat::PLY)
     throw Failure("--tiles writes PLY, not '" + files.output + "'");
+  checkTileRepair(settings.method);
 }
 
 void
@@ -205,6 +203,17 @@ checkStages(const ReconstructSettings& settings)
 void
 checkNeeds(const CommandLine& line, const ReconstructSettings& settings)
 {
+  for (const char* name : {"clean-spacing", "clean-radius", "clean-outliers"})
+    if (!settings.clean && line.given(name))
+      throw Failure("--" + std::string(name) + " needs --clean");
+  if (settings.labels && line.given("drop-islands"))
+    throw Failure("--labels tells the stage of each triangle that the reconstruction "
+                  "made; it does not go with --drop-islands");
+}
+
+void
+checkWishes(const CommandLine& line, const ReconstructSettings& settings)
+{
   for (const char* name : {"close",
                            "watertight",
                            "cap",
@@ -214,15 +223,19 @@ checkNeeds(const CommandLine& line, const ReconstructSettings& settings)
                            "greatest-bridge"})
     if (!settings.repair && line.given(name))
       throw Failure("--" + std::string(name) + " needs --repair");
-  for (const char* name : {"clean-spacing", "clean-radius", "clean-outliers"})
-    if (!settings.clean && line.given(name))
-      throw Failure("--" + std::string(name) + " needs --clean");
-  if (settings.labels && line.given("drop-islands"))
-    throw Failure("--labels tells the stage of each triangle that the reconstruction "
-                  "made; it does not go with --drop-islands");
 }
 
 } // namespace
+
+void
+checkTileRepair(const pcl::repair::RepairParameters& method)
+{
+  if (method.survey.dropped.any())
+    throw Failure("--drop-islands asks for whole islands; it does not go with tiles");
+  if (method.filling.greatest_length.of_diagonal ||
+      method.survey.greatest_bridge.of_diagonal)
+    throw Failure("with tiles lengths are in units of the cloud, not shares of it");
+}
 
 Usage
 reconstructUsage()
@@ -264,6 +277,16 @@ addChainOptions(CommandLine& command_line, ReconstructSettings& settings)
 }
 
 void
+addRepairWishes(CommandLine& command_line, ReconstructSettings& settings)
+{
+  command_line.options().flag("repair", settings.repair)(
+      "then join the islands and close the holes, as pcl_repair_holes does",
+      "for a finished model, not only what was measured");
+  addWishOptions(command_line, settings.method);
+  command_line.then([&] { return checkWishes(command_line, settings); });
+}
+
+void
 addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings)
 {
   addFileNames(command_line,
@@ -276,7 +299,7 @@ addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings)
   addOutputs(command_line.options(), settings);
   addThreads(command_line, settings.threads);
   addTileOptions(command_line.options(), settings);
-  addWishOptions(command_line, settings.method);
+  addRepairWishes(command_line, settings);
   addFormatOption(command_line, settings.files, "");
   addStageOptions(command_line.method(), settings);
   addChainOptions(command_line, settings);

@@ -18,4 +18,12 @@ addReconstructOptions(CommandLine& command_line, ReconstructSettings& settings);
 void
 addChainOptions(CommandLine& command_line, ReconstructSettings& settings);
 
+/** \brief --repair, and what is to be closed and joined then. */
+void
+addRepairWishes(CommandLine& command_line, ReconstructSettings& settings);
+
+/** \brief Fails for wishes of a repair that no tile can know what they mean. */
+void
+checkTileRepair(const pcl::repair::RepairParameters& method);
+
 } // namespace app

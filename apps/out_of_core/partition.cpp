@@ -23,10 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using pcl::ccaa::Position;
 
-/** Halo of a tile in its spacings. With 6, one triangle in 500 near a cut was made
- * differently by two tiles, with 16 one in 1000, noise of 0.3 spacings ten times as
- * many; at 32 it was no better: what is left depends on things farther away. */
-constexpr double HALO_SPACINGS = 20.0;
 /** The spacing of a tile: mean distance to so many nearest points, at this quantile. */
 constexpr unsigned int NEAREST = 6;
 constexpr double QUANTILE = 0.9;
@@ -167,7 +163,8 @@ private:
     TilePoints::write(plan_, plan_.file(tile, POINTS_STEP), records, sources);
     buckets.drop(plan_.tiling.tiles[tile].cell);
     plan_.tiling.tiles[tile].count = order.size();
-    plan_.tiling.tiles[tile].halo = HALO_SPACINGS * spacingOf(records, order.size());
+    plan_.tiling.tiles[tile].halo =
+        pcl::ccaa::Tile::SPACINGS * spacingOf(records, order.size());
   }
 
   /** A tile with too few points to measure takes the halo of the nearest one that has

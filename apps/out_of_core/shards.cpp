@@ -7,6 +7,7 @@
 #include "io/point_columns.h"
 #include "io/writers.h"
 #include "out_of_core/input_order.h"
+#include "out_of_core/repair_files.h"
 #include "out_of_core/step_file.h"
 #include "out_of_core/tile_points.h"
 #include <nlohmann/json.hpp>
@@ -125,20 +126,7 @@ TileSurface
 finalSurface(const TilePlan& plan, std::size_t tile)
 {
   return fs::exists(plan.file(tile, SHARD_STEP)) ? readShard(plan, tile)
-                                                 : readSurface(plan, tile);
-}
-
-/** Their number. */
-std::size_t
-countTriangles(const TilePlan& plan, std::size_t tile)
-{
-  const std::string path = plan.file(tile, SHARD_STEP);
-  InputFile file;
-  if (!fs::exists(path))
-    return readSurface(plan, tile).triangles.size();
-  require(file.open(path));
-  TextScanner scanner(file.bytes());
-  return readShardHead(plan, path, file, scanner).elements.back().rows;
+                                                 : readRepairedSurface(plan, tile);
 }
 
 void
@@ -151,6 +139,14 @@ addNowhere(const TilePlan& plan, InputOrder& order)
       sources.size(),
       [&](std::size_t i) { return &records[i * plan.layout.point_step]; },
       [&](std::size_t i) { return sources[i]; });
+}
+
+/** The first of the corners of a tile that a repair has made. */
+std::vector<WideIndex>::const_iterator
+firstNew(const TilePlan& plan, const TileSurface& surface)
+{
+  return std::lower_bound(
+      surface.foreign.begin(), surface.foreign.end(), plan.points() - plan.nowhere);
 }
 
 /** The triangles of a tile in places of the merged file. */
@@ -167,18 +163,34 @@ writeFaces(const TilePlan& plan,
     for (std::size_t i = 0; i < points.size(); ++i)
       places.push_back(static_cast<std::uint32_t>(order.placeOf(points.source(i))));
   }
+  const auto first_new = firstNew(plan, surface);
   forPoints(plan,
             surface.foreign.begin(),
-            surface.foreign.end(),
+            first_new,
             [&](auto, const TilePoints& points, std::size_t i) {
               places.push_back(
                   static_cast<std::uint32_t>(order.placeOf(points.source(i))));
             });
+  for (auto vertex = first_new; vertex != surface.foreign.end(); ++vertex)
+    places.push_back(static_cast<std::uint32_t>(*vertex + plan.nowhere));
   for (const CoreTriangle& triangle : surface.triangles) {
     const CoreTriangle corners{
         places[triangle[0]], places[triangle[1]], places[triangle[2]]};
     parts.faceBytes(corners.data(), corners.size());
   }
+}
+
+/** The points that repairing a tile has made. */
+pcl::PCLPointCloud2
+newVertices(const TilePlan& plan, std::size_t tile)
+{
+  const std::vector<char> records = readRepaired(plan, tile).records;
+  pcl::PCLPointCloud2 cloud = plan.layout;
+  cloud.data.assign(records.begin(), records.end());
+  cloud.width = static_cast<pcl::uindex_t>(records.size() / cloud.point_step);
+  cloud.height = 1;
+  cloud.row_step = cloud.width * cloud.point_step;
+  return cloud;
 }
 
 FileExtras
@@ -210,7 +222,7 @@ writeShard(const TilePlan& plan, std::size_t tile)
   const std::string path = plan.file(tile, SHARD_STEP);
   if (hasShard(plan, tile))
     return;
-  const TileSurface surface = readSurface(plan, tile);
+  const TileSurface surface = readRepairedSurface(plan, tile);
   ShardCloud shard(plan);
   const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
   {
@@ -220,12 +232,21 @@ writeShard(const TilePlan& plan, std::size_t tile)
       shard.add(points.record(i), own.first + i);
   }
   std::size_t next = 0;
+  const auto first_new = firstNew(plan, surface);
   forPoints(plan,
             surface.foreign.begin(),
-            surface.foreign.end(),
+            first_new,
             [&](auto, const TilePoints& points, std::size_t i) {
               shard.add(points.record(i), surface.foreign[next++]);
             });
+  if (first_new != surface.foreign.end()) {
+    const std::vector<char> records = readRepaired(plan, tile).records;
+    const char* record = records.data();
+    for (auto vertex = first_new; vertex != surface.foreign.end(); ++vertex) {
+      shard.add(reinterpret_cast<const std::uint8_t*>(record), *vertex);
+      record += plan.layout.point_step;
+    }
+  }
   OutputFile file;
   require(file.open(path));
   PlyCounts counts;
@@ -242,6 +263,19 @@ writeShard(const TilePlan& plan, std::size_t tile)
   require(file.commit());
 }
 
+std::size_t
+countTriangles(const TilePlan& plan, std::size_t tile)
+{
+  const std::string path = plan.file(tile, SHARD_STEP);
+  InputFile file;
+  if (!fs::exists(path))
+    return readSurface(plan, tile).triangles.size() +
+           (plan.repairs() ? readRepaired(plan, tile).facts.triangles : 0);
+  require(file.open(path));
+  TextScanner scanner(file.bytes());
+  return readShardHead(plan, path, file, scanner).elements.back().rows;
+}
+
 std::uint64_t
 countTriangles(const TilePlan& plan)
 {
@@ -251,62 +285,17 @@ countTriangles(const TilePlan& plan)
   return count;
 }
 
-nlohmann::json
-describeTiles(const TilePlan& plan)
-{
-  const pcl::ccaa::Sides sides = readSides(plan);
-  std::uint64_t triangles = 0, added = 0, failed = 0;
-  nlohmann::json shards = nlohmann::json::array();
-  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
-    const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
-    const std::size_t count = countTriangles(plan, tile);
-    const ClosedTile closed = readClosed(plan, tile);
-    triangles += count;
-    added += closed.added.size();
-    failed += closed.failed;
-    shards.push_back({{"first_vertex", own.first},
-                      {"vertices", own.count},
-                      {"triangles", count},
-                      {"level", own.cell.level},
-                      {"cell", own.cell.at}});
-    if (const fs::path path = plan.file(tile, SHARD_STEP); fs::exists(path))
-      shards.back()["file"] = path.filename();
-  }
-  const AllDisputes disputes = readDisputes(plan);
-  return {{"key", plan.key},
-          {"vertices", plan.points() - plan.nowhere},
-          {"points_without_position", plan.nowhere},
-          {"triangles", triangles},
-          {"components", sides.components},
-          {"open_edges", sides.open_edges},
-          {"torn_edges", sides.torn.size()},
-          {"seams",
-           {{"disputed_points", disputes.disputes.size()},
-            {"places", disputes.groups.size()},
-            {"triangles", added},
-            {"tiles_not_closed", failed}}},
-          {"outer_side", describe(sides.tally)},
-          {"shards", shards}};
-}
-
-void
-writeIndex(const TilePlan& plan)
-{
-  OutputFile file;
-  require(file.open(plan.file(INDEX_FILE)));
-  file.text(describeTiles(plan).dump(1) + "\n");
-  require(file.commit());
-}
-
 void
 mergeTiles(const TilePlan& plan, std::uint64_t triangles, bool keeps, OutputFile& file)
 {
-  if (plan.points() > std::numeric_limits<std::uint32_t>::max())
-    throw Failure("a PLY file numbers 2^32 points at most; the shards in '" +
-                  plan.folder + "' hold the whole");
   InputOrder order(plan);
   PlyCounts counts;
   counts.vertices = plan.points();
+  if (plan.repairs())
+    counts.vertices += readNumbers(plan).facts.vertices;
+  if (counts.vertices > std::numeric_limits<std::uint32_t>::max())
+    throw Failure("a PLY file numbers 2^32 points at most; the shards in '" +
+                  plan.folder + "' hold the whole");
   counts.faces = triangles;
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
     const TilePoints points(plan, tile);
@@ -318,6 +307,9 @@ mergeTiles(const TilePlan& plan, std::uint64_t triangles, bool keeps, OutputFile
   addNowhere(plan, order);
   PlyParts parts(plan.layout, counts, extrasOf(plan), file);
   order.takeWindows([&](const pcl::PCLPointCloud2& cloud) { parts.points(cloud); });
+  if (plan.repairs())
+    for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
+      parts.points(newVertices(plan, tile));
   if (plan.viewpoint.isTold())
     writeCamera(plan.viewpoint, plan.layout, file);
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {

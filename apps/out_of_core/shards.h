@@ -35,7 +35,9 @@ writeIndex(const TilePlan& plan);
 nlohmann::json
 describeTiles(const TilePlan& plan);
 
-/** \brief Number of triangles of all tiles. */
+/** \brief Number of triangles of a tile, and of all. */
+std::size_t
+countTriangles(const TilePlan& plan, std::size_t tile);
 std::uint64_t
 countTriangles(const TilePlan& plan);
 

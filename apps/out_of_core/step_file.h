@@ -2,9 +2,12 @@
 // Part of PclSurfaceRepair: files between the steps of a run tile by tile.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "io/input_file.h"
 #include "io/output_file.h"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -108,5 +111,21 @@ failAsForeign(const std::string& path);
  * not be done again. Fails for one of another run. */
 bool
 isDone(const std::string& path, const std::string& key);
+
+/** \brief A box as files have it, and back: Eigen's types are not for copying bytes. */
+inline std::array<double, 6>
+storedBox(const Eigen::AlignedBox3d& box)
+{
+  std::array<double, 6> result{};
+  Eigen::Map<Eigen::Vector3d>(result.data()) = box.min();
+  Eigen::Map<Eigen::Vector3d>(result.data() + 3) = box.max();
+  return result;
+}
+
+inline Eigen::AlignedBox3d
+boxOf(const std::array<double, 6>& from)
+{
+  return {Eigen::Vector3d(from.data()), Eigen::Vector3d(from.data() + 3)};
+}
 
 } // namespace app

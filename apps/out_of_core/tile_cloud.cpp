@@ -8,6 +8,9 @@
 #include <cmath>
 
 namespace app {
+
+using pcl::ccaa::WideIndex;
+
 namespace {
 
 /** A tile's cell and its halo. */
@@ -53,7 +56,7 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile) : TileCloud(plan)
 
 TileCloud::TileCloud(const TilePlan& plan,
                      std::size_t tile,
-                     const std::vector<pcl::ccaa::WideIndex>& foreign)
+                     const std::vector<WideIndex>& foreign)
 : TileCloud(plan)
 {
   const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
@@ -64,6 +67,18 @@ TileCloud::TileCloud(const TilePlan& plan,
   forPoints(plan, foreign.begin(), behind, add_one);
   addOwn(plan, tile);
   forPoints(plan, behind, foreign.end(), add_one);
+  finish();
+}
+
+TileCloud::TileCloud(const TilePlan& plan, const std::vector<WideIndex>& points)
+: TileCloud(plan)
+{
+  forPoints(plan,
+            points.begin(),
+            points.end(),
+            [&](std::size_t part, const TilePoints& part_points, std::size_t i) {
+              add(plan, part, part_points, i);
+            });
   finish();
 }
 
@@ -105,7 +120,7 @@ TileCloud::add(const TilePlan& plan,
 }
 
 pcl::index_t
-TileCloud::placeOf(pcl::ccaa::WideIndex index) const
+TileCloud::placeOf(WideIndex index) const
 {
   const auto place = std::lower_bound(wide_.begin(), wide_.end(), index);
   if (place == wide_.end() || *place != index)

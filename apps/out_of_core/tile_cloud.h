@@ -21,6 +21,9 @@ public:
             std::size_t tile,
             const std::vector<pcl::ccaa::WideIndex>& foreign);
 
+  /** \brief Just these points, ascending. */
+  TileCloud(const TilePlan& plan, const std::vector<pcl::ccaa::WideIndex>& points);
+
   /** \brief What the points are in the whole, ascending. */
   const std::vector<pcl::ccaa::WideIndex>&
   wide() const

@@ -21,6 +21,7 @@ struct StoredSums {
   std::array<double, 10> votes;
   std::array<double, 2> scalars;
   std::array<double, 9> vectors, tensor;
+  std::array<double, 6> box;
   std::uint64_t triangles;
   std::int64_t open_edges;
 };
@@ -42,6 +43,7 @@ stored(const pcl::ccaa::SideSums& sums)
     result.vectors[6 + i] = sums.projected[axis];
   }
   Eigen::Map<Eigen::Matrix3d>(result.tensor.data()) = sums.tensor;
+  result.box = storedBox(sums.box);
   result.triangles = sums.triangles;
   result.open_edges = sums.open_edges;
   return result;
@@ -61,6 +63,7 @@ restored(const StoredSums& from)
   sums.normals = Eigen::Vector3d(from.vectors.data() + 3);
   sums.projected = Eigen::Vector3d(from.vectors.data() + 6);
   sums.tensor = Eigen::Map<const Eigen::Matrix3d>(from.tensor.data());
+  sums.box = boxOf(from.box);
   sums.triangles = from.triangles;
   sums.open_edges = from.open_edges;
   return sums;
@@ -76,6 +79,7 @@ writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh)
     points.push_back(
         {point.index, {point.position.x(), point.position.y(), point.position.z()}});
   StepWriter file(plan.file(tile, MESH_STEP), plan.key);
+  file.put(mesh.doubtful_handles);
   file.putAll(points);
   file.putAll(mesh.border.triangles);
   file.putAll(mesh.inner);
@@ -87,6 +91,7 @@ readMesh(const TilePlan& plan, std::size_t tile, bool with_inner)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   TileMesh mesh;
+  mesh.doubtful_handles = file.get<std::uint64_t>();
   for (const StoredPoint& point : file.getAll<StoredPoint>())
     mesh.border.points.push_back({point.index, Eigen::Vector3d(point.position.data())});
   mesh.border.triangles = file.getAll<WideTriangle>();
@@ -164,6 +169,7 @@ writePieces(const TilePlan& plan,
   for (const pcl::ccaa::SideSums& piece : pieces.sums)
     sums.push_back(stored(piece));
   StepWriter file(plan.file(tile, PIECES_STEP), plan.key);
+  file.put(pieces.doubtful_handles);
   file.putAll(sums);
   file.putAll(pieces.edges);
   file.putAll(surface.foreign);
@@ -177,6 +183,7 @@ readPiecesSurface(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, PIECES_STEP), plan.key);
   std::size_t count = 0;
+  file.get<std::uint64_t>();
   file.skipAll<StoredSums>(count);
   file.skipAll<pcl::ccaa::CutEdge>(count);
   TileSurface surface;
@@ -191,6 +198,7 @@ readPiecesSums(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, PIECES_STEP), plan.key);
   pcl::ccaa::TilePieces pieces;
+  pieces.doubtful_handles = file.get<std::uint64_t>();
   for (const StoredSums& sums : file.getAll<StoredSums>())
     pieces.sums.push_back(restored(sums));
   pieces.edges = file.getAll<pcl::ccaa::CutEdge>();
@@ -204,9 +212,12 @@ writeSides(const TilePlan& plan, const pcl::ccaa::Sides& sides)
   file.put(sides.tally);
   file.put(sides.components);
   file.put(sides.open_edges);
+  file.put(sides.doubtful_handles);
   file.putAll(sides.torn);
-  for (const std::vector<std::uint8_t>& turn : sides.turn)
-    file.putAll(turn);
+  for (std::size_t tile = 0; tile < sides.turn.size(); ++tile) {
+    file.putAll(sides.turn[tile]);
+    file.putAll(sides.components_of[tile]);
+  }
   file.commit();
 }
 
@@ -218,9 +229,12 @@ readSides(const TilePlan& plan)
   sides.tally = file.get<pcl::ccaa::SideTally>();
   sides.components = file.get<std::uint64_t>();
   sides.open_edges = file.get<std::uint64_t>();
+  sides.doubtful_handles = file.get<std::uint64_t>();
   sides.torn = file.getAll<std::array<WideIndex, 2>>();
-  for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i)
+  for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i) {
     sides.turn.push_back(file.getAll<std::uint8_t>());
+    sides.components_of.push_back(file.getAll<std::uint64_t>());
+  }
   return sides;
 }
 

@@ -28,7 +28,8 @@ using CoreTriangle = std::array<std::uint32_t, 3>;
 /** \brief What the chain made of a tile. */
 struct TileMesh {
   pcl::ccaa::BorderMesh border;
-  std::vector<CoreTriangle> inner; /**< of numbers of the tile's points */
+  std::vector<CoreTriangle> inner;    /**< of numbers of the tile's points */
+  std::uint64_t doubtful_handles = 0; /**< pcl::ConsecutiveReport: of tile and halo */
 };
 
 void
@@ -90,6 +91,13 @@ struct TileSurface {
   std::vector<pcl::ccaa::WideIndex> foreign; /**< ascending */
   std::vector<CoreTriangle> triangles;
   std::vector<std::uint64_t> piece_ends; /**< triangles up to the end of each piece */
+
+  /** \brief The point of the whole that a corner is. \param[in] own the tile */
+  pcl::ccaa::WideIndex
+  wideOf(const pcl::ccaa::Tile& own, std::uint32_t corner) const
+  {
+    return corner < own.count ? own.first + corner : foreign[corner - own.count];
+  }
 };
 
 void

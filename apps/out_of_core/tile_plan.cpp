@@ -139,6 +139,12 @@ TilePlan::points() const
   return sum;
 }
 
+bool
+TilePlan::repairs() const
+{
+  return settingsOf(*this).repair;
+}
+
 std::string
 TilePlan::file(std::size_t tile, const char* step_name) const
 {
@@ -219,14 +225,22 @@ readPlan(const std::string& folder)
 std::string
 settingsText(const ReconstructSettings& settings)
 {
-  const Json json = {{"neighbors", settings.neighbors},
-                     {"min_region", settings.minimum_internal_points},
-                     {"min_angle", settings.minimum_angle},
-                     {"certified_angle", settings.certified_minimum_angle},
-                     {"max_length", settings.length_factor},
-                     {"plain", settings.plain},
-                     {"viewpoint", optionalJson(settings.sides.told_viewpoint)},
-                     {"up", optionalJson(settings.sides.up)}};
+  Json json = {{"neighbors", settings.neighbors},
+               {"min_region", settings.minimum_internal_points},
+               {"min_angle", settings.minimum_angle},
+               {"certified_angle", settings.certified_minimum_angle},
+               {"max_length", settings.length_factor},
+               {"plain", settings.plain},
+               {"viewpoint", optionalJson(settings.sides.told_viewpoint)},
+               {"up", optionalJson(settings.sides.up)}};
+  if (settings.repair)
+    json["repair"] = {
+        {"close", settings.method.filling.close},
+        {"watertight", settings.method.watertight},
+        {"cap", settings.method.filling.cap},
+        {"greatest_hole", settings.method.filling.greatest_hole},
+        {"greatest_length", settings.method.filling.greatest_length.value},
+        {"greatest_bridge", settings.method.survey.greatest_bridge.value}};
   return json.dump();
 }
 
@@ -243,6 +257,16 @@ settingsOf(const TilePlan& plan)
   settings.plain = json.at("plain");
   settings.sides.told_viewpoint = optionalVector(json.at("viewpoint"));
   settings.sides.up = optionalVector(json.at("up"));
+  settings.repair = json.contains("repair");
+  if (!settings.repair)
+    return settings;
+  const Json& repair = json["repair"];
+  settings.method.filling.close = repair.at("close");
+  settings.method.watertight = repair.at("watertight");
+  settings.method.filling.cap = repair.at("cap");
+  settings.method.filling.greatest_hole = repair.at("greatest_hole");
+  settings.method.filling.greatest_length.value = repair.at("greatest_length");
+  settings.method.survey.greatest_bridge.value = repair.at("greatest_bridge");
   return settings;
 }
 

@@ -59,6 +59,10 @@ struct TilePlan {
   std::uint64_t
   points() const;
 
+  /** \brief Whether what is open is repaired. */
+  bool
+  repairs() const;
+
   /** \brief Name of the file that a step makes for a tile. */
   std::string
   file(std::size_t tile, const char* step_name) const;

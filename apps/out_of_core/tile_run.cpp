@@ -146,6 +146,11 @@ runTiles(const TilePlan& plan,
         std::filesystem::remove(plan.file(tile, step));
   };
   std::vector<Phase> phases = {{"outer side", 1, {}, [&] { decideAllSides(plan); }}};
+  if (plan.repairs()) {
+    phases.push_back({"holes", 1, {}, [&] { findHoles(plan); }});
+    phases.push_back({"repair", 30, forTile(repairTile), {}});
+    phases.push_back({"repair", 0, {}, [&] { numberRepairs(plan); }});
+  }
   if (keeps) {
     phases.push_back({"shards", 4, forPart(writeShard), {}});
     phases.push_back({"index", 1, {}, [&] {

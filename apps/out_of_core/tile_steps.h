@@ -58,9 +58,34 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
 void
 decideAllSides(const TilePlan& plan);
 
-/** \brief The final triangles of a tile, outward. A triangle on an edge over which
- * windings cannot agree is left out. */
+/** \brief The triangles of a tile, outward, before any repair. A triangle on an edge
+ * over which windings cannot agree is left out. */
 TileSurface
 readSurface(const TilePlan& plan, std::size_t tile);
+
+// With --repair also these, before shards are written:
+
+/** \brief The boundary loops of all tiles, and which of them are repaired together. */
+void
+findHoles(const TilePlan& plan);
+
+/** \brief Tiles whose surface repairing a tile reads, with the points of those around
+ * them. */
+std::vector<std::size_t>
+holeParts(const TilePlan& plan, std::size_t tile);
+
+/** \brief Repair the clusters of a tile, each with the surface around it as a mesh of
+ * its own (pcl::ForceLineHoleRepair): what stays open at its cuts stays as it is. */
+void
+repairTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
+
+/** \brief Number the new vertices of all tiles, and add up what the repairs tell. */
+void
+numberRepairs(const TilePlan& plan);
+
+/** \brief The triangles of a tile after its repair, where there is one; new vertices
+ * are the last of those of others. */
+TileSurface
+readRepairedSurface(const TilePlan& plan, std::size_t tile);
 
 } // namespace app

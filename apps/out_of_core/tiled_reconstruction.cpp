@@ -61,7 +61,32 @@ summarize(const nlohmann::json& facts, std::size_t tiles, const std::string& whe
          plural(std::uint64_t{facts["open_edges"]}, "open edge") +
          "; tiles disagreed at " + plural(std::uint64_t{seams["places"]}, "place") +
          ", " + plural(std::uint64_t{seams["triangles"]}, "triangle") + " made there" +
+         (facts.contains("repair")
+              ? "; " + plural(std::uint64_t{facts["repair"]["closed"]}, "hole") +
+                    " closed"
+              : "") +
          (side.empty() ? "" : "; outer side by " + side);
+}
+
+/** The entries of an object of counts, such as "2 INTERSECTION, 1 TOO_LARGE". */
+std::string
+tellCounts(const nlohmann::json& counts)
+{
+  std::string text;
+  for (const auto& [name, count] : counts.items())
+    addToList(text, std::to_string(std::uint64_t{count}) + " " + name);
+  return text;
+}
+
+/** What leaves the topology in doubt. */
+std::string
+tellDoubts(const nlohmann::json& facts)
+{
+  std::string doubts =
+      facts.contains("repair") ? tellCounts(facts["repair"]["doubts"]) : "";
+  if (const std::uint64_t handles = facts["doubtful_handles"]; handles > 0)
+    addToList(doubts, std::to_string(handles) + " THIN_HANDLE");
+  return doubts;
 }
 
 std::string
@@ -70,8 +95,19 @@ tellPieces(const nlohmann::json& facts)
   const std::uint64_t open = facts["open_edges"];
   if (std::uint64_t{facts["triangles"]} == 0)
     return "no triangles";
+  const std::string doubts = tellDoubts(facts);
   return (open == 0 ? "watertight" : plural(open, "open edge")) + ", " +
-         plural(std::uint64_t{facts["components"]}, "piece");
+         plural(std::uint64_t{facts["components"]}, "piece") +
+         (doubts.empty() ? "" : ", in doubt (" + doubts + ")");
+}
+
+/** What a repair has left open or in doubt; empty: nothing. */
+std::string
+tellRepair(const nlohmann::json& repair)
+{
+  if (!repair["shortfalls"].empty())
+    return "left open: " + tellCounts(repair["shortfalls"]);
+  return repair["doubts"].empty() ? "" : "in doubt: " + tellCounts(repair["doubts"]);
 }
 
 Outcome
@@ -90,6 +126,12 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
   else if (std::uint64_t{facts["torn_edges"]} > 0)
     outcome.reason = "the surface is one-sided and was opened at " +
                      plural(std::uint64_t{facts["torn_edges"]}, "edge");
+  else if (facts.contains("repair"))
+    outcome.reason = tellRepair(facts["repair"]);
+  if (const std::uint64_t handles = facts["doubtful_handles"];
+      outcome.reason.empty() && handles > 0)
+    outcome.reason = "the surface has at most " + plural(handles, "handle") +
+                     " and places so thin that some may be tunnels that nobody scanned";
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   return outcome;
 }

@@ -79,14 +79,13 @@ foreignCorners(const Tile& own, const std::vector<WideTriangle>& triangles)
 
 /** All triangles of a tile, in places of its cloud. */
 pcl::ccaa::Triangles
-finalTriangles(const TilePlan& plan,
-               std::size_t tile,
+finalTriangles(const TileMesh& mesh,
                const TileCloud& cloud,
                const std::vector<WideTriangle>& border)
 {
   pcl::ccaa::Triangles triangles;
   const auto first = static_cast<std::uint32_t>(cloud.firstOwn());
-  for (const CoreTriangle& inner : readMesh(plan, tile, true).inner)
+  for (const CoreTriangle& inner : mesh.inner)
     triangles.push_back({static_cast<pcl::index_t>(first + inner[0]),
                          static_cast<pcl::index_t>(first + inner[1]),
                          static_cast<pcl::index_t>(first + inner[2])});
@@ -164,10 +163,11 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   const std::vector<WideTriangle> border = finalBorder(plan, tile);
   const TileCloud cloud(plan, tile, foreignCorners(plan.tiling.tiles[tile], border));
   const Position corner = plan.corners[tile];
-  pcl::ccaa::Triangles triangles = finalTriangles(plan, tile, cloud, border);
+  const TileMesh mesh = readMesh(plan, tile, true);
+  pcl::ccaa::Triangles triangles = finalTriangles(mesh, cloud, border);
   pcl::ccaa::RunControl control(run.progress);
   std::vector<std::uint32_t> piece_of;
-  const pcl::ccaa::TilePieces pieces =
+  pcl::ccaa::TilePieces pieces =
       sumUpSides(triangles,
                  cloud.wide(),
                  pcl::ccaa::positionView(cloud.cloud()).relativeTo(corner),
@@ -177,6 +177,7 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
                  piece_of);
   if (control.cancelled())
     throw Failure(stopped_by_signal);
+  pieces.doubtful_handles = mesh.doubtful_handles;
   writePieces(plan,
               tile,
               surfaceOf(plan.tiling.tiles[tile], cloud.wide(), triangles, piece_of),
@@ -208,14 +209,11 @@ readSurface(const TilePlan& plan, std::size_t tile)
   TileSurface surface = readPiecesSurface(plan, tile);
   const pcl::ccaa::Sides sides = readSides(plan);
   const Tile& own = plan.tiling.tiles[tile];
-  const auto wideOf = [&](std::uint32_t corner) {
-    return corner < own.count ? own.first + corner
-                              : surface.foreign[corner - own.count];
-  };
   const std::set<std::array<WideIndex, 2>> torn(sides.torn.begin(), sides.torn.end());
   const auto isTorn = [&](const CoreTriangle& triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
-      std::array<WideIndex, 2> edge{wideOf(triangle[i]), wideOf(triangle[(i + 1) % 3])};
+      std::array<WideIndex, 2> edge{surface.wideOf(own, triangle[i]),
+                                    surface.wideOf(own, triangle[(i + 1) % 3])};
       std::sort(edge.begin(), edge.end());
       if (torn.count(edge) > 0)
         return true;
@@ -223,15 +221,16 @@ readSurface(const TilePlan& plan, std::size_t tile)
     return false;
   };
   std::vector<CoreTriangle> left;
-  std::size_t piece = 0;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    while (t >= surface.piece_ends[piece])
-      ++piece;
-    CoreTriangle triangle = surface.triangles[t];
-    if (sides.turn[tile][piece] != 0)
-      std::swap(triangle[1], triangle[2]);
-    if (torn.empty() || !isTorn(triangle))
-      left.push_back(triangle);
+  std::size_t t = 0;
+  for (std::size_t piece = 0; piece < surface.piece_ends.size(); ++piece) {
+    for (; t < surface.piece_ends[piece]; ++t) {
+      CoreTriangle triangle = surface.triangles[t];
+      if (sides.turn[tile][piece] != 0)
+        std::swap(triangle[1], triangle[2]);
+      if (torn.empty() || !isTorn(triangle))
+        left.push_back(triangle);
+    }
+    surface.piece_ends[piece] = left.size();
   }
   surface.triangles = std::move(left);
   return surface;

@@ -318,7 +318,6 @@ TEST_F(TiledApp, NoRoomOnTheDiskIsToldAndGoingOnWorks)
 TEST_F(TiledApp, OptionsThatDoNotGoTogetherAreRefused)
 {
   save(folder_.path("in.ply"), colouredCloud(1500));
-  expectRefused(tiled({"in.ply"}, "out.ply", {"--repair"}), "--tiles");
   expectRefused(tiled({"in.ply"}, "out.ply", {"--labels"}), "--tiles");
   expectRefused(tiled({"in.ply"}, "out.obj"), "PLY");
   expectRefused(tiled({"in.ply"}, "out.ply", {"--memory", "lots"}), "--memory");

@@ -49,16 +49,23 @@ public:
     }
     const int axis = guess_plane ? planeAxis() : -1;
     std::vector<std::uint8_t> turn(sums_.size(), 0);
+    std::vector<std::uint64_t> number(sums_.size(), 0);
     for (std::size_t i = 0; i < sums_.size(); ++i)
-      if (static_cast<std::size_t>(rootOf(i) >> 1) == i)
+      if (static_cast<std::size_t>(rootOf(i) >> 1) == i) {
+        number[i] = sides_.components;
         turn[i] = settle(whole[i], axis);
+      }
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+      sides_.doubtful_handles += tiles_[tile].doubtful_handles;
       sides_.turn.emplace_back();
+      sides_.components_of.emplace_back();
       for (std::size_t piece = 0; piece < tiles_[tile].sums.size(); ++piece) {
         const auto i = static_cast<std::size_t>(first_[tile]) + piece;
         const pcl::index_t state = rootOf(i);
         const bool is_turned = turn[static_cast<std::size_t>(state >> 1)] != 0;
         sides_.turn.back().push_back(is_turned != ((state & 1) != 0) ? 1 : 0);
+        sides_.components_of.back().push_back(
+            number[static_cast<std::size_t>(state >> 1)]);
       }
     }
     return std::move(sides_);
@@ -224,6 +231,7 @@ SideSums::add(const SideSums& other, double sign)
   normals += sign * other.normals;
   projected += other.projected;
   tensor += other.tensor;
+  box.extend(other.box);
   triangles += other.triangles;
   open_edges += other.open_edges;
 }
@@ -263,6 +271,7 @@ sumUpSides(Triangles& triangles,
     sums.normals += area;
     sums.projected += area.cwiseAbs();
     sums.tensor += area * area.transpose() / area.norm();
+    sums.box.extend(centroid);
   };
   const ComponentFlags all(winding.components().size(), 1);
   pieces.sums = sumByComponent<SideSums>(winding, triangles.size(), all, context, add);
@@ -286,6 +295,17 @@ Sides
 decideSides(const std::vector<TilePieces>& tiles, bool guess_plane)
 {
   return SideGraph(tiles).decide(guess_plane);
+}
+
+std::vector<SideSums>
+sumUpComponents(const std::vector<TilePieces>& tiles, const Sides& sides)
+{
+  std::vector<SideSums> components(sides.components);
+  for (std::size_t tile = 0; tile < tiles.size(); ++tile)
+    for (std::size_t piece = 0; piece < tiles[tile].sums.size(); ++piece)
+      components[sides.components_of[tile][piece]].add(
+          tiles[tile].sums[piece], sides.turn[tile][piece] != 0 ? -1.0 : 1.0);
+  return components;
 }
 
 } // namespace pcl::ccaa

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "mesh/box_tree.h"
 #include "mesh/given_votes.h"
 #include "tiles/tiling.h"
 
@@ -27,6 +28,7 @@ struct SideSums {
   Eigen::Vector3d normals = Eigen::Vector3d::Zero();   /**< area vectors */
   Eigen::Vector3d projected = Eigen::Vector3d::Zero(); /**< of both signs */
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();    /**< n n^T area */
+  Box box;                                             /**< of the centroids */
   std::uint64_t triangles = 0;
   std::int64_t open_edges = 0;
 
@@ -53,6 +55,7 @@ struct TilePieces {
   std::vector<SideSums> sums;
   std::vector<CutEdge> edges; /**< that other tiles may have, too; twice those at which
                                    the piece itself is one-sided */
+  std::uint64_t doubtful_handles = 0; /**< of the tile and its halo */
 };
 
 /** \brief Wind the triangles of each piece of a tile like its first one, and sum up
@@ -74,11 +77,15 @@ sumUpSides(Triangles& triangles,
 /** \brief What was decided for all tiles. */
 struct Sides {
   std::vector<std::vector<std::uint8_t>> turn; /**< by tile and piece: 1 to turn it */
-  std::vector<std::array<WideIndex, 2>> torn;  /**< edges over which windings cannot
-                                                    agree: their triangles have to go */
-  SideTally tally;                             /**< triangles by rule */
+  std::vector<std::vector<std::uint64_t>>
+      components_of;                          /**< by tile and piece: the
+                                                 surface, by its first piece */
+  std::vector<std::array<WideIndex, 2>> torn; /**< edges over which windings cannot
+                                                   agree: their triangles have to go */
+  SideTally tally;                            /**< triangles by rule */
   std::uint64_t components = 0;
   std::uint64_t open_edges = 0;
+  std::uint64_t doubtful_handles = 0; /**< at most: two tiles may know the same */
 };
 
 /** \brief Join the pieces over the edges that two of them have, and ask for each
@@ -87,5 +94,9 @@ struct Sides {
  * bulges. \param[in] guess_plane see SideHints */
 Sides
 decideSides(const std::vector<TilePieces>& tiles, bool guess_plane);
+
+/** \brief What each surface says, in numbers of Sides::components_of. */
+std::vector<SideSums>
+sumUpComponents(const std::vector<TilePieces>& tiles, const Sides& sides);
 
 } // namespace pcl::ccaa

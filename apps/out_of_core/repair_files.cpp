@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what the steps of a repair tile by tile write.
+#include "out_of_core/repair_files.h"
+
+#include "out_of_core/step_file.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+using pcl::ccaa::WideIndex;
+using pcl::ccaa::WideTriangle;
+
+struct StoredLoop {
+  std::uint64_t cluster, tile, begin, end;
+  std::array<double, 6> core, region;
+};
+
+} // namespace
+
+void
+writeHoles(const TilePlan& plan, const AllHoles& holes)
+{
+  std::vector<StoredLoop> loops;
+  for (const HoleLoop& loop : holes.loops)
+    loops.push_back({loop.cluster,
+                     loop.tile,
+                     loop.begin,
+                     loop.end,
+                     storedBox(loop.core),
+                     storedBox(loop.region)});
+  StepWriter file(plan.file(HOLES_FILE), plan.key);
+  file.putAll(loops);
+  file.putAll(holes.edges);
+  file.put(holes.borders);
+  file.put(holes.beyond);
+  file.commit();
+}
+
+AllHoles
+readHoles(const TilePlan& plan)
+{
+  StepReader file(plan.file(HOLES_FILE), plan.key);
+  AllHoles holes;
+  for (const StoredLoop& loop : file.getAll<StoredLoop>())
+    holes.loops.push_back({loop.cluster,
+                           loop.tile,
+                           loop.begin,
+                           loop.end,
+                           boxOf(loop.core),
+                           boxOf(loop.region)});
+  holes.edges = file.getAll<std::array<WideIndex, 2>>();
+  holes.borders = file.get<std::uint64_t>();
+  holes.beyond = file.get<std::uint64_t>();
+  return holes;
+}
+
+void
+TileRepairFacts::add(const TileRepairFacts& other)
+{
+  closed += other.closed;
+  triangles += other.triangles;
+  vertices += other.vertices;
+  open_edges += other.open_edges;
+  area += other.area;
+  for (std::size_t i = 0; i < shortfalls.size(); ++i)
+    shortfalls[i] += other.shortfalls[i];
+  for (std::size_t i = 0; i < doubts.size(); ++i)
+    doubts[i] += other.doubts[i];
+  against += other.against;
+  astray += other.astray;
+  crowded += other.crowded;
+}
+
+bool
+TileRepairFacts::isIncomplete() const
+{
+  const auto isAny = [](std::uint64_t count) { return count > 0; };
+  return against + astray + crowded > 0 ||
+         std::any_of(shortfalls.begin(), shortfalls.end(), isAny) ||
+         std::any_of(doubts.begin(), doubts.end(), isAny);
+}
+
+void
+writeRepaired(const TilePlan& plan, std::size_t tile, const RepairedTile& repaired)
+{
+  StepWriter file(plan.file(tile, REPAIR_STEP), plan.key);
+  file.put(repaired.facts);
+  file.putAll(repaired.joined);
+  file.putAll(repaired.records);
+  file.putAll(repaired.triangles);
+  file.commit();
+}
+
+RepairedTile
+readRepaired(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, REPAIR_STEP), plan.key);
+  RepairedTile repaired;
+  repaired.facts = file.get<TileRepairFacts>();
+  repaired.joined = file.getAll<std::array<std::uint64_t, 2>>();
+  repaired.records = file.getAll<char>();
+  repaired.triangles = file.getAll<WideTriangle>();
+  return repaired;
+}
+
+void
+writeNumbers(const TilePlan& plan, const RepairNumbers& numbers)
+{
+  StepWriter file(plan.file(NUMBERS_FILE), plan.key);
+  file.putAll(numbers.first);
+  file.put(numbers.components);
+  file.put(numbers.facts);
+  file.commit();
+}
+
+RepairNumbers
+readNumbers(const TilePlan& plan)
+{
+  StepReader file(plan.file(NUMBERS_FILE), plan.key);
+  RepairNumbers numbers;
+  numbers.first = file.getAll<std::uint64_t>();
+  numbers.components = file.get<std::uint64_t>();
+  numbers.facts = file.get<TileRepairFacts>();
+  return numbers;
+}
+
+} // namespace app

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what is told about a run tile by tile.
+#include "out_of_core/repair_files.h"
+#include "out_of_core/shards.h"
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/** What became of the holes, and what that changes about the whole. */
+void
+addRepair(const TilePlan& plan, nlohmann::json& facts)
+{
+  const AllHoles holes = readHoles(plan);
+  const RepairNumbers numbers = readNumbers(plan);
+  const TileRepairFacts& made = numbers.facts;
+  facts["vertices"] = std::uint64_t{facts["vertices"]} + made.vertices;
+  facts["components"] = numbers.components;
+  facts["open_edges"] = std::int64_t{facts["open_edges"]} + made.open_edges;
+  nlohmann::json shortfalls = nlohmann::json::object(), doubts = shortfalls;
+  for (std::size_t i = 0; i < made.shortfalls.size(); ++i)
+    if (made.shortfalls[i] > 0)
+      shortfalls[nameOf(pcl::OpenReason(i))] = made.shortfalls[i];
+  for (std::size_t i = 0; i < made.doubts.size(); ++i)
+    if (made.doubts[i] > 0)
+      doubts[nameOf(pcl::DoubtReason(i))] = made.doubts[i];
+  if (made.against > 0)
+    shortfalls["AGAINST_EACH_OTHER"] = made.against;
+  if (made.astray > 0)
+    shortfalls["TOO_NEAR_OTHERS"] = made.astray;
+  if (const std::uint64_t beyond = holes.beyond + made.crowded; beyond > 0)
+    shortfalls["BEYOND_A_TILE"] = beyond;
+  facts["repair"] = {{"boundaries", holes.loops.size() + holes.borders + holes.beyond},
+                     {"outer_borders_beyond_a_tile", holes.borders},
+                     {"closed", made.closed},
+                     {"new_triangles", made.triangles},
+                     {"new_vertices", made.vertices},
+                     {"shortfalls", shortfalls},
+                     {"doubts", doubts}};
+}
+
+} // namespace
+
+nlohmann::json
+describeTiles(const TilePlan& plan)
+{
+  const pcl::ccaa::Sides sides = readSides(plan);
+  std::uint64_t triangles = 0, added = 0, failed = 0;
+  nlohmann::json shards = nlohmann::json::array();
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+    const std::size_t count = countTriangles(plan, tile);
+    const ClosedTile closed = readClosed(plan, tile);
+    triangles += count;
+    added += closed.added.size();
+    failed += closed.failed;
+    shards.push_back({{"first_vertex", own.first},
+                      {"vertices", own.count},
+                      {"triangles", count},
+                      {"level", own.cell.level},
+                      {"cell", own.cell.at}});
+    if (const fs::path path = plan.file(tile, SHARD_STEP); fs::exists(path))
+      shards.back()["file"] = path.filename();
+  }
+  const AllDisputes disputes = readDisputes(plan);
+  nlohmann::json facts = {{"key", plan.key},
+                          {"vertices", plan.points() - plan.nowhere},
+                          {"points_without_position", plan.nowhere},
+                          {"triangles", triangles},
+                          {"components", sides.components},
+                          {"open_edges", sides.open_edges},
+                          {"torn_edges", sides.torn.size()},
+                          {"doubtful_handles", sides.doubtful_handles},
+                          {"seams",
+                           {{"disputed_points", disputes.disputes.size()},
+                            {"places", disputes.groups.size()},
+                            {"triangles", added},
+                            {"tiles_not_closed", failed}}},
+                          {"outer_side", describe(sides.tally)},
+                          {"shards", shards}};
+  if (plan.repairs())
+    addRepair(plan, facts);
+  return facts;
+}
+
+void
+writeIndex(const TilePlan& plan)
+{
+  OutputFile file;
+  require(file.open(plan.file(INDEX_FILE)));
+  file.text(describeTiles(plan).dump(1) + "\n");
+  require(file.commit());
+}
+
+} // namespace app

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the boundary loops of a surface that runs through many
+// tiles.
+#pragma once
+
+#include "mesh/box_tree.h"
+#include "tiles/side_graph.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl::ccaa {
+
+/** \brief An edge of the whole surface that has one triangle. */
+struct OpenEdge {
+  std::array<WideIndex, 2> ends{}; /**< ascending */
+  std::uint64_t component = 0;     /**< see Sides::components_of */
+};
+
+/** \brief What becomes of a loop. */
+enum class LoopUse : std::uint8_t {
+  REPAIR, /**< it is looked at with its cluster */
+  BORDER, /**< it is too large for that, and the outer border of a sheet */
+  BEYOND  /**< it is too large, and nothing tells what it is */
+};
+
+/** \brief Open edges that are connected: a boundary loop, or several at one point. */
+struct OpenLoop {
+  Box box;                 /**< of its points */
+  double edge = 0.0;       /**< spacing of the points around it: the mean length of its
+                                edges, at most that of its tile */
+  std::uint64_t begin = 0; /**< its edges: from here */
+  std::uint64_t end = 0;   /**< to before here */
+  std::uint64_t cluster = 0; /**< of LoopUse::REPAIR: by its lowest point */
+  LoopUse use = LoopUse::REPAIR;
+
+  /** \brief Where what closes it lies. */
+  Box
+  core() const;
+
+  /** \brief What a repair has to know around it: also that to which it may be joined.
+   */
+  Box
+  region() const;
+
+  /** \brief Points of its region, about: of a sheet as dense as the loop. */
+  double
+  points() const;
+};
+
+/** \brief The edges that one tile alone has, ascending. Edges at which the surface is
+ * torn are none. */
+std::vector<OpenEdge>
+openEdges(const std::vector<TilePieces>& tiles, const Sides& sides);
+
+/** \brief The loops of some edges by their lowest points, and, of loops that are to be
+ * repaired together, clusters.
+ *
+ * Loops whose cores meet belong together; so do those whose regions meet, the near ones
+ * first, as far as the cluster holds no more points than a tile may. A loop that is
+ * larger than that by itself is none to be repaired. Where loops whose cores meet are
+ * too many, those whose region lies within one tile are a cluster, and the ones between
+ * these are BEYOND. So the cores of different clusters never meet.
+ * Cost: n log n, and linear in the pairs of loops whose regions meet.
+ * \param[in,out] edges sorted by loop
+ * \param[in] positions of the points in \a points
+ * \param[in] points of the edges, ascending, each once
+ * \param[in] components box and sums of each, relative to the same origin
+ * \param[in] most_points of a tile */
+std::vector<OpenLoop>
+clusterLoops(std::vector<OpenEdge>& edges,
+             const std::vector<WideIndex>& points,
+             const std::vector<Position>& positions,
+             const std::vector<SideSums>& components,
+             const Tiling& tiling,
+             std::uint64_t most_points);
+
+} // namespace pcl::ccaa
