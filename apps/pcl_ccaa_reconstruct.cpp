@@ -90,6 +90,12 @@ judge(const ReconstructSettings& settings, const ReconstructResult& result)
                 " and places so thin that some may be tunnels that nobody scanned" +
                 adviceFor(settings, result),
             {}};
+  if (result.chain.touching_pieces > 0)
+    return {INCOMPLETE,
+            "closed pieces come as near to others as points lie apart, at " +
+                plural(result.chain.touching_pieces, "place") +
+                ": they may be one body, of which a thin neck was cut",
+            {}};
   return {DONE, "", {}};
 }
 
@@ -170,6 +176,9 @@ tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result
   if (result.chain.doubtful_handles > 0)
     addToList(facts.doubts,
               std::to_string(result.chain.doubtful_handles) + " THIN_HANDLE");
+  if (result.chain.touching_pieces > 0)
+    addToList(facts.doubts,
+              std::to_string(result.chain.touching_pieces) + " TOUCHING_PIECES");
   return tellSurface(facts);
 }
 

@@ -79,7 +79,7 @@ writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh)
     points.push_back(
         {point.index, {point.position.x(), point.position.y(), point.position.z()}});
   StepWriter file(plan.file(tile, MESH_STEP), plan.key);
-  file.put(mesh.doubtful_handles);
+  file.put(mesh.doubts);
   file.putAll(points);
   file.putAll(mesh.border.triangles);
   file.putAll(mesh.inner);
@@ -91,7 +91,7 @@ readMesh(const TilePlan& plan, std::size_t tile, bool with_inner)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   TileMesh mesh;
-  mesh.doubtful_handles = file.get<std::uint64_t>();
+  mesh.doubts = file.get<pcl::ccaa::TopologyDoubts>();
   for (const StoredPoint& point : file.getAll<StoredPoint>())
     mesh.border.points.push_back({point.index, Eigen::Vector3d(point.position.data())});
   mesh.border.triangles = file.getAll<WideTriangle>();
@@ -169,7 +169,7 @@ writePieces(const TilePlan& plan,
   for (const pcl::ccaa::SideSums& piece : pieces.sums)
     sums.push_back(stored(piece));
   StepWriter file(plan.file(tile, PIECES_STEP), plan.key);
-  file.put(pieces.doubtful_handles);
+  file.put(pieces.doubts);
   file.putAll(sums);
   file.putAll(pieces.edges);
   file.putAll(surface.foreign);
@@ -183,7 +183,7 @@ readPiecesSurface(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, PIECES_STEP), plan.key);
   std::size_t count = 0;
-  file.get<std::uint64_t>();
+  file.get<pcl::ccaa::TopologyDoubts>();
   file.skipAll<StoredSums>(count);
   file.skipAll<pcl::ccaa::CutEdge>(count);
   TileSurface surface;
@@ -198,7 +198,7 @@ readPiecesSums(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, PIECES_STEP), plan.key);
   pcl::ccaa::TilePieces pieces;
-  pieces.doubtful_handles = file.get<std::uint64_t>();
+  pieces.doubts = file.get<pcl::ccaa::TopologyDoubts>();
   for (const StoredSums& sums : file.getAll<StoredSums>())
     pieces.sums.push_back(restored(sums));
   pieces.edges = file.getAll<pcl::ccaa::CutEdge>();
@@ -212,7 +212,7 @@ writeSides(const TilePlan& plan, const pcl::ccaa::Sides& sides)
   file.put(sides.tally);
   file.put(sides.components);
   file.put(sides.open_edges);
-  file.put(sides.doubtful_handles);
+  file.put(sides.doubts);
   file.putAll(sides.torn);
   for (std::size_t tile = 0; tile < sides.turn.size(); ++tile) {
     file.putAll(sides.turn[tile]);
@@ -229,7 +229,7 @@ readSides(const TilePlan& plan)
   sides.tally = file.get<pcl::ccaa::SideTally>();
   sides.components = file.get<std::uint64_t>();
   sides.open_edges = file.get<std::uint64_t>();
-  sides.doubtful_handles = file.get<std::uint64_t>();
+  sides.doubts = file.get<pcl::ccaa::TopologyDoubts>();
   sides.torn = file.getAll<std::array<WideIndex, 2>>();
   for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i) {
     sides.turn.push_back(file.getAll<std::uint8_t>());

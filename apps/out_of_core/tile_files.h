@@ -28,8 +28,8 @@ using CoreTriangle = std::array<std::uint32_t, 3>;
 /** \brief What the chain made of a tile. */
 struct TileMesh {
   pcl::ccaa::BorderMesh border;
-  std::vector<CoreTriangle> inner;    /**< of numbers of the tile's points */
-  std::uint64_t doubtful_handles = 0; /**< pcl::ConsecutiveReport: of tile and halo */
+  std::vector<CoreTriangle> inner; /**< of numbers of the tile's points */
+  pcl::ccaa::TopologyDoubts doubts;
 };
 
 void

@@ -106,7 +106,7 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   const ReconstructResult result = reconstructTile(plan, tile, cloud, run);
   MeshSorter sorter(
       plan, tile, cloud.wide(), pcl::ccaa::positionView(result.model.mesh.cloud));
-  sorter.mesh.doubtful_handles = result.chain.doubtful_handles;
+  sorter.mesh.doubts = {result.chain.doubtful_handles, result.chain.touching_pieces};
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
   writeMesh(plan, tile, sorter.mesh);

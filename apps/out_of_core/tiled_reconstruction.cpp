@@ -86,6 +86,8 @@ tellDoubts(const nlohmann::json& facts)
       facts.contains("repair") ? tellCounts(facts["repair"]["doubts"]) : "";
   if (const std::uint64_t handles = facts["doubtful_handles"]; handles > 0)
     addToList(doubts, std::to_string(handles) + " THIN_HANDLE");
+  if (const std::uint64_t touching = facts["touching_pieces"]; touching > 0)
+    addToList(doubts, std::to_string(touching) + " TOUCHING_PIECES");
   return doubts;
 }
 
@@ -132,6 +134,13 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
       outcome.reason.empty() && handles > 0)
     outcome.reason = "the surface has at most " + plural(handles, "handle") +
                      " and places so thin that some may be tunnels that nobody scanned";
+  if (const std::uint64_t touching = facts["touching_pieces"];
+      outcome.reason.empty() && touching > 0)
+    outcome.reason =
+        "closed pieces come as near to others as points lie apart, at most "
+        "at " +
+        plural(touching, "place") +
+        ": they may be one body, of which a thin neck was cut";
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   return outcome;
 }

@@ -177,7 +177,7 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
                  piece_of);
   if (control.cancelled())
     throw Failure(stopped_by_signal);
-  pieces.doubtful_handles = mesh.doubtful_handles;
+  pieces.doubts = mesh.doubts;
   writePieces(plan,
               tile,
               surfaceOf(plan.tiling.tiles[tile], cloud.wide(), triangles, piece_of),

@@ -135,6 +135,11 @@ public:
   {
     return report_.doubtful_handles;
   }
+  std::size_t
+  touchingPieces() const override
+  {
+    return report_.touching_pieces;
+  }
 
   bool
   construct(const pcl::ccaa::ChainSelection&, std::vector<pcl::Vertices>&) override

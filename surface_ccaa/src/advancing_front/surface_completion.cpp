@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
 #include "advancing_front/surface_completion.h"
 
+#include "advancing_front/contacts.h"
 #include "advancing_front/fan_settlement.h"
 #include "advancing_front/local_regrowth.h"
 #include "advancing_front/new_islands.h"
@@ -227,6 +228,9 @@ Completion::orient()
         result_.triangles, mesh_.points.size(), context_.threads, &control_);
   result_.topology = topologyOf(
       result_.triangles, adjacency_, sides.components.size(), {context_.threads});
+  if (result_.topology.pieces > 1)
+    report_.touching_pieces =
+        touchingPieces(result_.triangles, adjacency_, mesh_.points, {context_.threads});
 }
 
 } // namespace

@@ -188,6 +188,7 @@ Chain::runBase(const PolygonMeshConstPtr& partial_mesh,
   const bool is_done = runStage("base", weight, settings, report_.base_seconds, body);
   takeSides(settings);
   report_.doubtful_handles = input_.base->doubtfulHandles();
+  report_.touching_pieces = input_.base->touchingPieces();
   return is_done;
 }
 

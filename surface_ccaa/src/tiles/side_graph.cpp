@@ -56,7 +56,7 @@ public:
         turn[i] = settle(whole[i], axis);
       }
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
-      sides_.doubtful_handles += tiles_[tile].doubtful_handles;
+      sides_.doubts.add(tiles_[tile].doubts);
       sides_.turn.emplace_back();
       sides_.components_of.emplace_back();
       for (std::size_t piece = 0; piece < tiles_[tile].sums.size(); ++piece) {

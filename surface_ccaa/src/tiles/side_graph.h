@@ -50,12 +50,26 @@ struct CutEdge {
   std::uint32_t falls = 0; /**< 1: the triangle runs from the higher end to the lower */
 };
 
+/** \brief Places at which the topology of some tiles is in doubt, each with its halo:
+ * two tiles may know the same place. */
+struct TopologyDoubts {
+  std::uint64_t handles = 0;  /**< MeshCompletion::doubtfulHandles() */
+  std::uint64_t touching = 0; /**< MeshCompletion::touchingPieces() */
+
+  void
+  add(const TopologyDoubts& other)
+  {
+    handles += other.handles;
+    touching += other.touching;
+  }
+};
+
 /** \brief The pieces of a tile. */
 struct TilePieces {
   std::vector<SideSums> sums;
   std::vector<CutEdge> edges; /**< that other tiles may have, too; twice those at which
                                    the piece itself is one-sided */
-  std::uint64_t doubtful_handles = 0; /**< of the tile and its halo */
+  TopologyDoubts doubts;
 };
 
 /** \brief Wind the triangles of each piece of a tile like its first one, and sum up
@@ -85,7 +99,7 @@ struct Sides {
   SideTally tally;                            /**< triangles by rule */
   std::uint64_t components = 0;
   std::uint64_t open_edges = 0;
-  std::uint64_t doubtful_handles = 0; /**< at most: two tiles may know the same */
+  TopologyDoubts doubts;
 };
 
 /** \brief Join the pieces over the edges that two of them have, and ask for each

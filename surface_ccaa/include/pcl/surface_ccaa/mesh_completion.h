@@ -97,6 +97,15 @@ public:
     return 0;
   }
 
+  /** \brief After a run: how many closed pieces of the result come nearer to others
+   * than their points lie apart, so that they may be one body whose thin neck was cut.
+   * 0 where the algorithm does not know. */
+  virtual std::size_t
+  touchingPieces() const
+  {
+    return 0;
+  }
+
 protected:
   PolygonMeshConstPtr partial_mesh_;
   IndicesConstPtr cut_points_;

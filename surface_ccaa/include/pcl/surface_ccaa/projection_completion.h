@@ -157,6 +157,13 @@ public:
     return report_.doubtful_handles;
   }
 
+  /** \brief 0 where given triangles are kept. */
+  std::size_t
+  touchingPieces() const override
+  {
+    return report_.touching_pieces;
+  }
+
 protected:
   void
   performReconstruction(pcl::PolygonMesh& output) override;

@@ -37,6 +37,8 @@ struct CompletionReport {
   std::size_t free_points = 0;      /**< points without a triangle after */
   std::size_t doubtful_handles = 0; /**< all of the result where it has thin places,
                                          else 0 */
+  std::size_t touching_pieces = 0;  /**< closed ones nearer to others than their points
+                                         lie apart: perhaps one body */
   SideTally sides;                  /**< what told the outer side of the result */
   double seconds = 0;
   bool cancelled = false;
@@ -64,6 +66,7 @@ struct ConsecutiveReport {
   std::size_t internal_points = 0;      /**< with a closed umbrella after it */
   std::size_t free_points = 0;          /**< without a triangle in the result */
   std::size_t doubtful_handles = 0;     /**< see MeshCompletion::doubtfulHandles() */
+  std::size_t touching_pieces = 0;      /**< see MeshCompletion::touchingPieces() */
   std::size_t invalid_polygons = 0;     /**< given by start algorithms, left out */
   std::vector<ChainStageReport> stages; /**< one an algorithm; its place is the label of
                                              its triangles */

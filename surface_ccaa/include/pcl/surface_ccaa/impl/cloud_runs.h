@@ -131,6 +131,12 @@ public:
   {
     return 0;
   }
+  /** \brief See MeshCompletion::touchingPieces(). */
+  virtual std::size_t
+  touchingPieces() const
+  {
+    return 0;
+  }
 
   /** \brief Start from points alone.
    * \param[out] made polygons, not checked \return whether they speak of places in the

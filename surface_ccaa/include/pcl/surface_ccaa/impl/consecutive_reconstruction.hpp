@@ -53,6 +53,11 @@ public:
   {
     return completion_ == nullptr ? 0 : completion_->doubtfulHandles();
   }
+  std::size_t
+  touchingPieces() const override
+  {
+    return completion_ == nullptr ? 0 : completion_->touchingPieces();
+  }
 
   /** A cloud of some of the points is no longer organised: an algorithm whose search
    * method needs that loses it. */
