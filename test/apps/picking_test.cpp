@@ -7,6 +7,7 @@
 #include "viewer/picking.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace app_test {
@@ -31,7 +32,8 @@ camera()
   return projection;
 }
 
-/** The same slowly: many places of each line one by one. */
+/** The same slowly: many places of each line one by one. Plain numbers, as these tests
+ * are not optimized. */
 std::optional<std::size_t>
 pickSlowly(const std::vector<PickLine>& lines,
            const Eigen::Vector2d& place,
@@ -41,20 +43,22 @@ pickSlowly(const std::vector<PickLine>& lines,
   std::optional<std::size_t> picked;
   double least = reach;
   for (const PickLine& line : lines)
-    for (std::size_t i = 0; i < line.points.size(); ++i)
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const Eigen::Vector4d from = camera() * line.points[i].homogeneous();
+      const std::size_t next = line.closed ? (i + 1) % line.points.size()
+                                           : std::min(i + 1, line.points.size() - 1);
+      const Eigen::Vector4d way = camera() * line.points[next].homogeneous() - from;
       for (int step = 0; step <= steps; ++step) {
         const double share = static_cast<double>(step) / steps;
-        const Eigen::Vector3d at =
-            (1.0 - share) * line.points[i] +
-            share * line.points[line.closed ? (i + 1) % line.points.size()
-                                            : std::min(i + 1, line.points.size() - 1)];
-        const Eigen::Vector3d seen = (camera() * at.homogeneous()).hnormalized();
-        const double distance = (seen.head<2>() - place).norm();
+        const double w = from[3] + share * way[3];
+        const double distance = std::hypot((from[0] + share * way[0]) / w - place[0],
+                                           (from[1] + share * way[1]) / w - place[1]);
         if (distance < least) {
           least = distance;
           picked = line.thing;
         }
       }
+    }
   return picked;
 }
 

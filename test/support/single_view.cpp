@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/turn_between.h"
 #include "random_source.h"
 
 #include <algorithm>
@@ -150,7 +151,7 @@ officeFrame(std::uint64_t seed, std::size_t columns)
   const Office office(random);
   const Position camera(0.4, random.uniform(1.5, 3.5), 1.5);
   const Position ahead(1.0, random.uniform(-0.2, 0.2), -0.25);
-  const auto looking = Eigen::Quaterniond::FromTwoVectors(Position::UnitZ(), ahead);
+  const auto looking = turnBetween(Position::UnitZ(), ahead);
   const std::size_t rows = columns * 3 / 4;
   const double step = 1.1 / static_cast<double>(columns);
   const auto ray = [&](std::size_t column, std::size_t row) -> Position {
@@ -236,8 +237,7 @@ singleView(std::uint64_t seed, std::size_t rays)
   SingleView view;
   view.sensor = Position(
       random.uniform(-2.5, 2.5), random.uniform(-2.5, 2.5), random.uniform(4.5, 7.0));
-  const auto looking =
-      Eigen::Quaterniond::FromTwoVectors(Position::UnitZ(), -view.sensor);
+  const auto looking = turnBetween(Position::UnitZ(), -view.sensor);
   const double step = 0.9 / static_cast<double>(rays);
   const double noise = 0.1 * step * view.sensor.norm();
   for (std::size_t row = 0; row < rays; ++row)

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "mesh/turn_between.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,8 +64,7 @@ seenFromOrigin(const PointView& points, const Indices* chosen)
       nearest < LEAST_DISTANCE * box.diagonal().norm() ||
       farthest > LARGEST_DISTANCE * box.diagonal().norm())
     return {};
-  const Eigen::Quaterniond turn =
-      Eigen::Quaterniond::FromTwoVectors(sum, Position::UnitZ());
+  const Eigen::Quaterniond turn = turnBetween(sum, Position::UnitZ());
   bool aside = false;
   Positions seen;
   forFinite(points, chosen, [&](const Position& point) {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/quantile.h"
+#include "mesh/turn_between.h"
 #include "survey/crease_ends.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ CreaseJoining::costOf(std::size_t one,
   if (a.is_convex != b.is_convex || !(a.along.dot(chord) > FORWARD * length) ||
       !(-b.along.dot(chord) > FORWARD * length))
     return std::nullopt;
-  const auto carried = Eigen::Quaterniond::FromTwoVectors(a.along, -b.along) * a.normal;
+  const auto carried = ccaa::turnBetween(a.along, -b.along) * a.normal;
   const double agreement = carried.dot(b.normal);
   if (agreement < ALIKE)
     return std::nullopt;
