@@ -14,6 +14,7 @@
 #include "out_of_core/tile_cloud.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -23,9 +24,15 @@ namespace {
 using pcl::ccaa::WideIndex;
 using pcl::ccaa::WideTriangle;
 
-/** Points in those of a tile that a cluster may have: where surfaces lie close to each
- * other it has more than the one that the loops are of. */
-constexpr std::uint64_t CROWD = 2;
+std::array<double, 9>
+storedCorners(const pcl::ccaa::Corners& corners)
+{
+  std::array<double, 9> stored{};
+  for (std::size_t i = 0; i < 3; ++i)
+    std::copy_n(
+        corners[i].data(), 3, stored.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  return stored;
+}
 
 /** The surface around a cluster as a mesh of its own, repaired. */
 class ClusterRepair {
@@ -46,10 +53,6 @@ public:
   void
   addTo(RepairedTile& tile)
   {
-    if (cluster_.points.size() > CROWD * plan_.most_points) {
-      tile.facts.crowded += cluster_.loops;
-      return;
-    }
     const pcl::PolygonMesh::ConstPtr mesh = makeMesh();
     method_.survey.decisions = pcl::repair::leaveCutsOpen(
         mesh, [&](pcl::index_t from, pcl::index_t to) { return isOpen(from, to); });
@@ -97,42 +100,43 @@ private:
        RepairedTile& tile)
   {
     const std::size_t given = cluster_.triangles.size();
-    pcl::ccaa::Triangles triangles;
     for (const pcl::Vertices& polygon : repaired.polygons)
-      triangles.push_back(
+      triangles_.push_back(
           {polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]});
-    pcl::ccaa::TriangleAdjacency adjacency;
-    adjacency.build(triangles, pcl::ccaa::pointCount(repaired.cloud));
-    const pcl::ccaa::Islands islands = labelIslands(adjacency);
-    putCopiesBack(pcl::ccaa::pointCount(repaired.cloud), triangles);
+    const std::size_t points = pcl::ccaa::pointCount(repaired.cloud);
+    adjacency_.build(triangles_, points);
+    const pcl::ccaa::Islands islands = labelIslands(adjacency_);
+    putCopiesBack(points);
     // Islands whose given triangles came out wound as they were, and the other way.
     std::vector<std::uint8_t> as_given(islands.count, 0), turned(islands.count, 0);
     for (std::size_t t = 0; t < given; ++t)
-      (isAsGiven(triangles[t], t) ? as_given : turned)[islands[t]] = 1;
-    std::vector<std::uint8_t> keeps(islands.count, 1), is_new(islands.count, 0);
-    for (std::size_t t = given; t < triangles.size(); ++t)
-      is_new[islands[t]] = 1;
-    for (std::size_t i = 0; i < islands.count; ++i)
-      if (as_given[i] != 0 && turned[i] != 0) {
-        keeps[i] = 0;
-        tile.facts.against += is_new[i];
-      }
-    const pcl::ccaa::PointView positions = pcl::ccaa::positionView(repaired.cloud);
-    for (std::size_t t = given; t < triangles.size(); ++t)
-      for (const pcl::index_t corner : triangles[t])
-        if (keeps[islands[t]] != 0 &&
-            !gathering_.mayHold(cluster_,
-                                positions[static_cast<std::size_t>(corner)])) {
-          keeps[islands[t]] = 0;
-          ++tile.facts.astray;
-        }
-    append(repaired, triangles, islands, keeps, turned, tile);
-    joinComponents(islands, keeps, tile);
-    addFacts(triangles, islands, keeps, report, tile.facts);
-    for (std::size_t t = given; t < triangles.size(); ++t)
-      if (keeps[islands[t]] != 0)
-        tile.facts.area +=
-            pcl::ccaa::areaNormal(cornersOf(triangles[t], positions)).norm() / 2.0;
+      (isAsGiven(triangles_[t], t) ? as_given : turned)[islands[t]] = 1;
+    addFacts(report, tile.facts);
+    for (const std::vector<std::size_t>& patch : patches(points)) {
+      const std::size_t island = islands[patch.front()];
+      if (as_given[island] != 0 && turned[island] != 0)
+        ++tile.facts.against;
+      else if (!isKnown(repaired.cloud, patch))
+        ++tile.facts.astray;
+      else
+        append(repaired.cloud, patch, turned[island] != 0, tile);
+    }
+  }
+
+  /** The new triangles, those together that have edges in common. */
+  std::vector<std::vector<std::size_t>>
+  patches(std::size_t points) const
+  {
+    const std::size_t given = cluster_.triangles.size();
+    const pcl::ccaa::Triangles added(
+        triangles_.begin() + static_cast<std::ptrdiff_t>(given), triangles_.end());
+    pcl::ccaa::TriangleAdjacency adjacency;
+    adjacency.build(added, points);
+    const pcl::ccaa::Islands islands = labelIslands(adjacency);
+    std::vector<std::vector<std::size_t>> patches(islands.count);
+    for (std::size_t t = 0; t < added.size(); ++t)
+      patches[islands[t]].push_back(given + t);
+    return patches;
   }
 
   pcl::ccaa::Triangle
@@ -168,7 +172,7 @@ private:
   /** A point with two fans has got a copy for one of them. Other tiles do not know it,
    * and go on with one vertex. */
   void
-  putCopiesBack(std::size_t points, pcl::ccaa::Triangles& triangles) const
+  putCopiesBack(std::size_t points)
   {
     std::vector<pcl::index_t> point_of(points, pcl::UNAVAILABLE);
     std::iota(point_of.begin(),
@@ -181,15 +185,26 @@ private:
           return point_of[static_cast<std::size_t>(corner)] == pcl::UNAVAILABLE;
         };
         const auto unknown =
-            std::count_if(triangles[t].begin(), triangles[t].end(), isUnknown);
+            std::count_if(triangles_[t].begin(), triangles_[t].end(), isUnknown);
         if (unknown > 0 && unknown <= most_unknown)
-          learnCopies(triangles[t], givenTriangle(t), point_of);
+          learnCopies(triangles_[t], givenTriangle(t), point_of);
       }
-    for (pcl::ccaa::Triangle& triangle : triangles)
+    for (pcl::ccaa::Triangle& triangle : triangles_)
       for (pcl::index_t& corner : triangle)
         if (const pcl::index_t point = point_of[static_cast<std::size_t>(corner)];
             point != pcl::UNAVAILABLE)
           corner = point;
+  }
+
+  /** Else a boundary runs along a cut. */
+  bool
+  isOnOwnLoop(pcl::index_t point) const
+  {
+    const WideIndex wide = cluster_.points[static_cast<std::size_t>(point)];
+    return std::any_of(
+        cluster_.edges.begin(), cluster_.edges.end(), [&](const auto& edge) {
+          return edge[0] == wide || edge[1] == wide;
+        });
   }
 
   static void
@@ -211,115 +226,108 @@ private:
     }
   }
 
-  /** The new triangles that stay, wound like the given ones, and their new corners. */
+  bool
+  isKnown(const pcl::PCLPointCloud2& cloud, const std::vector<std::size_t>& patch) const
+  {
+    const pcl::ccaa::PointView positions = pcl::ccaa::positionView(cloud);
+    return std::all_of(patch.begin(), patch.end(), [&](std::size_t t) {
+      const pcl::ccaa::Corners corners = cornersOf(triangles_[t], positions);
+      return std::all_of(
+          corners.begin(), corners.end(), [&](const pcl::ccaa::Position& corner) {
+            return gathering_.isKnown(cluster_, corner);
+          });
+    });
+  }
+
+  /** A patch, wound like the given triangles, with its new corners. */
   void
-  append(const pcl::PolygonMesh& repaired,
-         const pcl::ccaa::Triangles& triangles,
-         const pcl::ccaa::Islands& islands,
-         const std::vector<std::uint8_t>& keeps,
-         const std::vector<std::uint8_t>& turned,
+  append(const pcl::PCLPointCloud2& cloud,
+         const std::vector<std::size_t>& patch,
+         bool is_turned,
          RepairedTile& tile) const
   {
-    const std::size_t points = cluster_.points.size();
     const std::size_t bytes = plan_.layout.point_step;
-    if (repaired.cloud.point_step != bytes)
+    if (cloud.point_step != bytes)
       throw Failure("a repair has changed the fields of the points");
-    const pcl::ccaa::Tile& last = plan_.tiling.tiles.back();
-    std::vector<WideIndex> number(pcl::ccaa::pointCount(repaired.cloud) - points,
-                                  WideIndex(-1));
-    const auto numberOf = [&](pcl::index_t corner) {
-      const auto place = static_cast<std::size_t>(corner);
-      if (place < points)
-        return cluster_.points[place];
-      WideIndex& wide = number[place - points];
-      if (wide == WideIndex(-1)) {
-        wide = last.first + last.count + tile.records.size() / bytes;
+    const pcl::ccaa::PointView positions = pcl::ccaa::positionView(cloud);
+    RepairedPatch made;
+    made.cluster = cluster_.number;
+    std::map<pcl::index_t, WideIndex> number; // of the new corners
+    bool is_exposed = false;
+    const std::size_t first = tile.triangles.size();
+    for (const std::size_t t : patch) {
+      const pcl::ccaa::Corners corners = cornersOf(triangles_[t], positions);
+      is_exposed =
+          is_exposed || gathering_.isNearOthers(cluster_, pcl::ccaa::boxOf(corners));
+      WideTriangle triangle{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const pcl::index_t corner = triangles_[t][i];
+        const auto place = static_cast<std::size_t>(corner);
+        if (place < cluster_.points.size()) {
+          triangle[i] = cluster_.points[place];
+          continue;
+        }
+        const auto [at, is_new] =
+            number.try_emplace(corner, plan_.pointsInTiles() + tile.vertices(plan_));
+        triangle[i] = at->second;
+        if (!is_new)
+          continue;
         const auto from =
-            repaired.cloud.data.begin() + static_cast<std::ptrdiff_t>(place * bytes);
+            cloud.data.begin() + static_cast<std::ptrdiff_t>(place * bytes);
         tile.records.insert(
             tile.records.end(), from, from + static_cast<std::ptrdiff_t>(bytes));
-        ++tile.facts.vertices;
       }
-      return wide;
-    };
-    for (std::size_t t = cluster_.triangles.size(); t < triangles.size(); ++t) {
-      if (keeps[islands[t]] == 0)
-        continue;
-      WideTriangle triangle{};
-      for (std::size_t i = 0; i < 3; ++i)
-        triangle[i] = numberOf(triangles[t][i]);
-      if (turned[islands[t]] != 0)
+      if (is_turned)
         std::swap(triangle[1], triangle[2]);
       tile.triangles.push_back(triangle);
-      ++tile.facts.triangles;
+      made.area += pcl::ccaa::areaNormal(corners).norm() / 2.0;
     }
+    made.vertices = number.size();
+    made.triangles = patch.size();
+    addEdges(patch, made, tile);
+    for (std::size_t k = 0; k < patch.size() && is_exposed; ++k)
+      tile.exposed.push_back(
+          {tile.patches.size(),
+           tile.triangles[first + k],
+           storedCorners(cornersOf(triangles_[patch[k]], positions))});
+    tile.patches.push_back(made);
   }
 
-  /** Components of the whole that have come to be one island. */
+  /** How many edges it leaves open more than before, and what it joins. */
   void
-  joinComponents(const pcl::ccaa::Islands& islands,
-                 const std::vector<std::uint8_t>& keeps,
-                 RepairedTile& tile) const
+  addEdges(const std::vector<std::size_t>& patch,
+           RepairedPatch& made,
+           RepairedTile& tile) const
   {
-    std::vector<std::vector<std::uint64_t>> components(islands.count);
-    for (std::size_t t = 0; t < cluster_.triangles.size(); ++t)
-      if (keeps[islands[t]] != 0)
-        components[islands[t]].push_back(cluster_.components[t]);
-    for (std::vector<std::uint64_t>& one : components) {
-      pcl::ccaa::sortUnique(one);
-      for (std::size_t i = 1; i < one.size(); ++i)
-        tile.joined.push_back({one[0], one[i]});
-    }
+    std::vector<std::uint64_t> components;
+    for (const std::size_t t : patch)
+      for (int corner = 0; corner < 3; ++corner) {
+        const pcl::index_t other =
+            adjacency_.across(static_cast<pcl::index_t>(t), corner);
+        if (other < 0)
+          ++made.open_edges;
+        else if (static_cast<std::size_t>(other) < cluster_.triangles.size()) {
+          --made.open_edges;
+          components.push_back(cluster_.components[static_cast<std::size_t>(other)]);
+        }
+      }
+    pcl::ccaa::sortUnique(components);
+    for (std::size_t i = 1; i < components.size(); ++i)
+      tile.joined.push_back({tile.patches.size(), components[0], components[i]});
   }
 
   void
-  addFacts(const pcl::ccaa::Triangles& triangles,
-           const pcl::ccaa::Islands& islands,
-           const std::vector<std::uint8_t>& keeps,
-           const pcl::RepairReport& report,
-           TileRepairFacts& facts) const
+  addFacts(const pcl::RepairReport& report, TileRepairFacts& facts) const
   {
     for (const pcl::RepairedHole& hole : report.holes) {
-      facts.closed += hole.open == pcl::OpenReason::NONE ? 1 : 0;
-      if (hole.open != pcl::OpenReason::NONE && hole.shortfall &&
-          hole.open != pcl::OpenReason::NOT_WANTED)
-        ++facts.shortfalls[static_cast<std::size_t>(hole.open)];
+      const auto reason = static_cast<std::size_t>(hole.open);
+      if (hole.open == pcl::OpenReason::NONE)
+        ++facts.closed;
+      else if (isOnOwnLoop(hole.point))
+        ++(hole.shortfall ? facts.shortfalls : facts.kept)[reason];
     }
     for (const pcl::RepairDoubt& doubt : report.doubts)
       ++facts.doubts[static_cast<std::size_t>(doubt.reason)];
-    facts.open_edges += openEdges(triangles, islands, keeps) -
-                        static_cast<std::int64_t>(cluster_.edges.size());
-  }
-
-  /** Open edges of what stays; cuts are none. */
-  std::int64_t
-  openEdges(const pcl::ccaa::Triangles& triangles,
-            const pcl::ccaa::Islands& islands,
-            const std::vector<std::uint8_t>& keeps) const
-  {
-    pcl::ccaa::Triangles left;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      if (t < cluster_.triangles.size() || keeps[islands[t]] != 0)
-        left.push_back(triangles[t]);
-    const auto points = static_cast<pcl::index_t>(cluster_.points.size());
-    std::size_t vertices = cluster_.points.size();
-    for (const pcl::ccaa::Triangle& triangle : left)
-      for (const pcl::index_t corner : triangle)
-        vertices = std::max(vertices, static_cast<std::size_t>(corner) + 1);
-    pcl::ccaa::TriangleAdjacency adjacency;
-    adjacency.build(left, vertices);
-    std::int64_t open = 0;
-    for (std::size_t t = 0; t < left.size(); ++t)
-      for (int corner = 0; corner < 3; ++corner) {
-        if (adjacency.across(static_cast<pcl::index_t>(t), corner) >= 0)
-          continue;
-        const pcl::index_t from = left[t][static_cast<std::size_t>(corner)];
-        const pcl::index_t to = left[t][static_cast<std::size_t>((corner + 1) % 3)];
-        const bool is_new =
-            t >= cluster_.triangles.size() || from >= points || to >= points;
-        open += is_new || isOpen(from, to) ? 1 : 0;
-      }
-    return open;
   }
 
   const TilePlan& plan_;
@@ -327,6 +335,8 @@ private:
   const HoleCluster& cluster_;
   pcl::repair::RepairParameters method_;
   const StepRun& run_;
+  pcl::ccaa::Triangles triangles_; /**< of the result: the given ones, then the new */
+  pcl::ccaa::TriangleAdjacency adjacency_; /**< of these */
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "out_of_core/tile_steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -16,24 +17,22 @@ using pcl::ccaa::Position;
 using pcl::ccaa::WideIndex;
 using pcl::ccaa::WideTriangle;
 
-/** Whether something of a tile, whose triangles reach out of its cell as far as its
- * halo, may lie in a box. */
+} // namespace
+
 bool
-reaches(const pcl::ccaa::Tile& tile, const Box& box)
+reaches(const pcl::ccaa::Tile& tile, double reach, const Box& box)
 {
   const pcl::ccaa::GridCell& cell = tile.cell;
   if (cell.isWhole())
     return true;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const auto at = double(cell.at[static_cast<std::size_t>(axis)]);
-    if (box.max()[axis] < std::ldexp(at, cell.level) - tile.halo ||
-        box.min()[axis] > std::ldexp(at + 1.0, cell.level) + tile.halo)
+    if (box.max()[axis] < std::ldexp(at, cell.level) - reach ||
+        box.min()[axis] > std::ldexp(at + 1.0, cell.level) + reach)
       return false;
   }
   return true;
 }
-
-} // namespace
 
 HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(plan)
 {
@@ -47,7 +46,6 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
       clusters_.emplace_back();
     HoleCluster& cluster = clusters_.back();
     cluster.number = loop.cluster;
-    ++cluster.loops;
     cluster.edges.insert(cluster.edges.end(),
                          all.edges.begin() + static_cast<std::ptrdiff_t>(loop.begin),
                          all.edges.begin() + static_cast<std::ptrdiff_t>(loop.end));
@@ -61,7 +59,8 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
   own_tree_ = pcl::ccaa::BoxTree(regions_);
   for (std::size_t part = 0; part < plan.tiling.tiles.size(); ++part)
     if (std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) {
-          return reaches(plan.tiling.tiles[part], region);
+          const pcl::ccaa::Tile& one = plan.tiling.tiles[part];
+          return reaches(one, one.halo, region); // its triangles do that
         }))
       parts_.insert(part);
 }
@@ -140,18 +139,21 @@ HoleGathering::placePoints(std::size_t part, const TileSurface& surface)
 }
 
 bool
-HoleGathering::mayHold(const HoleCluster& cluster, const Position& position) const
+HoleGathering::isNearOthers(const HoleCluster& cluster, const Box& box) const
 {
-  bool is_in_core = false, is_in_region = false, is_in_others = false;
-  tree_.forEachMeeting(Box(position, position), [&](pcl::index_t index) {
+  return tree_.anyMeeting(box, [&](pcl::index_t index) {
     const HoleLoop& loop = loops_[static_cast<std::size_t>(index)];
-    const bool is_own = loop.cluster == cluster.number;
-    const bool is_within = loop.region.contains(position);
-    is_in_core = is_in_core || (is_own && loop.core.contains(position));
-    is_in_region = is_in_region || (is_own && is_within);
-    is_in_others = is_in_others || (!is_own && is_within);
+    return loop.cluster != cluster.number && loop.region.intersects(box);
   });
-  return is_in_core || (is_in_region && !is_in_others);
+}
+
+bool
+HoleGathering::isKnown(const HoleCluster& cluster, const Position& position) const
+{
+  return tree_.anyMeeting(Box(position, position), [&](pcl::index_t index) {
+    const HoleLoop& loop = loops_[static_cast<std::size_t>(index)];
+    return loop.cluster == cluster.number && loop.region.contains(position);
+  });
 }
 
 } // namespace app

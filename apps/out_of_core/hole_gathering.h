@@ -13,6 +13,11 @@
 
 namespace app {
 
+/** \brief Whether a box comes as near to the cell of a tile as that, along each axis.
+ */
+bool
+reaches(const pcl::ccaa::Tile& tile, double reach, const pcl::ccaa::Box& box);
+
 /** \brief Loops that are repaired together, and the surface around them. */
 struct HoleCluster {
   std::vector<std::array<pcl::ccaa::WideIndex, 2>> edges; /**< open ones, ascending */
@@ -21,7 +26,6 @@ struct HoleCluster {
   std::vector<pcl::ccaa::WideTriangle> triangles; /**< outward */
   std::vector<std::uint64_t> components;          /**< of the triangles */
   std::uint64_t number = 0; /**< among the clusters of all tiles */
-  std::uint64_t loops = 0;
 };
 
 /** \brief The clusters of one tile, from all tiles that have a part of them. */
@@ -41,11 +45,15 @@ public:
   std::vector<HoleCluster>
   gather();
 
-  /** \brief Whether a new triangle of a cluster may have a corner somewhere: within the
-   * core of one of its loops, or else within a region, and there in none of others. So
-   * what different clusters make never meets. */
+  /** \brief Whether a box meets the region of a loop of another cluster, whose new
+   * triangles may be there, too. */
   bool
-  mayHold(const HoleCluster& cluster, const pcl::ccaa::Position& position) const;
+  isNearOthers(const HoleCluster& cluster, const pcl::ccaa::Box& box) const;
+
+  /** \brief Whether a position lies within one of the cluster's own: outside of them
+   * the given surface is not known. */
+  bool
+  isKnown(const HoleCluster& cluster, const pcl::ccaa::Position& position) const;
 
 private:
   /** Point of a surface and cluster, ascending. */

@@ -4,8 +4,6 @@
 
 #include "out_of_core/step_file.h"
 
-#include <algorithm>
-
 namespace app {
 namespace {
 
@@ -14,7 +12,7 @@ using pcl::ccaa::WideTriangle;
 
 struct StoredLoop {
   std::uint64_t cluster, tile, begin, end;
-  std::array<double, 6> core, region;
+  std::array<double, 6> region;
 };
 
 } // namespace
@@ -24,12 +22,8 @@ writeHoles(const TilePlan& plan, const AllHoles& holes)
 {
   std::vector<StoredLoop> loops;
   for (const HoleLoop& loop : holes.loops)
-    loops.push_back({loop.cluster,
-                     loop.tile,
-                     loop.begin,
-                     loop.end,
-                     storedBox(loop.core),
-                     storedBox(loop.region)});
+    loops.push_back(
+        {loop.cluster, loop.tile, loop.begin, loop.end, storedBox(loop.region)});
   StepWriter file(plan.file(HOLES_FILE), plan.key);
   file.putAll(loops);
   file.putAll(holes.edges);
@@ -44,12 +38,8 @@ readHoles(const TilePlan& plan)
   StepReader file(plan.file(HOLES_FILE), plan.key);
   AllHoles holes;
   for (const StoredLoop& loop : file.getAll<StoredLoop>())
-    holes.loops.push_back({loop.cluster,
-                           loop.tile,
-                           loop.begin,
-                           loop.end,
-                           boxOf(loop.core),
-                           boxOf(loop.region)});
+    holes.loops.push_back(
+        {loop.cluster, loop.tile, loop.begin, loop.end, boxOf(loop.region)});
   holes.edges = file.getAll<std::array<WideIndex, 2>>();
   holes.borders = file.get<std::uint64_t>();
   holes.beyond = file.get<std::uint64_t>();
@@ -60,26 +50,24 @@ void
 TileRepairFacts::add(const TileRepairFacts& other)
 {
   closed += other.closed;
-  triangles += other.triangles;
-  vertices += other.vertices;
-  open_edges += other.open_edges;
-  area += other.area;
-  for (std::size_t i = 0; i < shortfalls.size(); ++i)
+  for (std::size_t i = 0; i < shortfalls.size(); ++i) {
     shortfalls[i] += other.shortfalls[i];
+    kept[i] += other.kept[i];
+  }
   for (std::size_t i = 0; i < doubts.size(); ++i)
     doubts[i] += other.doubts[i];
   against += other.against;
   astray += other.astray;
-  crowded += other.crowded;
+  dropped += other.dropped;
 }
 
-bool
-TileRepairFacts::isIncomplete() const
+void
+RepairedPatch::add(const RepairedPatch& other)
 {
-  const auto isAny = [](std::uint64_t count) { return count > 0; };
-  return against + astray + crowded > 0 ||
-         std::any_of(shortfalls.begin(), shortfalls.end(), isAny) ||
-         std::any_of(doubts.begin(), doubts.end(), isAny);
+  triangles += other.triangles;
+  vertices += other.vertices;
+  open_edges += other.open_edges;
+  area += other.area;
 }
 
 void
@@ -87,7 +75,9 @@ writeRepaired(const TilePlan& plan, std::size_t tile, const RepairedTile& repair
 {
   StepWriter file(plan.file(tile, REPAIR_STEP), plan.key);
   file.put(repaired.facts);
+  file.putAll(repaired.patches);
   file.putAll(repaired.joined);
+  file.putAll(repaired.exposed);
   file.putAll(repaired.records);
   file.putAll(repaired.triangles);
   file.commit();
@@ -99,7 +89,9 @@ readRepaired(const TilePlan& plan, std::size_t tile)
   StepReader file(plan.file(tile, REPAIR_STEP), plan.key);
   RepairedTile repaired;
   repaired.facts = file.get<TileRepairFacts>();
-  repaired.joined = file.getAll<std::array<std::uint64_t, 2>>();
+  repaired.patches = file.getAll<RepairedPatch>();
+  repaired.joined = file.getAll<std::array<std::uint64_t, 3>>();
+  repaired.exposed = file.getAll<ExposedTriangle>();
   repaired.records = file.getAll<char>();
   repaired.triangles = file.getAll<WideTriangle>();
   return repaired;
@@ -110,7 +102,9 @@ writeNumbers(const TilePlan& plan, const RepairNumbers& numbers)
 {
   StepWriter file(plan.file(NUMBERS_FILE), plan.key);
   file.putAll(numbers.first);
+  file.putAll(numbers.dropped);
   file.put(numbers.components);
+  file.put(numbers.sum);
   file.put(numbers.facts);
   file.commit();
 }
@@ -121,7 +115,9 @@ readNumbers(const TilePlan& plan)
   StepReader file(plan.file(NUMBERS_FILE), plan.key);
   RepairNumbers numbers;
   numbers.first = file.getAll<std::uint64_t>();
+  numbers.dropped = file.getAll<std::array<std::uint64_t, 2>>();
   numbers.components = file.get<std::uint64_t>();
+  numbers.sum = file.get<RepairedPatch>();
   numbers.facts = file.get<TileRepairFacts>();
   return numbers;
 }

@@ -25,7 +25,6 @@ struct HoleLoop {
       0; /**< that repairs it: the owner of the cluster's first point */
   std::uint64_t begin = 0; /**< its edges */
   std::uint64_t end = 0;
-  pcl::ccaa::Box core;   /**< where what closes it lies */
   pcl::ccaa::Box region; /**< what a repair has to know around it */
 };
 
@@ -45,33 +44,54 @@ readHoles(const TilePlan& plan);
 /** \brief What became of the holes of some clusters. */
 struct TileRepairFacts {
   std::uint64_t closed = 0;
-  std::uint64_t triangles = 0;
-  std::uint64_t vertices = 0;
-  std::int64_t open_edges = 0; /**< more than before */
-  double area = 0.0;           /**< of the new triangles */
-  std::array<std::uint64_t, std::size_t(pcl::OpenReason::NOT_WANTED) + 1> shortfalls{};
+  /** By reason: loops that should be closed, and those that stay as they are. */
+  std::array<std::uint64_t, std::size_t(pcl::OpenReason::NOT_WANTED) + 1> shortfalls{},
+      kept{};
   std::array<std::uint64_t, std::size_t(pcl::DoubtReason::UNSUPPORTED) + 1> doubts{};
-  std::uint64_t against = 0; /**< islands that would have to be turned to be joined */
-  std::uint64_t astray =
-      0; /**< islands whose new triangles came near those of others */
-  std::uint64_t crowded =
-      0; /**< loops with more points around them than a tile holds */
+  std::uint64_t against = 0; /**< patches between islands that are wound against each
+                                  other */
+  std::uint64_t astray = 0;  /**< patches that left what is known around their loops */
+  std::uint64_t dropped = 0; /**< patches that met those of other clusters */
 
   void
   add(const TileRepairFacts& other);
+};
 
-  /** \brief Whether something that should be closed is open, or is in doubt. */
-  bool
-  isIncomplete() const;
+/** \brief New triangles that are connected over edges. */
+struct RepairedPatch {
+  std::uint64_t cluster = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t vertices = 0;  /**< new ones */
+  std::int64_t open_edges = 0; /**< more than without it */
+  double area = 0.0;
+
+  void
+  add(const RepairedPatch& other);
+};
+
+/** \brief A triangle that those of another cluster may meet. */
+struct ExposedTriangle {
+  std::uint64_t patch = 0; /**< of the tile */
+  pcl::ccaa::WideTriangle corners;
+  std::array<double, 9> positions{};
 };
 
 /** \brief What a tile adds. New vertices are numbered behind all points of the plan;
  * in its own file from the end of these, else over all tiles. */
 struct RepairedTile {
-  std::vector<char> records; /**< of the new vertices */
-  std::vector<pcl::ccaa::WideTriangle> triangles;
-  std::vector<std::array<std::uint64_t, 2>> joined; /**< components, that are one now */
+  std::vector<char> records; /**< of the new vertices, patch by patch */
+  std::vector<pcl::ccaa::WideTriangle> triangles; /**< likewise */
+  std::vector<RepairedPatch> patches;
+  std::vector<std::array<std::uint64_t, 3>> joined; /**< patch, and two components that
+                                                         it makes one */
+  std::vector<ExposedTriangle> exposed;
   TileRepairFacts facts;
+
+  std::uint64_t
+  vertices(const TilePlan& plan) const
+  {
+    return records.size() / plan.layout.point_step;
+  }
 };
 
 void
@@ -82,7 +102,9 @@ readRepaired(const TilePlan& plan, std::size_t tile);
 /** \brief The repairs of all tiles in numbers. */
 struct RepairNumbers {
   std::vector<std::uint64_t> first; /**< new vertex of each tile, and behind the last */
-  std::uint64_t components = 0;     /**< of the surface after it */
+  std::vector<std::array<std::uint64_t, 2>> dropped; /**< tile and patch, ascending */
+  std::uint64_t components = 0;                      /**< of the surface after it */
+  RepairedPatch sum;                                 /**< of the patches that stay */
   TileRepairFacts facts;
 };
 

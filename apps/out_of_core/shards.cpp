@@ -146,7 +146,7 @@ std::vector<WideIndex>::const_iterator
 firstNew(const TilePlan& plan, const TileSurface& surface)
 {
   return std::lower_bound(
-      surface.foreign.begin(), surface.foreign.end(), plan.points() - plan.nowhere);
+      surface.foreign.begin(), surface.foreign.end(), plan.pointsInTiles());
 }
 
 /** The triangles of a tile in places of the merged file. */
@@ -184,7 +184,7 @@ writeFaces(const TilePlan& plan,
 pcl::PCLPointCloud2
 newVertices(const TilePlan& plan, std::size_t tile)
 {
-  const std::vector<char> records = readRepaired(plan, tile).records;
+  const std::vector<char> records = readStayingPatches(plan, tile).records;
   pcl::PCLPointCloud2 cloud = plan.layout;
   cloud.data.assign(records.begin(), records.end());
   cloud.width = static_cast<pcl::uindex_t>(records.size() / cloud.point_step);
@@ -240,7 +240,7 @@ writeShard(const TilePlan& plan, std::size_t tile)
               shard.add(points.record(i), surface.foreign[next++]);
             });
   if (first_new != surface.foreign.end()) {
-    const std::vector<char> records = readRepaired(plan, tile).records;
+    const std::vector<char> records = readStayingPatches(plan, tile).records;
     const char* record = records.data();
     for (auto vertex = first_new; vertex != surface.foreign.end(); ++vertex) {
       shard.add(reinterpret_cast<const std::uint8_t*>(record), *vertex);
@@ -269,8 +269,7 @@ countTriangles(const TilePlan& plan, std::size_t tile)
   const std::string path = plan.file(tile, SHARD_STEP);
   InputFile file;
   if (!fs::exists(path))
-    return readSurface(plan, tile).triangles.size() +
-           (plan.repairs() ? readRepaired(plan, tile).facts.triangles : 0);
+    return readRepairedSurface(plan, tile).triangles.size();
   require(file.open(path));
   TextScanner scanner(file.bytes());
   return readShardHead(plan, path, file, scanner).elements.back().rows;
@@ -292,7 +291,7 @@ mergeTiles(const TilePlan& plan, std::uint64_t triangles, bool keeps, OutputFile
   PlyCounts counts;
   counts.vertices = plan.points();
   if (plan.repairs())
-    counts.vertices += readNumbers(plan).facts.vertices;
+    counts.vertices += readNumbers(plan).sum.vertices;
   if (counts.vertices > std::numeric_limits<std::uint32_t>::max())
     throw Failure("a PLY file numbers 2^32 points at most; the shards in '" +
                   plan.folder + "' hold the whole");

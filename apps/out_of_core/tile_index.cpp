@@ -12,6 +12,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/** The reasons of which there are any, with their numbers. */
+template <typename Reason, typename Counts>
+nlohmann::json
+countsOf(const Counts& counts)
+{
+  nlohmann::json found = nlohmann::json::object();
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0)
+      found[nameOf(Reason(i))] = counts[i];
+  return found;
+}
+
 /** What became of the holes, and what that changes about the whole. */
 void
 addRepair(const TilePlan& plan, nlohmann::json& facts)
@@ -19,29 +31,26 @@ addRepair(const TilePlan& plan, nlohmann::json& facts)
   const AllHoles holes = readHoles(plan);
   const RepairNumbers numbers = readNumbers(plan);
   const TileRepairFacts& made = numbers.facts;
-  facts["vertices"] = std::uint64_t{facts["vertices"]} + made.vertices;
+  facts["vertices"] = std::uint64_t{facts["vertices"]} + numbers.sum.vertices;
   facts["components"] = numbers.components;
-  facts["open_edges"] = std::int64_t{facts["open_edges"]} + made.open_edges;
-  nlohmann::json shortfalls = nlohmann::json::object(), doubts = shortfalls;
-  for (std::size_t i = 0; i < made.shortfalls.size(); ++i)
-    if (made.shortfalls[i] > 0)
-      shortfalls[nameOf(pcl::OpenReason(i))] = made.shortfalls[i];
-  for (std::size_t i = 0; i < made.doubts.size(); ++i)
-    if (made.doubts[i] > 0)
-      doubts[nameOf(pcl::DoubtReason(i))] = made.doubts[i];
+  facts["open_edges"] = std::int64_t{facts["open_edges"]} + numbers.sum.open_edges;
+  nlohmann::json shortfalls = countsOf<pcl::OpenReason>(made.shortfalls);
   if (made.against > 0)
     shortfalls["AGAINST_EACH_OTHER"] = made.against;
+  if (made.dropped > 0)
+    shortfalls["MEETS_ANOTHER_PATCH"] = made.dropped;
   if (made.astray > 0)
-    shortfalls["TOO_NEAR_OTHERS"] = made.astray;
-  if (const std::uint64_t beyond = holes.beyond + made.crowded; beyond > 0)
-    shortfalls["BEYOND_A_TILE"] = beyond;
+    shortfalls["OUT_OF_ITS_REGION"] = made.astray;
+  if (holes.beyond > 0)
+    shortfalls["BEYOND_A_TILE"] = holes.beyond;
   facts["repair"] = {{"boundaries", holes.loops.size() + holes.borders + holes.beyond},
                      {"outer_borders_beyond_a_tile", holes.borders},
-                     {"closed", made.closed},
-                     {"new_triangles", made.triangles},
-                     {"new_vertices", made.vertices},
+                     {"closed", made.closed - made.dropped},
+                     {"new_triangles", numbers.sum.triangles},
+                     {"new_vertices", numbers.sum.vertices},
                      {"shortfalls", shortfalls},
-                     {"doubts", doubts}};
+                     {"kept", countsOf<pcl::OpenReason>(made.kept)},
+                     {"doubts", countsOf<pcl::DoubtReason>(made.doubts)}};
 }
 
 } // namespace

@@ -59,6 +59,13 @@ struct TilePlan {
   std::uint64_t
   points() const;
 
+  /** \brief Those that are in tiles: new ones are numbered from here. */
+  std::uint64_t
+  pointsInTiles() const
+  {
+    return points() - nowhere;
+  }
+
   /** \brief Whether what is open is repaired. */
   bool
   repairs() const;

@@ -4,6 +4,7 @@
 
 #include <pcl/surface_ccaa/run_settings.h>
 
+#include "out_of_core/repair_files.h"
 #include "out_of_core/tile_files.h"
 
 #include <cstddef>
@@ -79,9 +80,14 @@ holeParts(const TilePlan& plan, std::size_t tile);
 void
 repairTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
 
-/** \brief Number the new vertices of all tiles, and add up what the repairs tell. */
+/** \brief Drop patches that meet one of a cluster with a lower number, number the new
+ * vertices of all tiles, and add up what the repairs tell. */
 void
 numberRepairs(const TilePlan& plan);
+
+/** \brief What repairing a tile has made, without patches that were dropped. */
+RepairedTile
+readStayingPatches(const TilePlan& plan, std::size_t tile);
 
 /** \brief The triangles of a tile after its repair, where there is one; new vertices
  * are the last of those of others. */

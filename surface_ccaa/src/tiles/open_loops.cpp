@@ -17,18 +17,12 @@ namespace {
  * run over a gap between two that are as large, and edges that it is faired against. */
 constexpr double ROOM = 0.5;
 constexpr double ROOM_EDGES = 4.0;
-/** What closes a loop bulges less: over half a sphere by half its extent, over what
- * scans leave open by far less. */
-constexpr double CORE = 0.25;
-constexpr double CORE_EDGES = 1.0;
-/** Points of a sheet of triangles with equal edges in a square of such an edge. */
-constexpr double POINTS_IN_SQUARE = 1.155;
-
 /** Share of its surface's extent that the outer border of a sheet has along the two
  * longer axes. */
 constexpr double BORDER_EXTENT = 0.9;
-/** Length of the mean normal of a sheet; 0.5 for half a sphere. */
-constexpr double SHEET_NORMAL = 0.7;
+/** Length of the mean normal of a sheet; 0.5 for half a sphere, of which nothing tells
+ * whether it is one. */
+constexpr double SHEET_NORMAL = 0.55;
 
 /** The two greatest extents of a box, the greater one first. */
 std::array<Eigen::Index, 2>
@@ -64,6 +58,7 @@ public:
   void
   findLoops(const std::vector<SideSums>& components,
             const Tiling& tiling,
+            const std::function<std::uint64_t(const Box&)>& points_in,
             std::uint64_t most_points)
   {
     DisjointSets sets(points_.size());
@@ -79,22 +74,36 @@ public:
         ++end;
       addLoop(begin, end, tiling);
       OpenLoop& loop = loops_.back();
-      if (loop.points() > double(most_points))
+      loop.points = points_in(loop.region());
+      if (loop.points > most_points)
         loop.use = isBorderOf(components[edges_[begin].component], loop.box)
                        ? LoopUse::BORDER
                        : LoopUse::BEYOND;
     }
   }
 
+  /** Join loops as far as they fit, and number what comes out. */
   void
-  cluster(const Tiling& tiling, std::uint64_t most_points)
+  cluster(std::uint64_t most_points)
   {
+    std::vector<std::uint64_t> points;
+    for (const OpenLoop& loop : loops_)
+      points.push_back(loop.points);
     DisjointSets sets(loops_.size());
-    for (const Pair& pair : meeting())
-      if (pair.distance < 0.0)
-        sets.join(pair.one, pair.other);
-    setTilesApart(sets, tiling, double(most_points));
-    joinNearOnes(sets, double(most_points));
+    for (const Pair& pair : meeting()) {
+      const std::size_t one = sets.find(pair.one), other = sets.find(pair.other);
+      const std::uint64_t sum = points[one] + points[other];
+      if (one == other || sum > most_points)
+        continue;
+      sets.join(one, other);
+      points[sets.find(one)] = sum;
+    }
+    std::map<std::size_t, std::uint64_t> numbers;
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+      if (loops_[i].use == LoopUse::REPAIR)
+        loops_[i].cluster =
+            numbers.try_emplace(sets.find(i), std::uint64_t{numbers.size()})
+                .first->second;
   }
 
   std::vector<OpenLoop>
@@ -130,7 +139,7 @@ private:
 
   /** Two loops whose regions meet. */
   struct Pair {
-    double distance; /**< of their boxes; below 0: their cores meet */
+    double distance; /**< of their boxes */
     std::size_t one, other;
 
     bool
@@ -154,73 +163,10 @@ private:
       tree.forEachMeeting(regions[i], [&](pcl::index_t other) {
         const auto k = static_cast<std::size_t>(other);
         if (k > i && regions[i].intersects(regions[k]))
-          pairs.push_back({loops_[i].core().intersects(loops_[k].core())
-                               ? -1.0
-                               : loops_[i].box.exteriorDistance(loops_[k].box),
-                           i,
-                           k});
+          pairs.push_back({loops_[i].box.exteriorDistance(loops_[k].box), i, k});
       });
     std::sort(pairs.begin(), pairs.end());
     return pairs;
-  }
-
-  std::map<std::size_t, double>
-  pointsOf(DisjointSets& sets) const
-  {
-    std::map<std::size_t, double> points;
-    for (std::size_t i = 0; i < loops_.size(); ++i)
-      if (loops_[i].use == LoopUse::REPAIR)
-        points[sets.find(i)] += loops_[i].points();
-    return points;
-  }
-
-  /** Cut what is too large into what lies within one tile. */
-  void
-  setTilesApart(DisjointSets& sets, const Tiling& tiling, double most_points)
-  {
-    const std::map<std::size_t, double> points = pointsOf(sets);
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> first_in;
-    DisjointSets apart(loops_.size());
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
-      OpenLoop& loop = loops_[i];
-      if (loop.use != LoopUse::REPAIR)
-        continue;
-      const std::size_t root = sets.find(i);
-      std::size_t tile = 0;
-      if (points.at(root) > most_points) {
-        tile = tiling.ownerOf(edges_[loop.begin].ends[0]);
-        const GridCell& cell = tiling.tiles[tile].cell;
-        const Box region = loop.region();
-        if (cell.distance(Position(region.min())) > 0.0 ||
-            cell.distance(Position(region.max())) > 0.0) {
-          loop.use = LoopUse::BEYOND;
-          continue;
-        }
-      }
-      apart.join(first_in.try_emplace({root, tile}, i).first->second, i);
-    }
-    sets = std::move(apart);
-  }
-
-  /** Join clusters as far as they fit, and number them. */
-  void
-  joinNearOnes(DisjointSets& sets, double most_points)
-  {
-    std::map<std::size_t, double> points = pointsOf(sets);
-    for (const Pair& pair : meeting()) {
-      const std::size_t one = sets.find(pair.one), other = sets.find(pair.other);
-      const double sum = one == other ? 0.0 : points[one] + points[other];
-      if (one == other || sum > most_points)
-        continue;
-      sets.join(one, other);
-      points[sets.find(one)] = sum;
-    }
-    std::map<std::size_t, std::uint64_t> numbers;
-    for (std::size_t i = 0; i < loops_.size(); ++i)
-      if (loops_[i].use == LoopUse::REPAIR)
-        loops_[i].cluster =
-            numbers.try_emplace(sets.find(i), std::uint64_t{numbers.size()})
-                .first->second;
   }
 
   std::vector<OpenEdge>& edges_;
@@ -232,24 +178,9 @@ private:
 } // namespace
 
 Box
-OpenLoop::core() const
-{
-  return widened(box, CORE * box.diagonal().norm() + CORE_EDGES * edge);
-}
-
-Box
 OpenLoop::region() const
 {
   return widened(box, ROOM * box.diagonal().norm() + ROOM_EDGES * edge);
-}
-
-double
-OpenLoop::points() const
-{
-  const Box around = region();
-  const auto axes = longAxes(around);
-  return POINTS_IN_SQUARE * around.sizes()[axes[0]] * around.sizes()[axes[1]] /
-         (edge * edge);
 }
 
 std::vector<OpenEdge>
@@ -278,11 +209,12 @@ clusterLoops(std::vector<OpenEdge>& edges,
              const std::vector<Position>& positions,
              const std::vector<SideSums>& components,
              const Tiling& tiling,
+             const std::function<std::uint64_t(const Box&)>& points_in,
              std::uint64_t most_points)
 {
   LoopClusters clusters(edges, points, positions);
-  clusters.findLoops(components, tiling, most_points);
-  clusters.cluster(tiling, most_points);
+  clusters.findLoops(components, tiling, points_in, most_points);
+  clusters.cluster(most_points);
   return clusters.take();
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -28,26 +29,19 @@ enum class LoopUse : std::uint8_t {
 
 /** \brief Open edges that are connected: a boundary loop, or several at one point. */
 struct OpenLoop {
-  Box box;                 /**< of its points */
-  double edge = 0.0;       /**< spacing of the points around it: the mean length of its
-                                edges, at most that of its tile */
-  std::uint64_t begin = 0; /**< its edges: from here */
-  std::uint64_t end = 0;   /**< to before here */
+  Box box;                  /**< of its points */
+  double edge = 0.0;        /**< spacing of the points around it: the mean length of its
+                                 edges, at most that of its tile */
+  std::uint64_t begin = 0;  /**< its edges: from here */
+  std::uint64_t end = 0;    /**< to before here */
+  std::uint64_t points = 0; /**< in its region */
   std::uint64_t cluster = 0; /**< of LoopUse::REPAIR: by its lowest point */
   LoopUse use = LoopUse::REPAIR;
-
-  /** \brief Where what closes it lies. */
-  Box
-  core() const;
 
   /** \brief What a repair has to know around it: also that to which it may be joined.
    */
   Box
   region() const;
-
-  /** \brief Points of its region, about: of a sheet as dense as the loop. */
-  double
-  points() const;
 };
 
 /** \brief The edges that one tile alone has, ascending. Edges at which the surface is
@@ -58,16 +52,15 @@ openEdges(const std::vector<TilePieces>& tiles, const Sides& sides);
 /** \brief The loops of some edges by their lowest points, and, of loops that are to be
  * repaired together, clusters.
  *
- * Loops whose cores meet belong together; so do those whose regions meet, the near ones
- * first, as far as the cluster holds no more points than a tile may. A loop that is
- * larger than that by itself is none to be repaired. Where loops whose cores meet are
- * too many, those whose region lies within one tile are a cluster, and the ones between
- * these are BEYOND. So the cores of different clusters never meet.
- * Cost: n log n, and linear in the pairs of loops whose regions meet.
+ * Loops whose regions meet belong together, the near ones first, as far as the cluster
+ * holds no more points than a tile may. A loop that is larger than that by itself is
+ * none to be repaired. Cost: n log n, and linear in the pairs of loops whose regions
+ * meet.
  * \param[in,out] edges sorted by loop
  * \param[in] positions of the points in \a points
  * \param[in] points of the edges, ascending, each once
  * \param[in] components box and sums of each, relative to the same origin
+ * \param[in] points_in how many points a box holds
  * \param[in] most_points of a tile */
 std::vector<OpenLoop>
 clusterLoops(std::vector<OpenEdge>& edges,
@@ -75,6 +68,7 @@ clusterLoops(std::vector<OpenEdge>& edges,
              const std::vector<Position>& positions,
              const std::vector<SideSums>& components,
              const Tiling& tiling,
+             const std::function<std::uint64_t(const Box&)>& points_in,
              std::uint64_t most_points);
 
 } // namespace pcl::ccaa
