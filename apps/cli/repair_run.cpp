@@ -39,10 +39,7 @@ surveyMesh(const RepairTask& task,
   pcl::ccaa::LoopContext context;
   context.threads = pcl::ccaa::resolveThreads(task.threads);
   context.control = &control;
-  auto survey = surveyModel(pcl::make_shared<const pcl::PolygonMesh>(mesh),
-                            task.free_points,
-                            parameters,
-                            context);
+  auto survey = surveyModel(mesh, task.free_points, parameters, context);
   if (slice != nullptr && survey.reading.problem.empty() && !survey.cancelled)
     *slice = sliceField(survey, parameters.field, SLICE_COLUMNS, context);
   return survey;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 namespace app::python {
 namespace {
@@ -40,6 +41,14 @@ makeCloud(pcl::uindex_t points,
 
 } // namespace
 
+pcl::ccaa::PolygonView
+viewOf(const CornerArray& corners)
+{
+  return {corners.data(),
+          static_cast<std::size_t>(corners.shape(0)),
+          static_cast<std::size_t>(corners.shape(1))};
+}
+
 std::vector<pcl::Vertices>
 toPolygons(const CornerArray& corners, int threads)
 {
@@ -64,6 +73,19 @@ toArray(const std::vector<pcl::Vertices>& triangles, int threads)
     std::copy_n(
         triangles[static_cast<std::size_t>(i)].vertices.begin(), 3, first + 3 * i);
   return corners;
+}
+
+CornerArray
+toArray(pcl::ccaa::Triangles triangles)
+{
+  using pcl::ccaa::Triangles;
+  auto owned = std::make_unique<Triangles>(std::move(triangles));
+  const auto count = static_cast<py::ssize_t>(owned->size());
+  const std::int32_t* const first = owned->empty() ? nullptr : owned->front().data();
+  const py::capsule owner(owned.get(),
+                          [](void* held) { delete static_cast<Triangles*>(held); });
+  owned.release();
+  return CornerArray({count, py::ssize_t{3}}, first, owner);
 }
 
 pcl::ccaa::PointArray

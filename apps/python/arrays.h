@@ -6,6 +6,8 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/Vertices.h>
 
+#include "mesh/mesh_view.h"
+#include "mesh/triangle.h"
 #include <pybind11/numpy.h>
 
 #include <cstdint>
@@ -17,6 +19,10 @@ namespace app::python {
 /** \brief A row of corners for each polygon; of C order. */
 using CornerArray = pybind11::array_t<std::int32_t, pybind11::array::c_style>;
 
+/** \brief The polygons of an array in place. */
+pcl::ccaa::PolygonView
+viewOf(const CornerArray& corners);
+
 /** \param[in] threads at least 1 */
 std::vector<pcl::Vertices>
 toPolygons(const CornerArray& corners, int threads);
@@ -24,6 +30,10 @@ toPolygons(const CornerArray& corners, int threads);
 /** \brief (M, 3); all polygons are triangles. \param[in] threads at least 1 */
 CornerArray
 toArray(const std::vector<pcl::Vertices>& triangles, int threads);
+
+/** \brief (M, 3), in the memory of the triangles. */
+CornerArray
+toArray(pcl::ccaa::Triangles triangles);
 
 /** \brief One byte an item, whatever small enumeration or number it is. */
 template <typename Item>

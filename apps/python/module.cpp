@@ -3,9 +3,9 @@
 #include <pcl/surface_ccaa/global_shift.h>
 #include <pcl/surface_repair/boundary_classifier.h>
 #include <pcl/surface_repair/decisions.h>
-#include <pcl/surface_repair/force_line_hole_repair.h>
 
 #include "array_chain.h"
+#include "array_repair.h"
 #include "arrays.h"
 #include "call.h"
 #include "io/decisions_file.h"
@@ -56,10 +56,17 @@ struct Request {
 
 /** \brief The points of \a cloud become those of the mesh; it is empty afterwards. */
 std::shared_ptr<pcl::PolygonMesh>
-makeMesh(const CloudPtr& cloud, const CornerArray& corners, const Request& request)
+withPoints(const CloudPtr& cloud)
 {
   auto mesh = std::make_shared<pcl::PolygonMesh>();
   mesh->cloud = std::move(*cloud);
+  return mesh;
+}
+
+std::shared_ptr<pcl::PolygonMesh>
+makeMesh(const CloudPtr& cloud, const CornerArray& corners, const Request& request)
+{
+  auto mesh = withPoints(cloud);
   mesh->polygons = toPolygons(corners, request.resolvedThreads());
   return mesh;
 }
@@ -120,8 +127,9 @@ reconstruct(const CloudPtr& cloud, const py::dict& arguments, const py::dict& op
 }
 
 /** \brief A repair with all that is set. */
-std::unique_ptr<pcl::ForceLineHoleRepair>
-makeRepair(const std::shared_ptr<pcl::PolygonMesh>& mesh,
+std::unique_ptr<ArrayRepair>
+makeRepair(const std::shared_ptr<pcl::PolygonMesh>& points,
+           const CornerArray& corners,
            const CloudPtr& free_points,
            const Request& request,
            Call& call)
@@ -132,8 +140,8 @@ makeRepair(const std::shared_ptr<pcl::PolygonMesh>& mesh,
   const py::object decisions = request.arguments["decisions"];
   if (!decisions.is_none())
     method.survey.decisions = parseDecisions(decisions.cast<std::string>());
-  auto repair = std::make_unique<pcl::ForceLineHoleRepair>();
-  repair->setInputMesh(mesh);
+  auto repair = std::make_unique<ArrayRepair>(viewOf(corners));
+  repair->setInputMesh(points);
   repair->setFreePoints(free_points);
   repair->setParameters(method);
   repair->setNumberOfThreads(request.threads());
@@ -152,8 +160,8 @@ repair(const CloudPtr& cloud,
 {
   const Request request{arguments, options};
   Call call = request.call();
-  const auto mesh = makeMesh(cloud, corners, request);
-  const auto repair = makeRepair(mesh, free_points, request, call);
+  const auto mesh = withPoints(cloud);
+  const auto repair = makeRepair(mesh, corners, free_points, request, call);
   call.run([&] { repair->process(*mesh); });
   const pcl::RepairReport& found = repair->getReport();
   json report = describeRepair(found);
@@ -163,10 +171,8 @@ repair(const CloudPtr& cloud,
   report["global_shift"] = found.reading.global_shift;
   report["call_seconds"] = call.seconds();
   *cloud = std::move(mesh->cloud);
-  return py::make_tuple(cloud,
-                        toArray(mesh->polygons, request.resolvedThreads()),
-                        toBytes(found.origins),
-                        report.dump());
+  return py::make_tuple(
+      cloud, toArray(repair->takeTriangles()), toBytes(found.origins), report.dump());
 }
 
 /** \brief What a repair would decide, as the text of a file of decisions. */
@@ -180,7 +186,7 @@ proposeDecisions(const CloudPtr& cloud,
   const Request request{arguments, options};
   Call call = request.call();
   const auto repair =
-      makeRepair(makeMesh(cloud, corners, request), free_points, request, call);
+      makeRepair(withPoints(cloud), corners, free_points, request, call);
   pcl::repair::Decisions decisions;
   call.run([&] { decisions = repair->proposeDecisions(); });
   return decisionsText("mesh from Python", decisions);
@@ -253,12 +259,11 @@ meshQuality(const CloudPtr& cloud,
   pcl::ccaa::MeshFactsOptions options;
   options.self_intersections = arguments["self_intersections"].cast<bool>();
   options.threads = request.resolvedThreads();
-  const std::vector<pcl::Vertices> polygons = toPolygons(corners, options.threads);
   pcl::ccaa::MeshFacts facts;
   call.run([&] {
     const auto shift = pcl::GlobalShift::of(*cloud);
     pcl::ccaa::RunControl control(call.callback());
-    facts = measureMesh(pcl::ccaa::fanTriangles(polygons),
+    facts = measureMesh(pcl::ccaa::fanTriangles(viewOf(corners)),
                         pcl::ccaa::positionView(*cloud).relativeTo(shift.offset()),
                         options,
                         control);

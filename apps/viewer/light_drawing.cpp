@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: what is drawn of large parts while the camera moves.
+// Part of PclSurfaceRepair: what is drawn of large parts while something happens.
 #include "viewer/light_drawing.h"
 
 #include <vtkBinnedDecimation.h>
@@ -56,13 +56,13 @@ mapperLike(vtkMapper& mapper, vtkPolyData* part)
 
 } // namespace
 
-void
+bool
 LightDrawing::lighten(vtkActor& actor)
 {
   auto* const part = vtkPolyData::SafeDownCast(actor.GetMapper()->GetInput());
   if (part == nullptr || part->GetNumberOfCells() <= LIGHT_CELLS ||
       part->GetNumberOfLines() > 0)
-    return;
+    return false;
   MapperPtr& coarse = coarse_[part];
   if (!coarse)
     coarse =
@@ -70,6 +70,7 @@ LightDrawing::lighten(vtkActor& actor)
                    part->GetNumberOfPolys() > 0 ? coarseFaces(*part) : someDots(*part));
   full_.emplace_back(&actor, actor.GetMapper());
   actor.SetMapper(coarse);
+  return true;
 }
 
 void

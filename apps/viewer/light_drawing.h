@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: what is drawn of large parts while the camera moves.
+// Part of PclSurfaceRepair: what is drawn of large parts while something happens.
 #pragma once
 
 #include <vtkActor.h>
@@ -17,8 +17,8 @@ namespace app {
 class LightDrawing {
 public:
   /** \brief Draw an actor coarsely from now on, if it is large. Cost, the first time:
-   * linear in its triangles or dots. */
-  void
+   * linear in its triangles or dots. \return whether it is large */
+  bool
   lighten(vtkActor& actor);
 
   /** \brief Draw all actors as they are again. */

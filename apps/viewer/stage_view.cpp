@@ -206,14 +206,15 @@ StageView::fit(int width, int height)
   aimCamera(camera_.positions, settings, *model_->GetActiveCamera());
 }
 
-void
-StageView::setMoving(bool moving, const ViewState& state)
+bool
+StageView::drawQuickly(const ViewState& state)
 {
   light_.restore();
-  if (moving)
-    for (const StagePart& part : stages_[state.stage()].parts)
-      if (part.actor->GetVisibility() != 0)
-        light_.lighten(*part.actor);
+  bool is_lighter = false;
+  for (const StagePart& part : stages_[state.stage()].parts)
+    if (part.actor->GetVisibility() != 0)
+      is_lighter = light_.lighten(*part.actor) || is_lighter;
+  return is_lighter;
 }
 
 void

@@ -89,10 +89,18 @@ public:
   bool
   showsOverlay(const ViewState& state) const;
 
-  /** \brief Draw the stage that is shown quickly rather than well, while the camera
-   * moves, or well again. Nothing is drawn by this. */
+  /** \brief Draw the stage that is shown quickly rather than well from now on. Nothing
+   * is drawn by this. \return whether anything is so large that it makes a difference
+   */
+  bool
+  drawQuickly(const ViewState& state);
+
+  /** \brief Draw well again. */
   void
-  setMoving(bool moving, const ViewState& state);
+  drawWell()
+  {
+    light_.restore();
+  }
 
   /** \brief The renderer of the model. */
   vtkRenderer&

@@ -29,7 +29,8 @@ constexpr int UPDATE_INTERVAL = 20;
 /** Of a pixel, for smooth lines. */
 constexpr int SAMPLES = 8;
 
-/** After which what moved is drawn well: turns of a wheel follow each other. */
+/** After which what has changed is drawn well: keys and turns of a wheel follow each
+ * other. */
 constexpr std::chrono::milliseconds REST{300};
 
 /** Pixels that a mouse moves in a click, which is no drag yet. */
@@ -115,9 +116,7 @@ ViewerWindow::ViewerWindow(StageView& view,
   const auto style = vtkSmartPointer<StageStyle>::New();
   style->on_key = [this](const std::string& key) { act(actionOf(key)); };
   observe(*style, vtkCommand::StartInteractionEvent, [this] { beginMoving(); });
-  observe(*style, vtkCommand::EndInteractionEvent, [this] {
-    moved_ = std::chrono::steady_clock::now();
-  });
+  observe(*style, vtkCommand::EndInteractionEvent, [this] { changed_ = Clock::now(); });
   style->on_click = [this](int x, int y) { chooseAt(x, y); };
   window_->SetMultiSamples(SAMPLES);
   int no_arguments = 0;
@@ -151,7 +150,6 @@ void
 ViewerWindow::act(const Action& action)
 {
   const int* const size = window_->GetSize();
-  rest();
   const bool had_message = view_.setMessage("");
   if (keepsUnsaved(action.command))
     return;
@@ -210,26 +208,33 @@ ViewerWindow::chooseAt(int x, int y)
 void
 ViewerWindow::beginMoving()
 {
-  moved_ = std::chrono::steady_clock::time_point::max(); // until the mouse lets go
-  if (!std::exchange(is_moving_, true))
-    setMoving(true);
+  changed_ = Clock::time_point::max(); // until the mouse lets go
+  if (is_quick_)
+    return;
+  view_.drawQuickly(state_);
+  setQuick(true);
 }
 
 void
-ViewerWindow::setMoving(bool moving)
+ViewerWindow::setQuick(bool quick)
 {
-  view_.setMoving(moving, state_);
-  window_->SetMultiSamples(moving ? 0 : SAMPLES);
+  is_quick_ = quick;
+  window_->SetMultiSamples(quick ? 0 : SAMPLES);
 }
 
+/** Draw well what was drawn quickly. */
 void
 ViewerWindow::rest()
 {
-  if (std::exchange(is_moving_, false))
-    setMoving(false);
+  if (!is_quick_)
+    return;
+  view_.drawWell();
+  setQuick(false);
+  window_->Render();
 }
 
-/** Put the stage and its legend in the window. */
+/** Put the stage and its legend in the window: at first quickly, where that makes a
+ * difference. */
 void
 ViewerWindow::show()
 {
@@ -242,7 +247,10 @@ ViewerWindow::show()
   panels_.erase(panels_.begin()); // the model is in the window for good
   for (const auto& panel : panels_)
     window_->AddRenderer(panel);
+  if (view_.drawQuickly(state_))
+    setQuick(true);
   window_->Render();
+  changed_ = std::max(changed_, Clock::now());
 }
 
 void
@@ -285,10 +293,8 @@ ViewerWindow::update()
     window_->GetInteractor()->ProcessEvents();
   if (state_.quits())
     return false;
-  if (is_moving_ && moved_ < std::chrono::steady_clock::now() - REST) {
+  if (changed_ < Clock::now() - REST)
     rest();
-    window_->Render();
-  }
   const int* const size = window_->GetSize();
   if (size[0] != width_ || size[1] != height_)
     show();
@@ -298,6 +304,7 @@ ViewerWindow::update()
 std::string
 ViewerWindow::picture()
 {
+  rest();
   return encodePng(*window_);
 }
 

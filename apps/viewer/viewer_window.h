@@ -82,11 +82,13 @@ public:
     return state_.stage();
   }
 
-  /** \brief What the window shows, as the bytes of a PNG file. */
+  /** \brief What the window shows when nothing happens, as the bytes of a PNG file. */
   std::string
   picture();
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   void
   act(const Action& action);
   bool
@@ -98,7 +100,7 @@ private:
   void
   beginMoving();
   void
-  setMoving(bool moving);
+  setQuick(bool quick);
   void
   rest();
   void
@@ -113,8 +115,8 @@ private:
   std::vector<vtkSmartPointer<vtkRenderer>> panels_;
   Command asked_ = Command::NONE; /**< that would lose decisions, if it comes again */
   bool wants_file_ = false;
-  bool is_moving_ = false;                      /**< the stage is drawn quickly */
-  std::chrono::steady_clock::time_point moved_; /**< when the mouse let go of it */
+  bool is_quick_ = false;     /**< the stage is drawn quickly rather than well */
+  Clock::time_point changed_; /**< when the last change was drawn */
   int width_ = 0;
   int height_ = 0;
 };

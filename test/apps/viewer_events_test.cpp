@@ -2,6 +2,12 @@
 // Part of PclSurfaceRepair: mouse and keys of the viewer, by events of an X server.
 #include <gtest/gtest.h>
 
+#include <vtkActorCollection.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkMapper.h>
+#include <vtkPolyData.h>
+
 #include "inspect/inspection_colors.h"
 #include "pictures.h"
 #include "render/display.h"
@@ -15,8 +21,12 @@
 #include "viewer_fixture.h"
 #include "window_button.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace app_test {
 namespace {
@@ -37,9 +47,13 @@ protected:
   std::unique_ptr<app::Display> display_;
 };
 
-/** A window with the stage "boundaries" of two halves of a sphere. */
+/** A window with the stage "boundaries" of a mesh: two halves of a sphere. */
 class RenderViewerEvents : public WithEvents {
 protected:
+  explicit RenderViewerEvents(const pcl::PolygonMesh& mesh = twoCaps())
+  : run_(runForViewer(mesh))
+  {}
+
   void
   SetUp() override
   {
@@ -105,7 +119,7 @@ protected:
     return desk_->editor().chosen();
   }
 
-  app::ViewerRun run_ = runForViewer(twoCaps());
+  app::ViewerRun run_;
   std::unique_ptr<app::StageView> view_;
   std::unique_ptr<app::ViewerWindow> window_;
   std::unique_ptr<app::DecisionDesk> desk_;
@@ -174,6 +188,89 @@ TEST_F(RenderViewerEvents, TheButtonOfTheWindowClosesItWhenNothingWouldBeLost)
 {
   send("400 300 key x u");
   EXPECT_FALSE(staysWhenClosed());
+}
+
+/** More triangles than are drawn at once, and what has been drawn of them. */
+class RenderLargeViewer : public RenderViewerEvents {
+protected:
+  RenderLargeViewer()
+  : RenderViewerEvents(test::toPolygonMesh(test::grid(SIDE + 1, SIDE + 1)))
+  {}
+
+  void
+  SetUp() override
+  {
+    RenderViewerEvents::SetUp();
+    if (IsSkipped() || HasFatalFailure())
+      return;
+    const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+    command->SetClientData(this);
+    command->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      auto& drawn = static_cast<RenderLargeViewer*>(self)->drawn_;
+      drawn.push_back(static_cast<RenderLargeViewer*>(self)->triangles());
+    });
+    view_->model().AddObserver(vtkCommand::StartEvent, command);
+  }
+
+  /** That the model consists of at present. */
+  vtkIdType
+  triangles()
+  {
+    vtkIdType most = 0;
+    vtkActorCollection& actors = *view_->model().GetActors();
+    actors.InitTraversal();
+    while (vtkActor* const actor = actors.GetNextActor())
+      if (actor->GetVisibility() != 0)
+        if (auto* part = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()))
+          most = std::max(most, part->GetNumberOfPolys());
+    return most;
+  }
+
+  /** Whether it comes to that by and by. */
+  bool
+  isDrawnInFull()
+  {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while ((drawn_.empty() || drawn_.back() != ALL) &&
+           std::chrono::steady_clock::now() < end)
+      window_->update();
+    return drawn_.back() == ALL;
+  }
+
+  static constexpr int SIDE = 240;
+  static constexpr vtkIdType ALL = 2 * SIDE * SIDE;
+  std::vector<vtkIdType> drawn_; /**< triangles of each picture */
+};
+
+TEST_F(RenderLargeViewer, AKeyIsAnsweredCoarselyAndThenInFull)
+{
+  ASSERT_TRUE(isDrawnInFull());
+  for (const std::string key : {"period", "x", "3", "h"}) {
+    drawn_.clear();
+    send("400 300 key " + key);
+    ASSERT_FALSE(drawn_.empty()) << key;
+    EXPECT_LT(drawn_.front(), ALL / 2) << key;
+    EXPECT_TRUE(isDrawnInFull()) << key;
+  }
+}
+
+TEST_F(RenderLargeViewer, KeysThatFollowEachOtherDoNotWaitForAFullPicture)
+{
+  ASSERT_TRUE(isDrawnInFull());
+  drawn_.clear();
+  for (const char* const key : {"period", "x", "u", "3", "2", "F12"})
+    window_->press(key);
+  EXPECT_EQ(5U, drawn_.size());
+  EXPECT_LT(*std::max_element(drawn_.begin(), drawn_.end()), ALL / 2);
+  EXPECT_TRUE(isDrawnInFull()) << "also after a key without a meaning";
+}
+
+TEST_F(RenderLargeViewer, APictureForAFileIsAFullOne)
+{
+  window_->press("period");
+  ASSERT_LT(drawn_.back(), ALL / 2);
+  window_->picture();
+  EXPECT_EQ(ALL, drawn_.back());
 }
 
 /** The program as a user runs it, on a display of its own. */

@@ -128,14 +128,13 @@ measure(double millions, int frames)
   window.setDesk(desk);
   window.goTo(1);
   vtkRenderWindow& drawn = *view.model().GetRenderWindow();
+  window.picture(); // all is there
   std::printf("a full picture         %8.3f s\n",
               bench::secondsOf([&] { drawn.Render(); }));
   Mouse mouse(*drawn.GetInteractor());
   double first = 0.0;
   double seconds = mouse.turn(frames, first);
-  std::printf("first drag, until drawn %7.3f s\n", first);
-  seconds = mouse.turn(frames, first);
-  std::printf("further ones           %8.3f s, then %.1f frames a second\n",
+  std::printf("a drag, until drawn    %8.3f s, then %.1f frames a second\n",
               first,
               1 / seconds);
   const auto& loops = desk.editor().decisions().loops;
@@ -143,11 +142,15 @@ measure(double millions, int frames)
   if (desk.editor().chosen() + 1 != loops.size())
     std::printf("the click has chosen nothing\n");
   std::printf("a click on a loop      %8.3f s\n", seconds);
-  window.press("period"); // all is there again
+  window.picture();
   std::printf("next loop, by a key    %8.3f s\n",
               bench::secondsOf([&] { window.press("period"); }));
+  window.picture();
   std::printf("its result             %8.3f s\n",
               bench::secondsOf([&] { window.press("v"); }));
+  window.picture();
+  std::printf("another stage          %8.3f s\n",
+              bench::secondsOf([&] { window.goTo(0); }));
 }
 
 } // namespace

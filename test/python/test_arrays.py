@@ -40,6 +40,54 @@ def test_points_are_not_copied_but_into_the_cloud_of_the_run(turned):
     assert numpy < 0.1  # what numpy itself has got
 
 
+# The same of a repair: 6 bytes a triangle for the points, and none for a copy of the triangles.
+REPAIR_MEMORY = """
+import numpy as np, pclsurfacerepair as psr
+x, y = np.meshgrid(np.arange(1000), np.arange(1000))
+points = np.stack([x, y, 0 * x], -1).reshape(-1, 3).astype(np.float32)
+corner = (1000 * y + x)[:-1, :-1].reshape(-1, 1)
+triangles = np.vstack([corner + [0, 1, 1001], corner + [0, 1001, 1000]]).astype(np.int32)
+def resident():
+    return int(open("/proc/self/statm").read().split()[1]) * 4096
+before = resident()
+seen = []
+def progress(stage, share):
+    seen.append(resident() - before)
+    return False
+try:
+    psr.repair((points, triangles), progress=progress, threads=1)
+except psr.Cancelled:
+    print(seen[0] / len(triangles))
+"""
+
+
+def test_triangles_are_read_where_they_are():
+    done = subprocess.run([sys.executable, "-c", REPAIR_MEMORY], check=True, capture_output=True,
+                          text=True)
+    assert float(done.stdout) < 6 + 6  # less than half a copy
+
+
+def test_triangles_of_a_repaired_mesh_outlive_it():
+    whole, report = psr.repair(psr.reconstruct(sphere()))
+    triangles, copy = whole.triangles, whole.triangles.copy()
+    del whole, report
+    psr.repair(psr.reconstruct(sphere(holes=2)))
+    assert np.array_equal(triangles, copy) and triangles.flags.writeable
+
+
+def test_quads_are_repaired_as_their_triangles():
+    corner = (20 * np.arange(19)[:, None] + np.arange(19)).reshape(-1, 1)
+    corner = np.delete(corner, [170, 171, 200], axis=0)
+    y, x = np.divmod(np.arange(400), 20)
+    points = np.stack([x, y, np.sin(0.2 * x)], -1).astype(np.float32)
+    fans = np.stack([corner + [0, 1, 21], corner + [0, 21, 20]], axis=1).reshape(-1, 3)
+    whole, report = psr.repair((points, corner + [0, 1, 21, 20]))
+    expected, _ = psr.repair((points, fans))
+    assert len(whole.triangles) > len(fans) and report.complete
+    assert np.array_equal(whole.triangles, expected.triangles)
+    assert whole.points.tobytes() == expected.points.tobytes()
+
+
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_the_points_of_a_mesh_are_the_array_that_was_given(dtype):
     cloud = sphere(dtype=dtype)

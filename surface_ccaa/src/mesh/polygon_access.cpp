@@ -15,9 +15,9 @@ namespace {
 constexpr pcl::index_t INVALID = -1;
 
 std::size_t
-triangleCount(const pcl::Vertices& polygon)
+triangleCount(const PolygonView::Corners& corners)
 {
-  return polygon.vertices.size() < 3 ? 0 : polygon.vertices.size() - 2;
+  return corners.size() < 3 ? 0 : corners.size() - 2;
 }
 
 /** \brief Flags of the points that are not finite; empty when all are. */
@@ -46,7 +46,7 @@ public:
   {}
 
   bool
-  isValid(const pcl::Indices& corners)
+  isValid(const PolygonView::Corners& corners)
   {
     for (const auto corner : corners) {
       const auto point_index = static_cast<std::size_t>(corner);
@@ -71,7 +71,7 @@ private:
 /** \brief Where the triangles of each block of polygons begin; the last entry is the
  * number of all. */
 std::vector<std::size_t>
-blockStarts(const std::vector<pcl::Vertices>& polygons, const LoopContext& context)
+blockStarts(const PolygonView& polygons, const LoopContext& context)
 {
   std::vector<std::size_t> starts(context.blockCount(polygons.size()) + 1, 0);
   const auto count = [&](std::size_t block, std::size_t begin, std::size_t end) {
@@ -88,7 +88,7 @@ blockStarts(const std::vector<pcl::Vertices>& polygons, const LoopContext& conte
 } // namespace
 
 PolygonTriangles
-readPolygons(const std::vector<pcl::Vertices>& polygons,
+readPolygons(const PolygonView& polygons,
              const PointView& points,
              const LoopContext& context)
 {
@@ -101,7 +101,7 @@ readPolygons(const std::vector<pcl::Vertices>& polygons,
     PolygonCheck check(points, non_finite);
     Triangle* out = mesh.triangles.data() + starts[block];
     for (std::size_t i = begin; i < end; ++i) {
-      const pcl::Indices& corners = polygons[i].vertices;
+      const PolygonView::Corners corners = polygons[i];
       const bool valid = corners.size() > 2 && check.isValid(corners);
       invalid[block] += valid ? 0 : 1;
       for (std::size_t corner = 2; corner < corners.size(); ++corner)
@@ -125,14 +125,15 @@ readPolygons(const std::vector<pcl::Vertices>& polygons,
 }
 
 Triangles
-fanTriangles(const std::vector<pcl::Vertices>& polygons)
+fanTriangles(const PolygonView& polygons)
 {
   Triangles triangles;
   triangles.reserve(polygons.size());
-  for (const pcl::Vertices& polygon : polygons)
-    for (std::size_t i = 2; i < polygon.vertices.size(); ++i)
-      triangles.push_back(
-          {polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i]});
+  for (std::size_t polygon = 0; polygon < polygons.size(); ++polygon) {
+    const PolygonView::Corners corners = polygons[polygon];
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
   return triangles;
 }
 

@@ -5,6 +5,7 @@
 #include <pcl/Vertices.h>
 
 #include "mesh/block_loop.h"
+#include "mesh/mesh_view.h"
 #include "mesh/point_chains.h"
 #include "mesh/point_view.h"
 #include "mesh/triangle.h"
@@ -33,7 +34,7 @@ struct PolygonTriangles {
  * finite. Cost: linear; 24 bytes a triangle, 4 a vertex, for a while 4 more a point.
  * \return nothing of use after cancelling */
 PolygonTriangles
-readPolygons(const std::vector<pcl::Vertices>& polygons,
+readPolygons(const PolygonView& polygons,
              const PointView& points,
              const LoopContext& context);
 
@@ -41,7 +42,7 @@ readPolygons(const std::vector<pcl::Vertices>& polygons,
  * wrong with a polygon shows as an invalid triangle, or as none with fewer than three
  * corners. */
 Triangles
-fanTriangles(const std::vector<pcl::Vertices>& polygons);
+fanTriangles(const PolygonView& polygons);
 
 /** \brief Write triangles as polygons of point indices, in their order. Buffers of
  * polygons that are there already are used again. */

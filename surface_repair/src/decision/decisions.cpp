@@ -3,6 +3,7 @@
 
 #include <pcl/surface_repair/decisions.h>
 
+#include "decision/mesh_fingerprint.h"
 #include "mesh/cloud_access.h"
 
 #include <cstring>
@@ -44,14 +45,21 @@ private:
 MeshFingerprint
 fingerprintOf(const pcl::PolygonMesh& mesh)
 {
+  return fingerprintOf(ccaa::MeshView(mesh));
+}
+
+MeshFingerprint
+fingerprintOf(const ccaa::MeshView& mesh)
+{
   Checksum checksum;
-  const ccaa::PointView points = ccaa::positionView(mesh.cloud);
+  const ccaa::PointView points = ccaa::positionView(*mesh.cloud);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (const double coordinate : Position(points[i]))
       checksum.add(coordinate);
-  for (const pcl::Vertices& polygon : mesh.polygons) {
-    checksum.add(std::uint64_t{polygon.vertices.size()});
-    for (const pcl::index_t corner : polygon.vertices)
+  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const ccaa::PolygonView::Corners corners = mesh.polygons[i];
+    checksum.add(std::uint64_t{corners.size()});
+    for (const pcl::index_t corner : corners)
       checksum.add(static_cast<std::uint64_t>(corner));
   }
   return {points.size(), mesh.polygons.size(), checksum.sum()};

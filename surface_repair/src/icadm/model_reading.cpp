@@ -26,14 +26,13 @@ constexpr std::size_t MAXIMUM_TRIANGLES = std::numeric_limits<std::uint32_t>::ma
 
 /** \brief Why nothing can be read; empty: something can. */
 std::string
-problemOf(const pcl::PolygonMesh::ConstPtr& mesh,
-          const pcl::PCLPointCloud2* free_points)
+problemOf(const pcl::PCLPointCloud2* cloud, const pcl::PCLPointCloud2* free_points)
 {
-  if (!mesh)
+  if (cloud == nullptr)
     return "there is no mesh";
-  if (ccaa::pointCount(mesh->cloud) == 0)
+  if (ccaa::pointCount(*cloud) == 0)
     return "the cloud of the mesh has no points";
-  const auto problem = ccaa::checkCloud(mesh->cloud);
+  const auto problem = ccaa::checkCloud(*cloud);
   if (problem != ccaa::CloudProblem::NONE)
     return ccaa::describe(problem);
   if (free_points == nullptr || ccaa::pointCount(*free_points) == 0)
@@ -111,12 +110,12 @@ placeViewpoints(ccaa::SideHints sides, IncompleteModel& model)
 /** \brief One run of readModel(). */
 class Reading {
 public:
-  Reading(const pcl::PolygonMesh& mesh,
+  Reading(const ccaa::MeshView& mesh,
           const ccaa::SideHints& sides,
           const ccaa::LoopContext& context)
   : mesh_(mesh)
-  , shift_(GlobalShift::of(mesh.cloud).offset())
-  , points_(ccaa::positionView(mesh.cloud).relativeTo(shift_))
+  , shift_(GlobalShift::of(*mesh.cloud).offset())
+  , points_(ccaa::positionView(*mesh.cloud).relativeTo(shift_))
   , sides_(ccaa::relativeTo(shift_, sides))
   , context_(context)
   {
@@ -168,7 +167,7 @@ private:
                      context_.control);
     if (!context_.cancelled())
       repair::bringToManifold(
-          input_, adjacency_, mesh_.cloud, context_, result_.report);
+          input_, adjacency_, *mesh_.cloud, context_, result_.report);
   }
 
   void
@@ -181,8 +180,8 @@ private:
                           context_);
     model.point_of_vertex = std::move(input_.point_of_vertex);
     model.given_normals =
-        entriesOf(ccaa::normalView(mesh_.cloud), model.point_of_vertex);
-    model.viewpoints = entriesOf(ccaa::viewpointView(mesh_.cloud).relativeTo(shift_),
+        entriesOf(ccaa::normalView(*mesh_.cloud), model.point_of_vertex);
+    model.viewpoints = entriesOf(ccaa::viewpointView(*mesh_.cloud).relativeTo(shift_),
                                  model.point_of_vertex);
     placeViewpoints(sides_, model);
   }
@@ -239,7 +238,7 @@ private:
     model.point_of_free_point.resize(left);
   }
 
-  const pcl::PolygonMesh& mesh_;
+  const ccaa::MeshView& mesh_;
   Eigen::Vector3d shift_;
   ccaa::PointView points_;
   ccaa::SideHints sides_;
@@ -252,14 +251,14 @@ private:
 } // namespace
 
 ReadModel
-readModel(const pcl::PolygonMesh::ConstPtr& mesh,
+readModel(const ccaa::MeshView& mesh,
           const pcl::PCLPointCloud2* free_points,
           const ccaa::LoopContext& context,
           const ccaa::SideHints& sides)
 {
-  const std::string problem = problemOf(mesh, free_points);
+  const std::string problem = problemOf(mesh.cloud, free_points);
   if (problem.empty())
-    return Reading(*mesh, sides, context).run(free_points);
+    return Reading(mesh, sides, context).run(free_points);
   ReadModel nothing;
   nothing.report.problem = problem;
   return nothing;

@@ -9,6 +9,7 @@
 
 #include "icadm/incomplete_model.h"
 #include "mesh/block_loop.h"
+#include "mesh/mesh_view.h"
 
 #include <cstddef>
 #include <optional>
@@ -37,7 +38,7 @@ struct ReadModel {
  * \return with report.problem set when the cloud is unreadable, there is no triangle,
  * or the run was cancelled */
 ReadModel
-readModel(const pcl::PolygonMesh::ConstPtr& mesh,
+readModel(const ccaa::MeshView& mesh,
           const pcl::PCLPointCloud2* free_points,
           const ccaa::LoopContext& context,
           const ccaa::SideHints& sides = {});

@@ -44,6 +44,21 @@ ForceLineHoleRepair::initCompute()
   }
 }
 
+ccaa::MeshView
+ForceLineHoleRepair::inputView() const
+{
+  return input_mesh_;
+}
+
+void
+ForceLineHoleRepair::writeTriangles(ccaa::Triangles& triangles,
+                                    const std::vector<pcl::index_t>& point_of_vertex,
+                                    const ccaa::LoopContext& context,
+                                    pcl::PolygonMesh& output)
+{
+  ccaa::writePolygons(triangles, point_of_vertex, context, output.polygons);
+}
+
 repair::Decisions
 ForceLineHoleRepair::proposeDecisions() const
 {
@@ -73,7 +88,7 @@ ForceLineHoleRepair::propose() const
   if (parameters.watertight)
     parameters.filling.close = repair::CloseChoice::ALL;
   const repair::ModelSurvey survey =
-      surveyModel(input_mesh_, free_points_.get(), parameters.survey, context);
+      surveyModel(inputView(), free_points_.get(), parameters.survey, context);
   if (survey.cancelled || context.cancelled())
     return {};
   return isSound(survey.reading, "proposeDecisions")
@@ -96,7 +111,7 @@ ForceLineHoleRepair::read()
   ccaa::RunControl control(wholeProgress());
   const ccaa::LoopContext context{ccaa::resolveThreads(threads_), &control};
   survey_ = std::make_shared<repair::ModelSurvey>(
-      readSurvey(input_mesh_, free_points_.get(), parameters_.survey, context));
+      readSurvey(inputView(), free_points_.get(), parameters_.survey, context));
   report_.reading = survey_->reading;
   report_.cancelled = context.cancelled();
   return report_.cancelled || isSound(report_.reading, "initCompute");
@@ -171,10 +186,10 @@ ForceLineHoleRepair::write(repair::RepairedModel& repaired, pcl::PolygonMesh& ou
   report_.new_vertices = added.vertices.size();
   for (const std::size_t vertex : added.numbers)
     repaired.model.point_of_vertex[vertex] = next++;
-  ccaa::writePolygons(repaired.model.triangles,
-                      repaired.model.point_of_vertex,
-                      ccaa::LoopContext{ccaa::resolveThreads(threads_)},
-                      output.polygons);
+  writeTriangles(repaired.model.triangles,
+                 repaired.model.point_of_vertex,
+                 ccaa::LoopContext{ccaa::resolveThreads(threads_)},
+                 output);
   report_.finished = true;
   report_.seconds.emplace_back("writing", clock.seconds());
 }

@@ -4,6 +4,7 @@
 #include "survey/model_survey.h"
 
 #include "boundary/extraction.h"
+#include "decision/mesh_fingerprint.h"
 #include "icadm/fins.h"
 #include "icadm/model_assembly.h"
 #include "run/stage_clock.h"
@@ -125,7 +126,7 @@ partnersOver(const SurveyedBridges& joined, bool with_removed)
 }
 
 ModelSurvey
-readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
+readSurvey(const ccaa::MeshView& mesh,
            const pcl::PCLPointCloud2* free_points,
            const SurveyParameters& parameters,
            const ccaa::LoopContext& context)
@@ -141,7 +142,7 @@ readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
   markFins(survey.fin_edges, survey.model);
   survey.reading = std::move(read.report);
   if (survey.reading.problem.empty())
-    survey.mesh = fingerprintOf(*mesh);
+    survey.mesh = fingerprintOf(mesh);
   survey.seconds.emplace_back("reading", clock.seconds());
   return survey;
 }
@@ -240,7 +241,7 @@ putInOrder(ModelSurvey before,
 }
 
 ModelSurvey
-surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
+surveyModel(const ccaa::MeshView& mesh,
             const pcl::PCLPointCloud2* free_points,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context)

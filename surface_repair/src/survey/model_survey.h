@@ -107,7 +107,7 @@ struct FieldSlice {
  * \return with reading.problem set when there is no model, or when it is not what the
  * decisions are about */
 ModelSurvey
-surveyModel(const pcl::PolygonMesh::ConstPtr& mesh,
+surveyModel(const ccaa::MeshView& mesh,
             const pcl::PCLPointCloud2* free_points,
             const SurveyParameters& parameters,
             const ccaa::LoopContext& context);

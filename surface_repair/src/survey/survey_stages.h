@@ -12,7 +12,7 @@ namespace pcl::repair {
  * (D1.3-1), without the islands that are to be left out. reading.problem says why there
  * is no model. */
 ModelSurvey
-readSurvey(const pcl::PolygonMesh::ConstPtr& mesh,
+readSurvey(const ccaa::MeshView& mesh,
            const pcl::PCLPointCloud2* free_points,
            const SurveyParameters& parameters,
            const ccaa::LoopContext& context);

@@ -11,6 +11,8 @@
 namespace pcl::ccaa::test {
 namespace {
 
+using Polygons = std::vector<pcl::Vertices>;
+
 pcl::Vertices
 polygon(const std::vector<pcl::index_t>& corners)
 {
@@ -33,7 +35,8 @@ asPoints(const PolygonTriangles& mesh)
 TEST(PolygonAccess, NumbersVerticesByFirstAppearance)
 {
   const Positions points(8, Position::Zero());
-  const auto mesh = readPolygons({polygon({5, 2, 7}), polygon({2, 1, 5})}, points, {});
+  const auto mesh =
+      readPolygons(Polygons{polygon({5, 2, 7}), polygon({2, 1, 5})}, points, {});
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {1, 3, 0}}));
   EXPECT_EQ(mesh.point_of_vertex, (std::vector<pcl::index_t>{5, 2, 7, 1}));
   EXPECT_EQ(mesh.invalid_polygons, 0u);
@@ -43,13 +46,14 @@ TEST(PolygonAccess, SplitsLargePolygonsIntoFans)
 {
   const Positions points(9, Position::Zero());
   const auto mesh =
-      readPolygons({polygon({4, 3, 2, 1, 0}), polygon({6, 7, 8})}, points, {});
+      readPolygons(Polygons{polygon({4, 3, 2, 1, 0}), polygon({6, 7, 8})}, points, {});
   EXPECT_EQ(asPoints(mesh), (Triangles{{4, 3, 2}, {4, 2, 1}, {4, 1, 0}, {6, 7, 8}}));
 }
 
 TEST(PolygonAccess, MakesFansWithoutALookAtTheirCorners)
 {
-  EXPECT_EQ(fanTriangles({polygon({4, 3, 9, 1}), polygon({0, 1}), polygon({6, -1, 6})}),
+  EXPECT_EQ(fanTriangles(
+                Polygons{polygon({4, 3, 9, 1}), polygon({0, 1}), polygon({6, -1, 6})}),
             (Triangles{{4, 3, 9}, {4, 9, 1}, {6, -1, 6}}));
 }
 
@@ -57,16 +61,16 @@ TEST(PolygonAccess, LeavesOutInvalidPolygons)
 {
   Positions points(6, Position::Zero());
   points[5].y() = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<pcl::Vertices> polygons{polygon({}),
-                                            polygon({0}),
-                                            polygon({0, 1}),
-                                            polygon({0, 1, 6}),
-                                            polygon({-1, 1, 2}),
-                                            polygon({0, 1, 1}),
-                                            polygon({0, 1, 2, 3, 0}),
-                                            polygon({3, 4, 5}),
-                                            polygon({3, 4, 1, 5}),
-                                            polygon({0, 1, 2})};
+  const Polygons polygons{polygon({}),
+                          polygon({0}),
+                          polygon({0, 1}),
+                          polygon({0, 1, 6}),
+                          polygon({-1, 1, 2}),
+                          polygon({0, 1, 1}),
+                          polygon({0, 1, 2, 3, 0}),
+                          polygon({3, 4, 5}),
+                          polygon({3, 4, 1, 5}),
+                          polygon({0, 1, 2})};
   const auto mesh = readPolygons(polygons, points, {});
   EXPECT_EQ(asPoints(mesh), (Triangles{{0, 1, 2}}));
   EXPECT_EQ(mesh.invalid_polygons, 9u);
@@ -89,11 +93,27 @@ TEST(PolygonAccess, ReadsTheSameWithAnyNumberOfThreads)
   }
 }
 
+TEST(PolygonAccess, ReadsRowsOfAnArrayAsPolygons)
+{
+  const Positions points(8, Position::Zero());
+  const std::vector<pcl::index_t> rows{5, 2, 7, 1, 2, 1, 1, 5, 0, 1, 2, 8, 4, 3, 2, 1};
+  Polygons polygons;
+  for (auto row = rows.begin(); row != rows.end(); row += 4)
+    polygons.push_back(polygon({row, row + 4}));
+  const auto expected = readPolygons(polygons, points, {});
+  const auto mesh = readPolygons({rows.data(), 4, 4}, points, {});
+  EXPECT_EQ(asPoints(mesh), (Triangles{{5, 2, 7}, {5, 7, 1}, {4, 3, 2}, {4, 2, 1}}));
+  EXPECT_EQ(mesh.triangles, expected.triangles);
+  EXPECT_EQ(mesh.point_of_vertex, expected.point_of_vertex);
+  EXPECT_EQ(mesh.invalid_polygons, 2u);
+  EXPECT_EQ(fanTriangles({rows.data(), 4, 4}), fanTriangles(polygons));
+}
+
 TEST(PolygonAccess, WritesWhatItHasRead)
 {
   const auto shape = shuffled(icosphere(2), 9);
   const auto mesh = readPolygons(toPolygons(shape.triangles), shape.vertices, {});
-  std::vector<pcl::Vertices> polygons(7, polygon({1, 2, 3, 4}));
+  Polygons polygons(7, polygon({1, 2, 3, 4}));
   writePolygons(mesh.triangles, mesh.point_of_vertex, {}, polygons);
   EXPECT_EQ(toTriangles(polygons), shape.triangles);
 }

@@ -11,12 +11,18 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl {
+namespace ccaa {
+struct LoopContext;
+struct MeshView;
+} // namespace ccaa
 namespace repair {
 struct Decisions;
 struct ModelSurvey;
@@ -296,6 +302,16 @@ protected:
   }
 
 private:
+  /** \brief Where the input lies. The Python package has polygons in an array. */
+  virtual ccaa::MeshView
+  inputView() const;
+  /** \brief Put triangles of vertices into the output, by the points of these; may take
+   * them. */
+  virtual void
+  writeTriangles(std::vector<std::array<pcl::index_t, 3>>& triangles,
+                 const std::vector<pcl::index_t>& point_of_vertex,
+                 const ccaa::LoopContext& context,
+                 pcl::PolygonMesh& output);
   bool
   checkParameters() const;
   bool
