@@ -193,19 +193,17 @@ noteViewpoint(const pcl::ccaa::SideHints& told,
   viewpoint.position = *told.told_viewpoint;
 }
 
-/** What the chain has guessed, the repair goes by. */
-pcl::ccaa::SideHints
-sidesForRepair(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  pcl::ccaa::SideHints sides = settings.sides;
-  if (result.sides.guessed_axis < 0)
-    return sides;
-  sides.up = Eigen::Vector3d::Unit(result.sides.guessed_axis);
-  sides.up_is_guessed = true;
-  return sides;
-}
-
 } // namespace
+
+pcl::ccaa::SideHints
+sidesForRepair(pcl::ccaa::SideHints told, const pcl::ccaa::SideTally& found)
+{
+  if (found.guessed_axis < 0)
+    return told;
+  told.up = Eigen::Vector3d::Unit(found.guessed_axis);
+  told.up_is_guessed = true;
+  return told;
+}
 
 StageTimes
 stageTimes(const ReconstructSettings& settings, const ReconstructResult& result)
@@ -285,7 +283,7 @@ repairResult(const ReconstructSettings& settings,
   RepairTask task;
   task.method = settings.method;
   task.threads = settings.threads;
-  task.method.survey.orientation.sides = sidesForRepair(settings, result);
+  task.method.survey.orientation.sides = sidesForRepair(settings.sides, result.sides);
   pcl::RepairReport report;
   repairMesh(task, result.model.viewpoint, bar, result.model.mesh, report);
   if (report.cancelled)

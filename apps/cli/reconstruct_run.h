@@ -126,6 +126,11 @@ countTopology(const ReconstructSettings& settings, ReconstructResult& result);
 void
 addNormals(ReconstructResult& result);
 
+/** \brief What is told about the outer side with what a reconstruction has guessed, by
+ * which its repair goes. */
+pcl::ccaa::SideHints
+sidesForRepair(pcl::ccaa::SideHints told, const pcl::ccaa::SideTally& found);
+
 /** \brief Join the islands of \a result and close its holes. Fails as repairMesh()
  * does; after a signal the result is of no use. */
 void

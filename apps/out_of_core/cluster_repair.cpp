@@ -47,7 +47,18 @@ public:
   , cluster_(cluster)
   , method_(std::move(method))
   , run_(run)
-  {}
+  {
+    const auto begin = cluster.points.begin();
+    for (const WideTriangle& triangle : cluster.triangles) {
+      given_.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        given_.back()[i] = static_cast<pcl::index_t>(
+            std::lower_bound(begin, cluster.points.end(), triangle[i]) - begin);
+    }
+    for (const auto& edge : cluster.edges)
+      own_points_.insert(own_points_.end(), edge.begin(), edge.end());
+    pcl::ccaa::sortUnique(own_points_);
+  }
 
   /** Add what it makes. */
   void
@@ -66,7 +77,7 @@ public:
     const pcl::RepairReport& report = repair.getReport();
     if (report.cancelled)
       throw Failure(stopped_by_signal);
-    if (!report.finished || report.input_triangles != cluster_.triangles.size())
+    if (!report.finished || report.input_triangles != given_.size())
       throw Failure("a repair failed, perhaps for lack of memory");
     take(repaired, report, tile);
   }
@@ -77,8 +88,7 @@ private:
   {
     auto mesh = pcl::make_shared<pcl::PolygonMesh>();
     mesh->cloud = TileCloud(plan_, cluster_.points).take();
-    for (std::size_t t = 0; t < cluster_.triangles.size(); ++t) {
-      const pcl::ccaa::Triangle triangle = givenTriangle(t);
+    for (const pcl::ccaa::Triangle& triangle : given_) {
       mesh->polygons.emplace_back();
       mesh->polygons.back().vertices.assign(triangle.begin(), triangle.end());
     }
@@ -99,7 +109,7 @@ private:
        const pcl::RepairReport& report,
        RepairedTile& tile)
   {
-    const std::size_t given = cluster_.triangles.size();
+    const std::size_t given = given_.size();
     for (const pcl::Vertices& polygon : repaired.polygons)
       triangles_.push_back(
           {polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]});
@@ -127,7 +137,7 @@ private:
   std::vector<std::vector<std::size_t>>
   patches(std::size_t points) const
   {
-    const std::size_t given = cluster_.triangles.size();
+    const std::size_t given = given_.size();
     const pcl::ccaa::Triangles added(
         triangles_.begin() + static_cast<std::ptrdiff_t>(given), triangles_.end());
     pcl::ccaa::TriangleAdjacency adjacency;
@@ -139,25 +149,12 @@ private:
     return patches;
   }
 
-  pcl::ccaa::Triangle
-  givenTriangle(std::size_t t) const
-  {
-    pcl::ccaa::Triangle triangle{};
-    for (std::size_t i = 0; i < 3; ++i)
-      triangle[i] =
-          static_cast<pcl::index_t>(std::lower_bound(cluster_.points.begin(),
-                                                     cluster_.points.end(),
-                                                     cluster_.triangles[t][i]) -
-                                    cluster_.points.begin());
-    return triangle;
-  }
-
   /** Whether a given triangle came out with the same winding: a repair keeps the first
    * corner in its place. */
   bool
   isAsGiven(const pcl::ccaa::Triangle& triangle, std::size_t t) const
   {
-    const pcl::ccaa::Triangle given = givenTriangle(t);
+    const pcl::ccaa::Triangle& given = given_[t];
     if (triangle != given && triangle != turnedOver(given))
       throw Failure("a repair has changed the given triangles");
     return triangle == given;
@@ -180,14 +177,14 @@ private:
               pcl::index_t{0});
     // What one triangle tells of its copies helps to tell whether another was turned.
     for (const std::ptrdiff_t most_unknown : {1, 2, 3})
-      for (std::size_t t = 0; t < cluster_.triangles.size(); ++t) {
+      for (std::size_t t = 0; t < given_.size(); ++t) {
         const auto isUnknown = [&](pcl::index_t corner) {
           return point_of[static_cast<std::size_t>(corner)] == pcl::UNAVAILABLE;
         };
         const auto unknown =
             std::count_if(triangles_[t].begin(), triangles_[t].end(), isUnknown);
         if (unknown > 0 && unknown <= most_unknown)
-          learnCopies(triangles_[t], givenTriangle(t), point_of);
+          learnCopies(triangles_[t], given_[t], point_of);
       }
     for (pcl::ccaa::Triangle& triangle : triangles_)
       for (pcl::index_t& corner : triangle)
@@ -200,11 +197,9 @@ private:
   bool
   isOnOwnLoop(pcl::index_t point) const
   {
-    const WideIndex wide = cluster_.points[static_cast<std::size_t>(point)];
-    return std::any_of(
-        cluster_.edges.begin(), cluster_.edges.end(), [&](const auto& edge) {
-          return edge[0] == wide || edge[1] == wide;
-        });
+    return std::binary_search(own_points_.begin(),
+                              own_points_.end(),
+                              cluster_.points[static_cast<std::size_t>(point)]);
   }
 
   static void
@@ -306,7 +301,7 @@ private:
             adjacency_.across(static_cast<pcl::index_t>(t), corner);
         if (other < 0)
           ++made.open_edges;
-        else if (static_cast<std::size_t>(other) < cluster_.triangles.size()) {
+        else if (static_cast<std::size_t>(other) < given_.size()) {
           --made.open_edges;
           components.push_back(cluster_.components[static_cast<std::size_t>(other)]);
         }
@@ -335,6 +330,8 @@ private:
   const HoleCluster& cluster_;
   pcl::repair::RepairParameters method_;
   const StepRun& run_;
+  pcl::ccaa::Triangles given_;        /**< of the cluster's points */
+  std::vector<WideIndex> own_points_; /**< on its loops, ascending */
   pcl::ccaa::Triangles triangles_; /**< of the result: the given ones, then the new */
   pcl::ccaa::TriangleAdjacency adjacency_; /**< of these */
 };

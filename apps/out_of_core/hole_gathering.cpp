@@ -7,32 +7,13 @@
 #include "out_of_core/tile_steps.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
-namespace {
 
 using pcl::ccaa::Box;
 using pcl::ccaa::Position;
 using pcl::ccaa::WideIndex;
 using pcl::ccaa::WideTriangle;
-
-} // namespace
-
-bool
-reaches(const pcl::ccaa::Tile& tile, double reach, const Box& box)
-{
-  const pcl::ccaa::GridCell& cell = tile.cell;
-  if (cell.isWhole())
-    return true;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto at = double(cell.at[static_cast<std::size_t>(axis)]);
-    if (box.max()[axis] < std::ldexp(at, cell.level) - reach ||
-        box.min()[axis] > std::ldexp(at + 1.0, cell.level) + reach)
-      return false;
-  }
-  return true;
-}
 
 HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(plan)
 {
@@ -57,19 +38,23 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
   loops_ = std::move(all.loops);
   tree_ = pcl::ccaa::BoxTree(regions);
   own_tree_ = pcl::ccaa::BoxTree(regions_);
-  for (std::size_t part = 0; part < plan.tiling.tiles.size(); ++part)
+  for (std::size_t part = 0; part < plan.tiling.tiles.size(); ++part) {
+    // Its triangles reach out of its cell as far as its halo.
+    const pcl::ccaa::Tile& one = plan.tiling.tiles[part];
+    const Box around = pcl::ccaa::widened(one.cell.box(), one.halo);
     if (std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) {
-          const pcl::ccaa::Tile& one = plan.tiling.tiles[part];
-          return reaches(one, one.halo, region); // its triangles do that
+          return around.intersects(region);
         }))
       parts_.insert(part);
+  }
 }
 
 std::vector<HoleCluster>
 HoleGathering::gather()
 {
+  const pcl::ccaa::Sides sides = readSides(plan_);
   for (const std::size_t part : parts_)
-    addPart(part);
+    addPart(part, sides.components_of[part]);
   for (HoleCluster& cluster : clusters_) {
     for (const WideTriangle& triangle : cluster.triangles)
       cluster.points.insert(cluster.points.end(), triangle.begin(), triangle.end());
@@ -79,11 +64,10 @@ HoleGathering::gather()
 }
 
 void
-HoleGathering::addPart(std::size_t part)
+HoleGathering::addPart(std::size_t part, const std::vector<std::uint64_t>& components)
 {
   const TileSurface surface = readSurface(plan_, part);
   const PointClusters points = placePoints(part, surface);
-  const std::vector<std::uint64_t> components = readSides(plan_).components_of[part];
   const pcl::ccaa::Tile& own = plan_.tiling.tiles[part];
   std::size_t piece = 0;
   std::set<std::uint32_t> clusters;

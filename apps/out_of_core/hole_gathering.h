@@ -13,11 +13,6 @@
 
 namespace app {
 
-/** \brief Whether a box comes as near to the cell of a tile as that, along each axis.
- */
-bool
-reaches(const pcl::ccaa::Tile& tile, double reach, const pcl::ccaa::Box& box);
-
 /** \brief Loops that are repaired together, and the surface around them. */
 struct HoleCluster {
   std::vector<std::array<pcl::ccaa::WideIndex, 2>> edges; /**< open ones, ascending */
@@ -60,7 +55,7 @@ private:
   using PointClusters = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
   void
-  addPart(std::size_t part);
+  addPart(std::size_t part, const std::vector<std::uint64_t>& components);
   PointClusters
   placePoints(std::size_t part, const TileSurface& surface);
 

@@ -54,7 +54,7 @@ public:
   {
     std::uint64_t points = 0;
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-      if (reaches(plan_.tiling.tiles[tile], 0.0, box))
+      if (plan_.tiling.tiles[tile].cell.box().intersects(box))
         tiles_[tile].forEachIn(box, [&](std::size_t) { ++points; });
     return points;
   }
@@ -126,12 +126,8 @@ methodFor(const TilePlan& plan)
 {
   const ReconstructSettings settings = settingsOf(plan);
   pcl::repair::RepairParameters method = settings.method;
-  pcl::ccaa::SideHints sides = sidesOf(settings.sides, plan.viewpoint);
-  if (const int axis = readSides(plan).tally.guessed_axis; axis >= 0) {
-    sides.up = Eigen::Vector3d::Unit(axis);
-    sides.up_is_guessed = true;
-  }
-  method.survey.orientation.sides = sides;
+  method.survey.orientation.sides =
+      sidesOf(sidesForRepair(settings.sides, readSides(plan).tally), plan.viewpoint);
   method.greatest_unsupported = 1.0;
   return method;
 }
@@ -290,14 +286,7 @@ readRepairedSurface(const TilePlan& plan, std::size_t tile)
       if (!own.owns(corner))
         foreign.push_back(corner);
   pcl::ccaa::sortUnique(foreign);
-  const auto placeOf = [&](WideIndex corner) {
-    if (own.owns(corner))
-      return static_cast<std::uint32_t>(corner - own.first);
-    return static_cast<std::uint32_t>(own.count) +
-           static_cast<std::uint32_t>(
-               std::lower_bound(foreign.begin(), foreign.end(), corner) -
-               foreign.begin());
-  };
+  const auto placeOf = [&](WideIndex corner) { return numberIn(own, foreign, corner); };
   for (CoreTriangle& triangle : surface.triangles)
     for (std::uint32_t& corner : triangle)
       corner = placeOf(surface.wideOf(own, corner));

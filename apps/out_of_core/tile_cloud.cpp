@@ -3,33 +3,13 @@
 #include "out_of_core/tile_cloud.h"
 
 #include "io/point_columns.h"
+#include "mesh/box_tree.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 
 using pcl::ccaa::WideIndex;
-
-namespace {
-
-/** A tile's cell and its halo. */
-Eigen::AlignedBox3d
-boxAround(const pcl::ccaa::Tile& tile)
-{
-  if (tile.cell.isWhole())
-    return {Eigen::Vector3d::Constant(-pcl::ccaa::WORLD_EDGE),
-            Eigen::Vector3d::Constant(pcl::ccaa::WORLD_EDGE)};
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const std::int64_t at = tile.cell.at[static_cast<std::size_t>(axis)];
-    box.min()[axis] = std::ldexp(double(at), tile.cell.level) - tile.halo;
-    box.max()[axis] = std::ldexp(double(at + 1), tile.cell.level) + tile.halo;
-  }
-  return box;
-}
-
-} // namespace
 
 TileCloud::TileCloud(const TilePlan& plan) : cloud_(plan.layout)
 {
@@ -42,7 +22,8 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile) : TileCloud(plan)
 {
   std::vector<std::size_t> parts = plan.tiling.neighborsOf(tile);
   parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
-  const Eigen::AlignedBox3d around = boxAround(plan.tiling.tiles[tile]);
+  const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+  const Eigen::AlignedBox3d around = pcl::ccaa::widened(own.cell.box(), own.halo);
   for (const std::size_t part : parts) {
     if (part == tile) {
       addOwn(plan, tile);
@@ -61,25 +42,28 @@ TileCloud::TileCloud(const TilePlan& plan,
 {
   const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
   const auto behind = std::lower_bound(foreign.begin(), foreign.end(), own.first);
-  const auto add_one = [&](std::size_t part, const TilePoints& points, std::size_t i) {
-    add(plan, part, points, i);
-  };
-  forPoints(plan, foreign.begin(), behind, add_one);
+  addThese(plan, foreign.begin(), behind);
   addOwn(plan, tile);
-  forPoints(plan, behind, foreign.end(), add_one);
+  addThese(plan, behind, foreign.end());
   finish();
 }
 
 TileCloud::TileCloud(const TilePlan& plan, const std::vector<WideIndex>& points)
 : TileCloud(plan)
 {
-  forPoints(plan,
-            points.begin(),
-            points.end(),
-            [&](std::size_t part, const TilePoints& part_points, std::size_t i) {
-              add(plan, part, part_points, i);
-            });
+  addThese(plan, points.begin(), points.end());
   finish();
+}
+
+void
+TileCloud::addThese(const TilePlan& plan,
+                    std::vector<WideIndex>::const_iterator next,
+                    std::vector<WideIndex>::const_iterator end)
+{
+  forPoints(
+      plan, next, end, [&](std::size_t part, const TilePoints& points, std::size_t i) {
+        add(plan, part, points, i);
+      });
 }
 
 void

@@ -59,6 +59,10 @@ public:
 private:
   explicit TileCloud(const TilePlan& plan);
   void
+  addThese(const TilePlan& plan,
+           std::vector<pcl::ccaa::WideIndex>::const_iterator next,
+           std::vector<pcl::ccaa::WideIndex>::const_iterator end);
+  void
   addOwn(const TilePlan& plan, std::size_t tile);
   void
   add(const TilePlan& plan, std::size_t part, const TilePoints& points, std::size_t i);

@@ -4,6 +4,8 @@
 
 #include "out_of_core/step_file.h"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -70,6 +72,18 @@ restored(const StoredSums& from)
 }
 
 } // namespace
+
+std::uint32_t
+numberIn(const pcl::ccaa::Tile& own,
+         const std::vector<WideIndex>& foreign,
+         WideIndex point)
+{
+  if (own.owns(point))
+    return static_cast<std::uint32_t>(point - own.first);
+  const auto place = std::lower_bound(foreign.begin(), foreign.end(), point);
+  return static_cast<std::uint32_t>(own.count) +
+         static_cast<std::uint32_t>(place - foreign.begin());
+}
 
 void
 writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh)

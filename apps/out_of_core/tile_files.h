@@ -85,6 +85,13 @@ writeClosed(const TilePlan& plan, std::size_t tile, const ClosedTile& closed);
 ClosedTile
 readClosed(const TilePlan& plan, std::size_t tile);
 
+/** \brief What a point of the whole is called in a tile: one of its own by its place,
+ * else one behind all of these by its place in a list, ascending, in which it is. */
+std::uint32_t
+numberIn(const pcl::ccaa::Tile& own,
+         const std::vector<pcl::ccaa::WideIndex>& foreign,
+         pcl::ccaa::WideIndex point);
+
 /** \brief The final triangles of a tile. Corners below the number of its points are
  * these, the others come from a list, in its order. */
 struct TileSurface {

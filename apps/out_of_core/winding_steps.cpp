@@ -109,14 +109,6 @@ surfaceOf(const Tile& own,
       if (!own.owns(wide[static_cast<std::size_t>(corner)]))
         surface.foreign.push_back(wide[static_cast<std::size_t>(corner)]);
   pcl::ccaa::sortUnique(surface.foreign);
-  const auto numberOf = [&](WideIndex index) {
-    if (own.owns(index))
-      return static_cast<std::uint32_t>(index - own.first);
-    const auto place =
-        std::lower_bound(surface.foreign.begin(), surface.foreign.end(), index);
-    return static_cast<std::uint32_t>(own.count) +
-           static_cast<std::uint32_t>(place - surface.foreign.begin());
-  };
   std::vector<std::uint64_t>& ends = surface.piece_ends;
   for (const std::uint32_t piece : piece_of) {
     ends.resize(std::max<std::size_t>(ends.size(), piece + 1), 0);
@@ -129,7 +121,8 @@ surfaceOf(const Tile& own,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     CoreTriangle& place = surface.triangles[next[piece_of[t]]++];
     for (std::size_t i = 0; i < 3; ++i)
-      place[i] = numberOf(wide[static_cast<std::size_t>(triangles[t][i])]);
+      place[i] = numberIn(
+          own, surface.foreign, wide[static_cast<std::size_t>(triangles[t][i])]);
   }
   return surface;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/point_columns.h"
+#include "mesh/mesh_facts.h"
 #include "model_samples.h"
 #include "reconstruct_fixture.h"
 #include "support/clouds.h"
@@ -28,6 +29,30 @@ partOf(const pcl::PCLPointCloud2& cloud, std::size_t begin, std::size_t end)
   part.height = 1;
   part.row_step = part.width * part.point_step;
   return part;
+}
+
+inline pcl::ccaa::Positions
+positionsOf(const pcl::PCLPointCloud2& cloud)
+{
+  pcl::ccaa::Positions positions;
+  for (std::size_t i = 0; i < app::pointCount(cloud); ++i)
+    positions.emplace_back(
+        valueOf(cloud, i, "x"), valueOf(cloud, i, "y"), valueOf(cloud, i, "z"));
+  return positions;
+}
+
+/** \brief What every mesh has to be. */
+inline pcl::ccaa::MeshFacts
+expectSound(const pcl::PolygonMesh& mesh)
+{
+  const auto triangles = test::toTriangles(mesh.polygons);
+  const auto positions = positionsOf(mesh.cloud);
+  EXPECT_TRUE(test::isIcadm(triangles, positions.size()));
+  EXPECT_TRUE(test::isConsistentlyWound(triangles));
+  pcl::ccaa::RunControl control;
+  const auto facts = pcl::ccaa::measureMesh(triangles, positions, {}, control);
+  EXPECT_EQ(0U, *facts.self_intersections);
+  return facts;
 }
 
 /** \brief Small tiles: 1000 points each, so that a few thousand points have several
@@ -74,6 +99,28 @@ protected:
     std::vector<std::string> arguments{name, folder_.path(tiles)};
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     return runApp("pcl_ccaa_tiles", arguments);
+  }
+
+  /** All steps after the cut, the tiles from the last to the first. \param[in]
+   * before_shards steps of a repair, of which 'repair' is for each tile */
+  void
+  doSteps(const std::string& tiles, const std::vector<std::string>& before_shards)
+  {
+    std::vector<std::string> names{
+        "mesh", "join", "disputes", "close", "wind", "sides"};
+    names.insert(names.end(), before_shards.begin(), before_shards.end());
+    names.insert(names.end(), {"shard", "index"});
+    const int count = std::stoi(step("count", tiles).output);
+    ASSERT_GE(count, 4);
+    for (const std::string& name : names) {
+      if (name == "disputes" || name == "sides" || name == "holes" ||
+          name == "numbers" || name == "index") {
+        ASSERT_TRUE(hasMeshed(step(name, tiles))) << name;
+        continue;
+      }
+      for (int tile = count - 1; tile >= 0; --tile)
+        ASSERT_TRUE(hasMeshed(step(name, tiles, {std::to_string(tile)}))) << name;
+    }
   }
 
   /** Shards and index of a folder of tiles. */

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: repairing what is open tile by tile.
-#include "mesh/mesh_facts.h"
 #include "tiles_fixture.h"
 
 namespace app_test {
@@ -37,23 +36,6 @@ sphereWithHoles()
   return test::toRawCloud(withHoles(test::bumpySphere(8000), HOLES, 0.12));
 }
 
-pcl::ccaa::MeshFacts
-factsOf(const pcl::PolygonMesh& mesh)
-{
-  const auto triangles = test::toTriangles(mesh.polygons);
-  Positions positions;
-  for (std::size_t i = 0; i < app::pointCount(mesh.cloud); ++i)
-    positions.emplace_back(valueOf(mesh.cloud, i, "x"),
-                           valueOf(mesh.cloud, i, "y"),
-                           valueOf(mesh.cloud, i, "z"));
-  EXPECT_TRUE(test::isIcadm(triangles, positions.size()));
-  EXPECT_TRUE(test::isConsistentlyWound(triangles));
-  pcl::ccaa::RunControl control;
-  const auto facts = pcl::ccaa::measureMesh(triangles, positions, {}, control);
-  EXPECT_EQ(0U, *facts.self_intersections);
-  return facts;
-}
-
 TEST_F(TiledApp, RepairClosesHolesWithinTilesAndAcrossCuts)
 {
   const pcl::PCLPointCloud2 cloud = sphereWithHoles();
@@ -63,7 +45,7 @@ TEST_F(TiledApp, RepairClosesHolesWithinTilesAndAcrossCuts)
             "out.ply",
             {"--tiles=2000", "--repair", "--report", folder_.path("report.json")})));
   const pcl::PolygonMesh mesh = loadMesh(folder_.path("out.ply")).mesh;
-  const auto facts = factsOf(mesh);
+  const auto facts = expectSound(mesh);
   EXPECT_EQ(0U, facts.boundary_edges);
   EXPECT_EQ(1U, facts.components);
   EXPECT_EQ(0, facts.genus.value_or(-1));
@@ -127,22 +109,7 @@ TEST_F(TiledApp, RepairStepsOneByOneMakeTheSame)
             {"--tiles=2000", "--repair", "--tile-folder", folder_.path("at_once")})));
   ASSERT_TRUE(hasMeshed(
       step("cut", "steps", {folder_.path("in.ply"), "--tiles=2000", "--repair"})));
-  const int tiles = std::stoi(step("count", "steps").output);
-  const auto forAll = [&](const char* name) {
-    for (int tile = tiles - 1; tile >= 0; --tile)
-      ASSERT_TRUE(hasMeshed(step(name, "steps", {std::to_string(tile)}))) << name;
-  };
-  forAll("mesh");
-  forAll("join");
-  ASSERT_TRUE(hasMeshed(step("disputes", "steps")));
-  forAll("close");
-  forAll("wind");
-  ASSERT_TRUE(hasMeshed(step("sides", "steps")));
-  ASSERT_TRUE(hasMeshed(step("holes", "steps")));
-  forAll("repair");
-  ASSERT_TRUE(hasMeshed(step("numbers", "steps")));
-  forAll("shard");
-  ASSERT_TRUE(hasMeshed(step("index", "steps")));
+  ASSERT_NO_FATAL_FAILURE(doSteps("steps", {"holes", "repair", "numbers"}));
   EXPECT_TRUE(shardsIn("at_once") == shardsIn("steps"));
   ASSERT_TRUE(hasMeshed(step("merge", "steps", {folder_.path("2.ply")})));
   EXPECT_TRUE(readFile(folder_.path("1.ply")) == readFile(folder_.path("2.ply")));
@@ -189,7 +156,7 @@ TEST_F(TiledApp, TheBorderOfATerrainStaysOpenAndIsNoFault)
   ASSERT_TRUE(hasMeshed(result));
   EXPECT_EQ(1, report().at("repair").at("outer_borders_beyond_a_tile"));
   EXPECT_EQ(2, report().at("repair").at("closed"));
-  const auto facts = factsOf(loadMesh(folder_.path("out.ply")).mesh);
+  const auto facts = expectSound(loadMesh(folder_.path("out.ply")).mesh);
   EXPECT_EQ(1U, facts.boundary_loops.size());
 }
 
@@ -200,7 +167,7 @@ TEST_F(TiledApp, AHoleTooLargeForATileIsLeftOpenAndTold)
   const RunResult result = tiled({"in.ply"}, "out.ply", {"--repair"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.errors.find("BEYOND_A_TILE")) << result.errors;
-  EXPECT_GT(factsOf(loadMesh(folder_.path("out.ply")).mesh).boundary_edges, 0U);
+  EXPECT_GT(expectSound(loadMesh(folder_.path("out.ply")).mesh).boundary_edges, 0U);
 }
 
 TEST_F(TiledApp, WishesOfARepairThatNeedTheWholeAreRefused)
@@ -225,7 +192,7 @@ TEST_F(TiledApp, RepairInMapCoordinatesStaysExact)
   save(folder_.path("in.ply"), cloud);
   ASSERT_TRUE(hasMeshed(tiled({"in.ply"}, "out.ply", {"--tiles=2000", "--repair"})));
   const pcl::PolygonMesh mesh = loadMesh(folder_.path("out.ply")).mesh;
-  EXPECT_EQ(0U, factsOf(mesh).boundary_edges);
+  EXPECT_EQ(0U, expectSound(mesh).boundary_edges);
   for (const char* axis : {"x", "y", "z"})
     expectSameField(cloud, partOf(mesh.cloud, 0, points.size()), axis);
   for (std::size_t i = points.size(); i < app::pointCount(mesh.cloud); ++i)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what reconstructing tile by tile makes.
-#include "mesh/mesh_facts.h"
 #include "tiles_fixture.h"
 
 #include <algorithm>
@@ -8,30 +7,6 @@
 
 namespace app_test {
 namespace {
-
-pcl::ccaa::Positions
-positionsOf(const pcl::PCLPointCloud2& cloud)
-{
-  pcl::ccaa::Positions positions;
-  for (std::size_t i = 0; i < app::pointCount(cloud); ++i)
-    positions.emplace_back(
-        valueOf(cloud, i, "x"), valueOf(cloud, i, "y"), valueOf(cloud, i, "z"));
-  return positions;
-}
-
-/** What every mesh has to be. */
-pcl::ccaa::MeshFacts
-expectSound(const pcl::PolygonMesh& mesh)
-{
-  const auto triangles = test::toTriangles(mesh.polygons);
-  const auto positions = positionsOf(mesh.cloud);
-  EXPECT_TRUE(test::isIcadm(triangles, positions.size()));
-  EXPECT_TRUE(test::isConsistentlyWound(triangles));
-  pcl::ccaa::RunControl control;
-  const auto facts = pcl::ccaa::measureMesh(triangles, positions, {}, control);
-  EXPECT_EQ(0U, *facts.self_intersections);
-  return facts;
-}
 
 /** Sound, one closed piece without handles, outward, with every point. */
 void
@@ -161,20 +136,7 @@ TEST_F(TiledApp, StepsOneByOneMakeTheSame)
       tiled({"in.ply"}, "1.ply", {"--tile-folder", folder_.path("at_once")})));
   ASSERT_TRUE(
       hasMeshed(step("cut", "steps", {folder_.path("in.ply"), "--tiles=1000"})));
-  const int tiles = std::stoi(step("count", "steps").output);
-  ASSERT_GE(tiles, 4);
-  const auto forAll = [&](const char* name) {
-    for (int tile = tiles - 1; tile >= 0; --tile)
-      ASSERT_TRUE(hasMeshed(step(name, "steps", {std::to_string(tile)}))) << name;
-  };
-  forAll("mesh");
-  forAll("join");
-  ASSERT_TRUE(hasMeshed(step("disputes", "steps")));
-  forAll("close");
-  forAll("wind");
-  ASSERT_TRUE(hasMeshed(step("sides", "steps")));
-  forAll("shard");
-  ASSERT_TRUE(hasMeshed(step("index", "steps")));
+  ASSERT_NO_FATAL_FAILURE(doSteps("steps", {}));
   EXPECT_TRUE(shardsIn("at_once") == shardsIn("steps"));
   ASSERT_TRUE(hasMeshed(step("merge", "steps", {folder_.path("2.ply")})));
   EXPECT_TRUE(readFile(folder_.path("1.ply")) == readFile(folder_.path("2.ply")));

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: cubes of the world into which a cloud is cut.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "mesh/triangle.h"
 
 #include <array>
@@ -26,6 +28,10 @@ struct GridCell {
   {
     return level == WHOLE;
   }
+
+  /** \brief The cube; of the one cell that is the whole space all that has cells. */
+  Eigen::AlignedBox3d
+  box() const;
 
   /** \brief Distance of a position from the cube along the farthest axis; 0 within. */
   double
