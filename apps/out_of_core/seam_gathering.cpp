@@ -24,13 +24,13 @@ SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
 {
   const AllDisputes all = readDisputes(plan);
   for (const DisputeGroup& group : all.groups)
-    if (group.tile == tile)
+    if (group.tile == tile) {
       disputes_.insert(disputes_.end(),
                        all.disputes.begin() + static_cast<std::ptrdiff_t>(group.begin),
                        all.disputes.begin() + static_cast<std::ptrdiff_t>(group.end));
-  std::sort(disputes_.begin(), disputes_.end(), [](const auto& a, const auto& b) {
-    return a.index < b.index;
-  });
+      group_of_.resize(disputes_.size(), surroundings_.size());
+      surroundings_.emplace_back();
+    }
   for (const PlacedDispute& dispute : disputes_) {
     edge_ = std::max(edge_, 2.0 * AROUND * dispute.reach);
     parts_.insert(plan.tiling.ownerOf(dispute.index));
@@ -56,81 +56,103 @@ SeamGathering::gridPlace(const Eigen::Vector3d& position, std::size_t neighbor) 
   return place;
 }
 
-/** Distance from the nearest dispute in reaches of it, as far as it is below twice
- * AROUND. */
-double
+/** By group, as far as the distance is below twice AROUND. */
+std::map<std::size_t, SeamGathering::Nearness>
 SeamGathering::nearness(const Eigen::Vector3d& position) const
 {
-  double least = 2.0 * AROUND;
+  std::map<std::size_t, Nearness> by_group;
   for (std::size_t neighbor = 0; neighbor < 27; ++neighbor) {
     const auto cell = grid_.find(gridPlace(position, neighbor));
     if (cell == grid_.end())
       continue;
-    for (const std::size_t i : cell->second)
-      least =
-          std::min(least,
-                   (Eigen::Vector3d(disputes_[i].position.data()) - position).norm() /
-                       disputes_[i].reach);
+    for (const std::size_t i : cell->second) {
+      const PlacedDispute& dispute = disputes_[i];
+      const double distance =
+          (Eigen::Vector3d(dispute.position.data()) - position).norm();
+      if (distance >= 2.0 * AROUND * dispute.reach)
+        continue;
+      Nearness& nearness =
+          by_group.emplace(group_of_[i], Nearness{2.0 * AROUND, 0.0}).first->second;
+      nearness.in_reaches = std::min(nearness.in_reaches, distance / dispute.reach);
+      nearness.room = std::max(nearness.room, dispute.room - distance);
+    }
   }
-  return least;
+  return by_group;
 }
 
 void
-SeamGathering::readParts()
+SeamGathering::addPoint(const pcl::ccaa::BorderPoint& point)
+{
+  for (const auto& [group, nearness] : nearness(point.position)) {
+    Known& known = known_[point.index];
+    known.position = point.position;
+    if (nearness.in_reaches > AROUND)
+      continue;
+    known.groups.push_back(group);
+    surroundings_[group].near.emplace(point.index, nearness);
+  }
+}
+
+void
+SeamGathering::addTriangle(const WideTriangle& triangle)
+{
+  std::set<std::size_t> groups;
+  for (const WideIndex corner : triangle) {
+    const auto known = known_.find(corner);
+    if (known == known_.end())
+      return;
+    groups.insert(known->second.groups.begin(), known->second.groups.end());
+  }
+  for (const std::size_t group : groups)
+    surroundings_[group].triangles.push_back(triangle);
+}
+
+void
+SeamGathering::read()
 {
   std::vector<WideTriangle> candidates;
   for (const std::size_t part : parts_) {
-    const pcl::ccaa::Tile& tile = plan_.tiling.tiles[part];
     for (const pcl::ccaa::BorderPoint& point :
-         readMesh(plan_, part, false).border.points) {
-      if (point.index < tile.first || point.index >= tile.first + tile.count)
-        continue;
-      const double distance = nearness(point.position);
-      if (distance < 2.0 * AROUND)
-        known_.emplace(point.index, point.position);
-      if (distance <= AROUND)
-        near_.emplace(point.index, distance);
-    }
+         readMesh(plan_, part, false).border.points)
+      if (plan_.tiling.tiles[part].owns(point.index))
+        addPoint(point);
     const JoinedTile joined = readJoined(plan_, part);
     candidates.insert(
         candidates.end(), joined.triangles.begin(), joined.triangles.end());
   }
   for (const WideTriangle& triangle : candidates)
-    if (std::any_of(triangle.begin(),
-                    triangle.end(),
-                    [&](WideIndex corner) { return near_.count(corner) > 0; }) &&
-        std::all_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
-          return known_.count(corner) > 0;
-        }))
-      triangles_.push_back(triangle);
+    addTriangle(triangle);
 }
 
 pcl::ccaa::Seam
-SeamGathering::gather()
+SeamGathering::gather(std::size_t group, std::vector<WideIndex>& wide) const
 {
-  readParts();
+  const Surroundings& around = surroundings_[group];
   std::set<WideIndex> used, with_triangle;
-  for (const auto& [index, distance] : near_)
+  for (const auto& [index, nearness] : around.near)
     used.insert(index);
-  for (const WideTriangle& triangle : triangles_)
+  for (const WideTriangle& triangle : around.triangles)
     with_triangle.insert(triangle.begin(), triangle.end());
   used.insert(with_triangle.begin(), with_triangle.end());
-  wide_.assign(used.begin(), used.end());
+  wide.assign(used.begin(), used.end());
   pcl::ccaa::Seam seam;
-  for (const WideIndex index : wide_) {
-    seam.points.push_back((known_.at(index) - plan_.corners[tile_]).cast<float>());
-    const auto near = near_.find(index);
-    const bool is_disputed = near != near_.end() && near->second == 0.0;
-    const bool is_free =
-        near != near_.end() && near->second <= 1.0 && with_triangle.count(index) == 0;
+  for (const WideIndex index : wide) {
+    seam.points.push_back(
+        (known_.at(index).position - plan_.corners[tile_]).cast<float>());
+    const auto near = around.near.find(index);
+    const Nearness nearness =
+        near == around.near.end() ? Nearness{2.0 * AROUND, 0.0} : near->second;
+    const bool is_disputed = nearness.in_reaches == 0.0;
+    const bool is_free = nearness.in_reaches <= 1.0 && with_triangle.count(index) == 0;
     seam.is_open.push_back(is_disputed || is_free ? 1 : 0);
-    seam.is_near.push_back(near != near_.end() && near->second <= NEAR ? 1 : 0);
+    seam.is_near.push_back(nearness.in_reaches <= NEAR ? 1 : 0);
+    seam.room.push_back(static_cast<float>(nearness.room));
   }
-  for (const WideTriangle& triangle : triangles_) {
+  for (const WideTriangle& triangle : around.triangles) {
     seam.given.emplace_back();
     for (std::size_t i = 0; i < 3; ++i)
       seam.given.back()[i] = static_cast<pcl::index_t>(
-          std::lower_bound(wide_.begin(), wide_.end(), triangle[i]) - wide_.begin());
+          std::lower_bound(wide.begin(), wide.end(), triangle[i]) - wide.begin());
   }
   return seam;
 }

@@ -10,62 +10,75 @@
 
 namespace app {
 
-/** \brief The groups of disputes of one tile with the points and triangles around them,
- * from all tiles that have any. */
+/** \brief The groups of disputes that a tile closes, with the points and triangles
+ * around them, from all tiles that have any. */
 class SeamGathering {
 public:
   SeamGathering(const TilePlan& plan, std::size_t tile);
 
-  bool
-  empty() const
+  /** \brief Groups of the tile. */
+  std::size_t
+  size() const
   {
-    return disputes_.empty();
+    return surroundings_.size();
   }
 
-  /** \brief Tiles whose meshes gather() reads. */
+  /** \brief Tiles whose meshes read() reads. */
   const std::set<std::size_t>&
   parts() const
   {
     return parts_;
   }
 
-  /** \brief Points within four reaches of a dispute, the triangles of these that the
-   * tiles agree about, and the other corners of those. Open are the disputes, and
-   * within one reach the points without triangles. Positions are relative to the tile's
-   * corner.
+  /** \brief Read what is near the disputes. */
+  void
+  read();
+
+  /** \brief Points within four reaches of a dispute of a group, the triangles of these
+   * that the tiles agree about, and the other corners of those. Open are the disputes,
+   * and within one reach the points without triangles. Positions are relative to the
+   * tile's corner.
+   * \param[out] wide the points of the seam in the whole, ascending
    */
   pcl::ccaa::Seam
-  gather();
-
-  /** \brief The corners of a triangle of the seam in the whole. */
-  pcl::ccaa::WideTriangle
-  toWide(const pcl::ccaa::Triangle& triangle) const
-  {
-    return {wide_[std::size_t(triangle[0])],
-            wide_[std::size_t(triangle[1])],
-            wide_[std::size_t(triangle[2])]};
-  }
+  gather(std::size_t group, std::vector<pcl::ccaa::WideIndex>& wide) const;
 
 private:
   using GridPlace = std::array<std::int64_t, 3>;
 
+  struct Nearness {
+    double in_reaches = 0.0; /**< distance from the nearest dispute, in reaches of it */
+    double room = 0.0;       /**< how far it is to the end of a dispute's room */
+  };
+
+  struct Known {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    std::vector<std::size_t> groups; /**< that it is near */
+  };
+
+  struct Surroundings {
+    std::map<pcl::ccaa::WideIndex, Nearness> near;
+    std::vector<pcl::ccaa::WideTriangle> triangles;
+  };
+
   GridPlace
   gridPlace(const Eigen::Vector3d& position, std::size_t neighbor) const;
-  double
+  std::map<std::size_t, Nearness>
   nearness(const Eigen::Vector3d& position) const;
   void
-  readParts();
+  addPoint(const pcl::ccaa::BorderPoint& point);
+  void
+  addTriangle(const pcl::ccaa::WideTriangle& triangle);
 
   const TilePlan& plan_;
   std::size_t tile_;
-  std::vector<PlacedDispute> disputes_; /**< ascending */
+  std::vector<PlacedDispute> disputes_; /**< group by group */
+  std::vector<std::size_t> group_of_;   /**< of each of them */
   std::set<std::size_t> parts_;         /**< tiles that may have something near them */
   double edge_ = 0.0;                   /**< of the grid's cells */
   std::map<GridPlace, std::vector<std::size_t>> grid_; /**< disputes by cell */
-  std::map<pcl::ccaa::WideIndex, Eigen::Vector3d> known_;
-  std::map<pcl::ccaa::WideIndex, double> near_; /**< with their nearness */
-  std::vector<pcl::ccaa::WideTriangle> triangles_;
-  std::vector<pcl::ccaa::WideIndex> wide_; /**< the points of the seam, ascending */
+  std::map<pcl::ccaa::WideIndex, Known> known_;
+  std::vector<Surroundings> surroundings_; /**< by group */
 };
 
 } // namespace app

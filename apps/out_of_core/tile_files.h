@@ -41,7 +41,8 @@ readMesh(const TilePlan& plan, std::size_t tile, bool with_inner);
 struct PlacedDispute {
   pcl::ccaa::WideIndex index = 0;
   std::array<double, 3> position{};
-  double reach = 0.0; /**< of what may be closed around it */
+  double reach = 0.0; /**< what of the mesh around it may be made anew */
+  double room = 0.0;  /**< within which what closes it has to lie */
 };
 
 /** \brief What tiles agree about, of the triangles that are the tile's. */
@@ -77,7 +78,7 @@ readDisputes(const TilePlan& plan);
 struct ClosedTile {
   std::vector<pcl::ccaa::WideTriangle> removed; /**< corners in order */
   std::vector<pcl::ccaa::WideTriangle> added;
-  std::uint64_t failed = 0; /**< 1: nothing could be added */
+  std::uint64_t failed = 0; /**< groups to which nothing could be added */
 };
 
 void

@@ -43,9 +43,10 @@ addRepair(const TilePlan& plan, nlohmann::json& facts)
     shortfalls["OUT_OF_ITS_REGION"] = made.astray;
   if (holes.beyond > 0)
     shortfalls["BEYOND_A_TILE"] = holes.beyond;
+  const std::uint64_t left_out = made.dropped + made.astray + made.against;
   facts["repair"] = {{"boundaries", holes.loops.size() + holes.borders + holes.beyond},
                      {"outer_borders_beyond_a_tile", holes.borders},
-                     {"closed", made.closed - made.dropped},
+                     {"closed", made.closed - std::min(made.closed, left_out)},
                      {"new_triangles", numbers.sum.triangles},
                      {"new_vertices", numbers.sum.vertices},
                      {"shortfalls", shortfalls},
@@ -90,7 +91,7 @@ describeTiles(const TilePlan& plan)
                            {{"disputed_points", disputes.disputes.size()},
                             {"places", disputes.groups.size()},
                             {"triangles", added},
-                            {"tiles_not_closed", failed}}},
+                            {"places_not_closed", failed}}},
                           {"outer_side", describe(sides.tally)},
                           {"shards", shards}};
   if (plan.repairs())

@@ -25,8 +25,10 @@ using pcl::ccaa::Tile;
 using pcl::ccaa::WideIndex;
 using pcl::ccaa::WideTriangle;
 
-/** What may be closed around a dispute, as a share of the halo: two spacings. */
+/** What may be made anew around a dispute, as a share of the halo: two spacings. */
 constexpr double REACH = 0.1;
+/** Least and most room for what closes it, in reaches: up to where all is known. */
+constexpr double LEAST_ROOM = 2.0, MOST_ROOM = 4.0;
 
 /** The chain on one tile. */
 ReconstructResult
@@ -60,7 +62,7 @@ public:
     const std::vector<std::size_t> neighbors = plan.tiling.neighborsOf(tile);
     for (std::size_t i = 0; i < wide.size(); ++i) {
       const Position position = positions[i];
-      is_border_.push_back(plan.tiling.isNearOthers(position, neighbors));
+      is_border_.push_back(plan.tiling.isNearOthers(position, tile, neighbors));
       is_seen_.push_back(own_.sees(position));
       if (is_border_.back())
         mesh.border.points.push_back({wide[i], position});
@@ -94,6 +96,49 @@ private:
   const std::vector<WideIndex>& wide_;
   std::vector<bool> is_border_, is_seen_;
 };
+
+/** \param[in] points of the border \param[in,out] disputes get the corners of a refused
+ * triangle; a closing takes room as the triangle did. */
+void
+addDisputes(const TilePlan& plan,
+            const WideTriangle& triangle,
+            const pcl::ccaa::BorderPoints& points,
+            std::vector<PlacedDispute>& disputes)
+{
+  std::vector<PlacedDispute> corners;
+  std::vector<pcl::ccaa::Position> positions;
+  for (const WideIndex index : triangle)
+    if (const auto place = findPoint(points, index); place != points.end()) {
+      PlacedDispute dispute;
+      dispute.index = index;
+      Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = place->position;
+      dispute.reach = REACH * plan.tiling.tiles[plan.tiling.ownerOf(index)].halo;
+      dispute.room = MOST_ROOM * dispute.reach;
+      corners.push_back(dispute);
+      positions.push_back(place->position);
+    }
+  if (corners.size() == 3) {
+    const double room = 2.0 * pcl::ccaa::longestEdge(positions);
+    for (PlacedDispute& dispute : corners)
+      dispute.room =
+          std::clamp(room, LEAST_ROOM * dispute.reach, MOST_ROOM * dispute.reach);
+  }
+  disputes.insert(disputes.end(), corners.begin(), corners.end());
+}
+
+/** Each once, ascending, with the most room. */
+void
+keepWidest(std::vector<PlacedDispute>& disputes)
+{
+  std::sort(disputes.begin(), disputes.end(), [](const auto& a, const auto& b) {
+    return std::make_pair(a.index, -a.room) < std::make_pair(b.index, -b.room);
+  });
+  disputes.erase(
+      std::unique(disputes.begin(),
+                  disputes.end(),
+                  [](const auto& a, const auto& b) { return a.index == b.index; }),
+      disputes.end());
+}
 
 } // namespace
 
@@ -134,14 +179,9 @@ joinTile(const TilePlan& plan, std::size_t tile)
   pcl::ccaa::Agreed agreed = agree(plan.tiling, tile, own.border, others);
   JoinedTile joined;
   joined.triangles = std::move(agreed.triangles);
-  for (const WideIndex index : agreed.disputes)
-    if (const auto place = findPoint(points, index); place != points.end()) {
-      PlacedDispute dispute;
-      dispute.index = index;
-      Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = place->position;
-      dispute.reach = REACH * plan.tiling.tiles[plan.tiling.ownerOf(index)].halo;
-      joined.disputes.push_back(dispute);
-    }
+  for (const WideTriangle& triangle : agreed.refused)
+    addDisputes(plan, triangle, points, joined.disputes);
+  keepWidest(joined.disputes);
   writeJoined(plan, tile, joined);
 }
 
@@ -155,16 +195,13 @@ groupAllDisputes(const TilePlan& plan)
     const std::vector<PlacedDispute> more = readJoined(plan, tile).disputes;
     all.insert(all.end(), more.begin(), more.end());
   }
-  const auto isLower = [](const auto& a, const auto& b) { return a.index < b.index; };
-  const auto isSame = [](const auto& a, const auto& b) { return a.index == b.index; };
-  std::sort(all.begin(), all.end(), isLower);
-  all.erase(std::unique(all.begin(), all.end(), isSame), all.end());
+  keepWidest(all);
   std::vector<pcl::ccaa::Dispute> disputes;
   for (const PlacedDispute& dispute : all)
     disputes.push_back(
         {dispute.index,
          (Eigen::Vector3d(dispute.position.data()) - plan.origin).cast<float>(),
-         static_cast<float>(dispute.reach)});
+         static_cast<float>(dispute.room)});
   const std::vector<std::size_t> group_of = groupDisputes(disputes);
   AllDisputes grouped;
   std::vector<std::vector<PlacedDispute>> by_group;
@@ -190,8 +227,16 @@ closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
     return;
   ClosedTile closed;
   SeamGathering gathering(plan, tile);
-  if (!gathering.empty()) {
-    const pcl::ccaa::Seam seam = gathering.gather();
+  if (gathering.size() > 0)
+    gathering.read();
+  std::vector<WideIndex> wide;
+  const auto toWide = [&wide](const pcl::ccaa::Triangle& triangle) {
+    return WideTriangle{wide[std::size_t(triangle[0])],
+                        wide[std::size_t(triangle[1])],
+                        wide[std::size_t(triangle[2])]};
+  };
+  for (std::size_t group = 0; group < gathering.size(); ++group) {
+    const pcl::ccaa::Seam seam = gathering.gather(group, wide);
     const pcl::ccaa::SeamFilling filling =
         closeSeam(seam,
                   pcl::ccaa::CompletionParameters(),
@@ -199,10 +244,10 @@ closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
                   run.progress);
     for (const pcl::index_t t : filling.removed)
       closed.removed.push_back(
-          cornersInOrder(gathering.toWide(seam.given[static_cast<std::size_t>(t)])));
+          cornersInOrder(toWide(seam.given[static_cast<std::size_t>(t)])));
     for (const pcl::ccaa::Triangle& triangle : filling.added)
-      closed.added.push_back(gathering.toWide(triangle));
-    closed.failed = filling.error.empty() ? 0 : 1;
+      closed.added.push_back(toWide(triangle));
+    closed.failed += filling.error.empty() ? 0 : 1;
   }
   writeClosed(plan, tile, closed);
 }

@@ -120,11 +120,12 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
   if (plan.nowhere > 0)
     outcome.notes.push_back(pluralHas(plan.nowhere, "point") +
                             " no position that is finite, and no triangle");
-  const std::uint64_t failed = facts["seams"]["tiles_not_closed"];
+  const std::uint64_t failed = facts["seams"]["places_not_closed"];
   if (std::uint64_t{facts["triangles"]} == 0)
     outcome.reason = "no triangle could be made that is sure to be right";
   else if (failed > 0)
-    outcome.reason = "the seams of " + plural(failed, "tile") + " could not be closed";
+    outcome.reason =
+        plural(failed, "place") + " where tiles disagreed could not be closed";
   else if (std::uint64_t{facts["torn_edges"]} > 0)
     outcome.reason = "the surface is one-sided and was opened at " +
                      plural(std::uint64_t{facts["torn_edges"]}, "edge");

@@ -36,15 +36,6 @@ seesAny(const Tile& tile, const Positions& corners)
   });
 }
 
-/** Of all three. */
-double
-longestEdge(const Positions& corners)
-{
-  return std::max({(corners[0] - corners[1]).norm(),
-                   (corners[1] - corners[2]).norm(),
-                   (corners[2] - corners[0]).norm()});
-}
-
 std::vector<WideTriangle>
 sortedCorners(const std::vector<WideTriangle>& triangles)
 {
@@ -78,8 +69,8 @@ public:
     for (const auto& other : others_)
       for (const WideTriangle& triangle : other)
         if (!std::binary_search(own.begin(), own.end(), triangle))
-          dispute(triangle);
-    sortUnique(agreed_.disputes);
+          agreed_.refused.push_back(triangle);
+    sortUnique(agreed_.refused);
     return std::move(agreed_);
   }
 
@@ -90,7 +81,7 @@ private:
     if (isAgreed(cornersInOrder(triangle), borderCorners(triangle, own_.points)))
       agreed_.triangles.push_back(triangle);
     else
-      dispute(triangle);
+      agreed_.refused.push_back(cornersInOrder(triangle));
   }
 
   /** A corner that is no border point is far from all others: with one that another
@@ -114,12 +105,6 @@ private:
              return seesAll(owner, corners) &&
                     longestEdge(corners) <= Tile::LONGEST * owner.halo;
            });
-  }
-
-  void
-  dispute(const WideTriangle& triangle)
-  {
-    agreed_.disputes.insert(agreed_.disputes.end(), triangle.begin(), triangle.end());
   }
 
   const Tiling& tiling_;

@@ -10,7 +10,7 @@ namespace pcl::ccaa {
 
 /** \brief What a tile made of the places where it meets others. */
 struct BorderMesh {
-  BorderPoints points; /**< all that it knows within Tile::BORDER of another tile */
+  BorderPoints points;                 /**< all that it knows near other tiles */
   std::vector<WideTriangle> triangles; /**< of which a corner is among them */
 };
 
@@ -18,8 +18,8 @@ struct BorderMesh {
  * the lowest corner. */
 struct Agreed {
   std::vector<WideTriangle> triangles; /**< of the border; the other ones all stay */
-  std::vector<WideIndex> disputes;     /**< corners of those that were refused, once
-                                          each, ascending */
+  std::vector<WideTriangle> refused;   /**< of the border: corners in order, ascending,
+                                          once each */
 };
 
 /** \brief Keep of the triangles of a tile those that every tile has that sees all three

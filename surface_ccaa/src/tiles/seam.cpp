@@ -19,9 +19,6 @@
 namespace pcl::ccaa {
 namespace {
 
-/** Distance between disputes of one group, in reaches: what closes one lies within one
- * and a half reaches of it, and as much again has to be left between two. */
-constexpr float LINK = 4.0F;
 /** Times that a ring of triangles around what could not be closed is taken away. */
 constexpr int RINGS = 2;
 
@@ -85,6 +82,7 @@ private:
     result.is_open = seam_.is_open;
     settle(goes, result);
     complete(result);
+    keepInRoom(result);
     findFlaws(result);
     return result;
   }
@@ -191,6 +189,51 @@ private:
     }
   }
 
+  /** All of a triangle lies as near to a corner as its edges there are long. */
+  bool
+  isInRoom(const Triangle& triangle) const
+  {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t corner) {
+        return static_cast<std::size_t>(triangle[corner % 3]);
+      };
+      const Eigen::Vector3f& corner = seam_.points[at(i)];
+      if (std::max((seam_.points[at(i + 1)] - corner).norm(),
+                   (seam_.points[at(i + 2)] - corner).norm()) <= seam_.room[at(i)])
+        return true;
+    }
+    return false;
+  }
+
+  /** What leaves the room could meet what closes another group. */
+  void
+  keepInRoom(Attempt& result) const
+  {
+    std::vector<pcl::index_t> outside, corners;
+    for (std::size_t t = 0; t < result.added.size(); ++t)
+      if (!isInRoom(result.added[t])) {
+        outside.push_back(static_cast<pcl::index_t>(t));
+        corners.insert(corners.end(), result.added[t].begin(), result.added[t].end());
+      }
+    if (outside.empty())
+      return;
+    TriangleAdjacency adjacency;
+    adjacency.build(result.given, seam_.points.size(), threads_);
+    const PointView points(seam_.points);
+    PartialSurface surface(result.given, adjacency, points, OrientationHints());
+    for (const Triangle& triangle : result.added)
+      surface.add(triangle);
+    const auto first = static_cast<pcl::index_t>(result.given.size());
+    for (const pcl::index_t t : outside)
+      surface.remove(first + t);
+    settleFans(surface, corners, true);
+    Triangles staying;
+    for (std::size_t t = 0; t < result.added.size(); ++t)
+      if (surface.isAlive(first + static_cast<pcl::index_t>(t)))
+        staying.push_back(result.added[t]);
+    result.added = std::move(staying);
+  }
+
   void
   findFlaws(Attempt& result) const
   {
@@ -255,7 +298,7 @@ groupDisputes(const std::vector<Dispute>& disputes)
   Indices near;
   std::vector<float> sqr_distances;
   for (std::size_t i = 0; i < disputes.size(); ++i) {
-    tree.radiusSearch((*places)[i], LINK * disputes[i].reach, near, sqr_distances);
+    tree.radiusSearch((*places)[i], 2.0F * disputes[i].room, near, sqr_distances);
     for (const pcl::index_t other : near)
       sets.join(i, static_cast<std::size_t>(other));
   }

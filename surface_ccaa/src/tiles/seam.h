@@ -19,13 +19,14 @@ namespace pcl::ccaa {
 struct Dispute {
   WideIndex index = 0;
   Eigen::Vector3f position = Eigen::Vector3f::Zero(); /**< relative to any origin */
-  float reach = 0.0F; /**< of what may be closed around it, in units of the cloud */
+  float room =
+      0.0F; /**< within which what closes it has to lie, in units of the cloud */
 };
 
 /** \brief Numbers the groups of disputes that may have to do with each other: those
- * with a chain of disputes between them, each less than four reaches from the next, so
- * that what closes two groups never meets. By the first dispute of each group. Cost: n
- * log n. */
+ * with a chain of disputes between them, each less than twice the larger room from the
+ * next, so that what closes two groups never meets. By the first dispute of each group.
+ * Cost: n log n. */
 std::vector<std::size_t>
 groupDisputes(const std::vector<Dispute>& disputes);
 
@@ -38,6 +39,7 @@ struct Seam {
                                             the disputes and free points near them */
   std::vector<std::uint8_t> is_near;   /**< flags of those within one and a half reaches
                                             of a dispute: others keep their triangles */
+  std::vector<float> room; /**< how far from each of them a new triangle may reach */
 };
 
 /** \brief Whether a corner of a triangle is flagged. */
@@ -62,7 +64,8 @@ struct SeamFilling {
  * Where that leaves open points free or on a boundary, the triangles around these are
  * made anew, too, twice at most, and that stays if fewer such points are left. If still
  * some are left, all is tried again with pieces turned that lie against each other
- * across a gap (turnToFace()).
+ * across a gap (turnToFace()). New triangles that leave the room of all their corners
+ * are left out.
  * \param[in] threads at least 1 */
 SeamFilling
 closeSeam(const Seam& seam,

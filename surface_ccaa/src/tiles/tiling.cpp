@@ -14,6 +14,14 @@ cornersInOrder(const WideTriangle& triangle)
   return sorted;
 }
 
+double
+longestEdge(const std::vector<Position>& corners)
+{
+  return std::max({(corners[0] - corners[1]).norm(),
+                   (corners[1] - corners[2]).norm(),
+                   (corners[2] - corners[0]).norm()});
+}
+
 std::size_t
 Tiling::ownerOf(WideIndex point) const
 {
@@ -38,10 +46,13 @@ Tiling::neighborsOf(std::size_t tile) const
 
 bool
 Tiling::isNearOthers(const Position& position,
+                     std::size_t tile,
                      const std::vector<std::size_t>& neighbors) const
 {
   return std::any_of(neighbors.begin(), neighbors.end(), [&](std::size_t i) {
-    return tiles[i].cell.distance(position) <= Tile::BORDER * tiles[i].halo;
+    const double halo = tiles[i].halo;
+    return tiles[i].cell.distance(position) <=
+           Tile::TRUSTED * halo + Tile::AROUND * std::max(halo, tiles[tile].halo);
   });
 }
 

@@ -22,6 +22,10 @@ using WideTriangle = std::array<WideIndex, 3>;
 WideTriangle
 cornersInOrder(const WideTriangle& triangle);
 
+/** \brief Of a triangle with three corners. */
+double
+longestEdge(const std::vector<Position>& corners);
+
 /** \brief One tile: the points of a cell, and how far around it what is computed of a
  * part of the cloud counts. */
 struct Tile {
@@ -38,9 +42,9 @@ struct Tile {
   /** \brief Share of the halo in which the tile's triangles count: farther out they
    * may follow from the end of what it knows. */
   static constexpr double TRUSTED = 0.4;
-  /** \brief Share of the halo for which border points and triangles are kept: what a
-   * seam may touch has what surrounds it with it. */
-  static constexpr double BORDER = 0.8;
+  /** \brief Share of the halo that is known around what a seam may touch: border points
+   * and triangles are kept that far beyond what another tile sees. */
+  static constexpr double AROUND = 0.4;
   /** \brief Longest edge of a triangle near a cut, as a share of the halo. */
   static constexpr double LONGEST = 0.2;
 
@@ -77,9 +81,11 @@ struct Tiling {
   neighborsOf(std::size_t tile) const;
 
   /** \brief Whether a position lies near a tile other than this one, so that it belongs
-   * to the border. \param[in] neighbors of the tile */
+   * to the border: of the wider halo, where they differ, as a dispute reaches as far as
+   * the halo of its own tile tells. \param[in] neighbors of the tile */
   bool
   isNearOthers(const Position& position,
+               std::size_t tile,
                const std::vector<std::size_t>& neighbors) const;
 };
 

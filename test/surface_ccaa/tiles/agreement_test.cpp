@@ -62,7 +62,7 @@ public:
     std::set<WideIndex> near;
     for (WideIndex i = 0; i < points.size(); ++i)
       if (own.cell.distance(points[i]) <= own.halo &&
-          tiling.isNearOthers(points[i], neighbors)) {
+          tiling.isNearOthers(points[i], tile, neighbors)) {
         border.points.push_back({i, points[i]});
         near.insert(i);
       }
@@ -221,7 +221,7 @@ keptOf(const Patchwork& patchwork, std::size_t tile, Agreed& agreed)
   return kept;
 }
 
-TEST(Agreement, KeepsWhatTheTwinKeepsAndTellsTheCornersOfTheRest)
+TEST(Agreement, KeepsWhatTheTwinKeepsAndTellsTheRest)
 {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Patchwork patchwork(seed, 0.02 * double(seed - 1));
@@ -231,15 +231,15 @@ TEST(Agreement, KeepsWhatTheTwinKeepsAndTellsTheCornersOfTheRest)
       std::set<WideTriangle> kept, expected;
       for (const WideTriangle& triangle : keptOf(patchwork, tile, agreed))
         EXPECT_TRUE(kept.insert(cornersInOrder(triangle)).second);
-      std::set<WideIndex> disputes;
+      std::set<WideTriangle> refused;
       for (const WideTriangle& triangle : twin.candidates(tile))
         if (twin.stays(triangle))
           expected.insert(triangle);
         else
-          disputes.insert(triangle.begin(), triangle.end());
+          refused.insert(cornersInOrder(triangle));
       EXPECT_TRUE(kept == expected) << seed << ", tile " << tile;
-      EXPECT_EQ(std::vector<WideIndex>(disputes.begin(), disputes.end()),
-                agreed.disputes);
+      EXPECT_EQ(std::vector<WideTriangle>(refused.begin(), refused.end()),
+                agreed.refused);
     }
   }
 }
@@ -266,7 +266,7 @@ TEST(Agreement, TilesThatMakeTheSameKeepEverything)
   for (std::size_t tile = 0; tile < patchwork.tiling.tiles.size(); ++tile) {
     Agreed agreed;
     kept += keptOf(patchwork, tile, agreed).size();
-    EXPECT_TRUE(agreed.disputes.empty());
+    EXPECT_TRUE(agreed.refused.empty());
   }
   EXPECT_EQ(kept, 2U * 47 * 47);
 }
@@ -280,7 +280,7 @@ TEST(Agreement, ATileThatIsAloneKeepsAll)
   own.triangles = {{0, 1, 2}, {3, 2, 1}};
   const Agreed agreed = agree(tiling, 0, own, {});
   EXPECT_EQ(agreed.triangles, own.triangles);
-  EXPECT_TRUE(agreed.disputes.empty());
+  EXPECT_TRUE(agreed.refused.empty());
 }
 
 TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
@@ -303,6 +303,33 @@ TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
       EXPECT_EQ(1, std::count(back.begin(), back.end(), tile));
     }
   }
+}
+
+TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
+{
+  std::size_t around = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Patchwork patchwork(seed, 0.0);
+    const Tiling& tiling = patchwork.tiling;
+    for (WideIndex i = 0; i < patchwork.points.size(); i += 7) {
+      const std::size_t tile = tiling.ownerOf(i);
+      const auto neighbors = tiling.neighborsOf(tile);
+      const double halo = tiling.tiles[tile].halo;
+      if (std::none_of(neighbors.begin(), neighbors.end(), [&](std::size_t other) {
+            return tiling.tiles[other].sees(patchwork.points[i]);
+          }))
+        continue;
+      for (WideIndex j = 0; j < patchwork.points.size(); ++j) {
+        if ((patchwork.points[i] - patchwork.points[j]).norm() > Tile::AROUND * halo)
+          continue;
+        ++around;
+        const std::size_t owner = tiling.ownerOf(j);
+        EXPECT_TRUE(
+            tiling.isNearOthers(patchwork.points[j], owner, tiling.neighborsOf(owner)));
+      }
+    }
+  }
+  EXPECT_GT(around, 1000U);
 }
 
 } // namespace

@@ -11,11 +11,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <set>
 #include <vector>
 
 namespace pcl::ccaa::test {
 namespace {
+
+constexpr float ENDLESS = std::numeric_limits<float>::max();
 
 /** The triangles of a shape without those with a corner in some places, whose points
  * are disputes; all is near. */
@@ -27,6 +30,7 @@ withGap(const Shape& shape, const std::function<bool(const Position&)>& is_dispu
     seam.points.push_back(position.cast<float>());
   seam.is_open.assign(seam.points.size(), 0);
   seam.is_near.assign(seam.points.size(), 1);
+  seam.room.assign(seam.points.size(), ENDLESS);
   for (const Triangle& triangle : shape.triangles) {
     if (std::none_of(triangle.begin(), triangle.end(), [&](index_t i) {
           return is_disputed(shape.vertices[std::size_t(i)]);
@@ -100,6 +104,33 @@ TEST(Seam, IsTheSameForAnyNumberOfThreads)
   EXPECT_EQ(one.removed, three.removed);
 }
 
+TEST(Seam, NothingReachesOutOfItsRoom)
+{
+  const auto isInside = [](const Seam& seam, const Triangle& triangle, float room) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto place = [&](std::size_t corner) {
+        return seam.points[std::size_t(triangle[corner % 3])];
+      };
+      if ((place(i + 1) - place(i)).norm() <= room &&
+          (place(i + 2) - place(i)).norm() <= room)
+        return true;
+    }
+    return false;
+  };
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const float room : {ENDLESS, 0.08F, 0.06F, 0.0F}) {
+    Seam seam = withGap(noisyIcosphere(4, 0.003, 1), isInBelt);
+    seam.room.assign(seam.points.size(), room);
+    const SeamFilling filling = close(seam);
+    EXPECT_TRUE(isSubsetOf(seam.given, closed(seam, filling)));
+    for (const Triangle& triangle : filling.added)
+      EXPECT_TRUE(isInside(seam, triangle, room));
+    EXPECT_LT(filling.added.size(), least);
+    least = filling.added.size();
+  }
+  EXPECT_EQ(least, 0U);
+}
+
 TEST(Seam, NothingGrowsFromTheRimOfWhatIsKnown)
 {
   const Shape ground = terrain(40, 40, 1.0);
@@ -127,6 +158,7 @@ TEST(Seam, FansInSeveralPiecesKeepTheLargest)
     seam.points.push_back(position.cast<float>());
   seam.is_open.assign(seam.points.size(), 0);
   seam.is_near.assign(seam.points.size(), 1);
+  seam.room.assign(seam.points.size(), ENDLESS);
   int number = 0;
   for (const Triangle& triangle : sphere.triangles) {
     if (std::count(triangle.begin(), triangle.end(), apex) > 0 && ++number % 2 == 0)
@@ -190,6 +222,7 @@ TEST(Seam, AFewPointsAreNoSeam)
       seam.points[i][Eigen::Index(i) % 3] = 1.0F;
     seam.is_open.assign(count, 1);
     seam.is_near.assign(count, 1);
+    seam.room.assign(count, ENDLESS);
     EXPECT_TRUE(close(seam).removed.empty());
   }
 }
@@ -204,7 +237,7 @@ randomDisputes(std::uint64_t seed, std::size_t count, double spread)
     disputes[i].index = 3 * i;
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       disputes[i].position[axis] = float(random.uniform(0.0, spread));
-    disputes[i].reach = float(random.uniform(0.1, 0.4));
+    disputes[i].room = float(random.uniform(0.2, 0.8));
   }
   return disputes;
 }
@@ -217,7 +250,7 @@ TEST(DisputeGroups, AreThoseWithChainsOfShortSteps)
     for (std::size_t i = 0; i < disputes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if ((disputes[i].position - disputes[j].position).norm() <
-            4.0F * std::max(disputes[i].reach, disputes[j].reach))
+            2.0F * std::max(disputes[i].room, disputes[j].room))
           sets.join(i, j);
     const auto groups = groupDisputes(disputes);
     std::vector<std::size_t> expected;
