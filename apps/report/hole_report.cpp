@@ -66,7 +66,8 @@ describeJunctions(const RepairReport& report)
     list.push_back({{"pass", junction.pass},
                     {"points", junction.points},
                     {"islands", junction.islands},
-                    {"lines", junction.lines}});
+                    {"lines", junction.lines},
+                    {"between_mouths", junction.between_mouths}});
     addJunction(junction.verdict, junction.confidence, junction.evidence, list.back());
   }
   return list;

@@ -2,13 +2,13 @@
 // Part of PclSurfaceRepair: the base algorithm on index triangles (thesis 3.1, 3.5).
 #include "advancing_front/surface_completion.h"
 
-#include "advancing_front/contacts.h"
 #include "advancing_front/fan_settlement.h"
 #include "advancing_front/local_regrowth.h"
 #include "advancing_front/new_islands.h"
 #include "advancing_front/spacing.h"
 #include "advancing_front/tunnels.h"
 #include "mesh/block_loop.h"
+#include "mesh/contacts.h"
 #include "mesh/orientation.h"
 
 #include <optional>
@@ -230,7 +230,8 @@ Completion::orient()
       result_.triangles, adjacency_, sides.components.size(), {context_.threads});
   if (result_.topology.pieces > 1)
     report_.touching_pieces =
-        touchingPieces(result_.triangles, adjacency_, mesh_.points, {context_.threads});
+        pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads})
+            .size();
 }
 
 } // namespace

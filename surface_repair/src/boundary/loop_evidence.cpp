@@ -28,6 +28,8 @@ constexpr double STUMP_INTEGRAL = 0.6;
 constexpr double STUMP_TURNING = 0.7;
 /** Both, of the mouth of a tube. */
 constexpr double MOUTH = 0.35;
+/** A jagged mouth turns more than a smooth one. */
+constexpr double MOUTH_TURNING = 0.5;
 /** The course of a mouth says less than this for a hole or a rim. */
 constexpr double MOUTH_COURSE = 0.75;
 
@@ -233,7 +235,7 @@ bool
 isMouth(const LoopEvidence& evidence)
 {
   return std::abs(evidence.integral.relative()) < MOUTH &&
-         std::abs(evidence.turning) < MOUTH;
+         std::abs(evidence.turning) < MOUTH_TURNING;
 }
 
 AreaBounds

@@ -3,6 +3,7 @@
 
 #include "repair/crumb_laying.h"
 
+#include "boundary/classification.h"
 #include "boundary/extraction.h"
 #include "repair/crumb_shadow.h"
 #include "repair/opening.h"
@@ -28,9 +29,12 @@ constexpr std::array<double, 2> REACHES = {1.0, 6.0};
 /** The same of crumbs that are no fins: single triangles lie far above wide patches.
  * Then so many more rings are opened as it is edges away. */
 constexpr double FARTHEST = 24.0;
-/** Depth of the surface that is missing in a hole, at most, in lengths of its boundary.
- */
-constexpr double DEEPEST = 0.3;
+/** Depth of the surface that is missing in a hole, at most, in lengths of its boundary:
+ * at all, and in a body of what is no wider than the hole. Tips of fingers lie up to
+ * 0.42 beyond their stumps. */
+constexpr double DEEPEST = 0.3, DEEPEST_OF_TIPS = 0.6;
+/** Cosine to the normal of a patch from which a crumb lies in front of it. */
+constexpr double AHEAD = 0.5;
 /** Edges of an opening that is closed around a crumb. */
 constexpr std::size_t LONGEST_BORDER = 128;
 /** Operations for a triangle around a crumb each time that some are opened. */
@@ -60,6 +64,8 @@ private:
   lookAround(const ccaa::Box& crumb);
   bool
   tryWithin(double reach);
+  double
+  deepest(const CrumbShadow& shadow, double extent, double length) const;
   bool
   touchesInput() const;
   bool
@@ -138,6 +144,15 @@ CrumbLaying::lookAround(const ccaa::Box& crumb)
   near_ = surface_.near(around_, &control_);
 }
 
+/** \param[in] length of the boundary of the hole */
+double
+CrumbLaying::deepest(const CrumbShadow& shadow, double extent, double length) const
+{
+  const bool is_tip = M_PI * extent < length && shadow.ahead > AHEAD &&
+                      isSeenFromAllSides(course_.survey.facing);
+  return length * (is_tip ? DEEPEST_OF_TIPS : DEEPEST);
+}
+
 /** \param[in] reach in extents of the crumb */
 bool
 CrumbLaying::tryWithin(double reach)
@@ -145,14 +160,15 @@ CrumbLaying::tryWithin(double reach)
   ccaa::Box box;
   for (const std::size_t t : crumb_)
     box.extend(boxAt(t));
-  reach_ = reach * box.diagonal().norm();
+  const double extent = box.diagonal().norm();
+  reach_ = reach * extent;
   if (!surface_.hasPatchIn(ccaa::widened(box, reach_), &control_))
     return false;
   lookAround(box);
   part_ = {};
   for (const CrumbShadow& shadow : shadowsOf(crumb_, near_, reach_, surface_)) {
     const std::size_t hole = surface_.hole[near_[shadow.nearest]];
-    if (shadow.distance > DEEPEST * course_.report.holes[hole].length)
+    if (shadow.distance > deepest(shadow, extent, course_.report.holes[hole].length))
       continue;
     if (shadow.turned)
       turnCrumb();

@@ -47,6 +47,7 @@ castShadow(const std::vector<ccaa::Corners>& crumb,
            CrumbShadow& shadow)
 {
   TrianglePlace closest;
+  Position farther = Position::Zero(); // of the crumb
   for (const ccaa::Corners& own : crumb) {
     const Eigen::Vector3d normal = (shadow.turned ? -1.0 : 1.0) * ccaa::areaNormal(own);
     Positions samples(own.begin(), own.end());
@@ -63,10 +64,16 @@ castShadow(const std::vector<ccaa::Corners>& crumb,
         continue;
       shadow.distance = place.distance;
       closest = place;
+      farther = sample;
     }
   }
   shadow.nearest = patches.places[closest.triangle];
   const ccaa::Corners& corner = patches.search[closest.triangle];
+  const Position foot = closest.barycentric[0] * corner[0] +
+                        closest.barycentric[1] * corner[1] +
+                        closest.barycentric[2] * corner[2];
+  shadow.ahead = std::abs(
+      ccaa::areaNormal(corner).normalized().dot((farther - foot).normalized()));
   const double edge = std::max((corner[1] - corner[0]).norm(), 1e-9 * reach);
   shadow.slopes =
       static_cast<int>(std::clamp(shadow.distance / edge, 1.0, MOST_SLOPES));

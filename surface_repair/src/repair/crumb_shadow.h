@@ -18,7 +18,8 @@ struct CrumbShadow {
   std::vector<bool> triangles; /**< of those near the crumb */
   std::size_t nearest = 0;     /**< of them */
   double distance = std::numeric_limits<double>::infinity(); /**< of that one */
-  int slopes = 1; /**< edges of the nearest between it and the crumb, 16 at most */
+  double ahead = 0.0; /**< cosine between the way there and its normal, unsigned */
+  int slopes = 1;     /**< edges of the nearest between it and the crumb, 16 at most */
 };
 
 /** \brief The shadows of both sides of a crumb, as far as there are any, in the order

@@ -5,6 +5,7 @@
 
 #include "boundary/classification.h"
 #include "field/float_tree.h"
+#include "mesh/contacts.h"
 #include "mesh/corners.h"
 #include "repair/junction_doubts.h"
 
@@ -30,6 +31,9 @@ constexpr double FLAT = 0.999;
 constexpr std::size_t FEWEST_SAMPLES = 4;
 /** Part of the limit that holds for a surface with handles: it may have lost more. */
 constexpr double LIMIT_WITH_HANDLES = 0.25;
+/** Distance of a crumb from the rim of the patch that took it in, in the rim's length:
+ * within a disc there is none above 1 / 2 pi. */
+constexpr double FAR_CRUMB = 0.3;
 /** Confidence of a junction up to which it supports nothing, and from which all. */
 constexpr double UNSURE = 0.5;
 constexpr double SURE = 0.75;
@@ -43,6 +47,8 @@ struct NewPart {
   double rim = 0.0;                              /**< its length */
   pcl::index_t point = pcl::UNAVAILABLE;         /**< the lowest on its rim */
   double unsupported = 0.0;                      /**< area */
+  double crumb_gap = 0.0;                        /**< from the rim, most of all */
+  pcl::index_t crumb = pcl::UNAVAILABLE;         /**< a point of that one */
   bool is_disc = false;
 };
 
@@ -64,11 +70,12 @@ public:
            std::size_t crumb_triangles)
   : model_(repaired.model)
   , report_(report)
+  , input_triangles_(repaired.input_triangles)
   , doubt_of_junctions_(doubtOfJunctions(report.junctions))
   , is_new_(model_.triangles.size(), true)
   {
-    std::fill_n(is_new_.begin(), repaired.input_triangles, false);
-    addCrumbs(repaired.input_triangles, crumb_triangles);
+    std::fill_n(is_new_.begin(), input_triangles_, false);
+    addCrumbs(crumb_triangles);
   }
 
   /** By lowest triangle. */
@@ -91,10 +98,10 @@ public:
 private:
   /** Crumbs within a patch are part of it: they do not make it an annulus. */
   void
-  addCrumbs(std::size_t input_triangles, std::size_t crumb_triangles)
+  addCrumbs(std::size_t crumb_triangles)
   {
     std::vector<bool> is_seen(is_new_.size(), false);
-    for (std::size_t t = input_triangles; t < is_new_.size(); ++t)
+    for (std::size_t t = input_triangles_; t < is_new_.size(); ++t)
       for (int corner = 0; corner < 3; ++corner) {
         const pcl::index_t across =
             model_.adjacency.across(static_cast<pcl::index_t>(t), corner);
@@ -189,11 +196,42 @@ private:
     // with as many edges as vertices on it, V - E + F is V - R / 2 - F / 2.
     part.is_disc = 2 * vertices.size() == triangles.size() + rim.size() + 2;
     part.point = lowestPoint(model_, {rim.begin(), rim.end()});
+    findFarthestCrumb(triangles, rim, part);
     return part;
+  }
+
+  void
+  findFarthestCrumb(const std::vector<std::size_t>& triangles,
+                    const std::set<pcl::index_t>& rim,
+                    NewPart& part) const
+  {
+    std::set<pcl::index_t> crumbs;
+    for (const std::size_t number : triangles)
+      if (number < input_triangles_)
+        crumbs.insert(model_.triangles[number].begin(), model_.triangles[number].end());
+    if (crumbs.empty() || rim.empty())
+      return;
+    const auto at = [&](pcl::index_t vertex) -> const Position& {
+      return model_.positions[static_cast<std::size_t>(vertex)];
+    };
+    Positions places;
+    for (const pcl::index_t vertex : rim)
+      places.push_back(at(vertex));
+    const FloatTree tree(places);
+    for (const pcl::index_t vertex : crumbs) {
+      const auto nearest =
+          static_cast<std::size_t>(tree.nearest(at(vertex), 1).front());
+      const double gap = (places[nearest] - at(vertex)).norm();
+      if (gap <= part.crumb_gap)
+        continue;
+      part.crumb_gap = gap;
+      part.crumb = model_.point_of_vertex[static_cast<std::size_t>(vertex)];
+    }
   }
 
   const IncompleteModel& model_;
   const RepairReport& report_;
+  std::size_t input_triangles_;
   double doubt_of_junctions_;
   std::vector<bool> is_new_; /**< of each triangle: it is, or a crumb */
 };
@@ -250,6 +288,40 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
   return tunnels;
 }
 
+/** Closed pieces that touch each other, one of them partly new: by their points. */
+std::vector<RepairDoubt>
+piecesThatTouch(const RepairedModel& repaired, const std::set<PointPair>& apart)
+{
+  const IncompleteModel& model = repaired.model;
+  std::vector<bool> has_new(model.islands.size(), false);
+  std::vector<bool> is_open(model.islands.size(), false);
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const std::size_t island = model.island_of[t];
+    has_new[island] = has_new[island] || t >= repaired.input_triangles;
+    for (int corner = 0; corner < 3; ++corner)
+      if (model.adjacency.across(static_cast<pcl::index_t>(t), corner) < 0)
+        is_open[island] = true;
+  }
+  std::vector<RepairDoubt> touching;
+  for (const ccaa::Contact& contact :
+       ccaa::pieceContacts(model.triangles, model.adjacency, model.positions, {})) {
+    PointPair points{};
+    bool is_new = false, is_closed = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto vertex = static_cast<std::size_t>(contact[i]);
+      points[i] = model.point_of_vertex[vertex];
+      const auto triangle =
+          static_cast<std::size_t>(*model.adjacency.begin(contact[i]));
+      is_new = is_new || has_new[model.island_of[triangle]];
+      is_closed = is_closed && !is_open[model.island_of[triangle]];
+    }
+    std::sort(points.begin(), points.end());
+    if (is_new && is_closed && apart.count(points) == 0)
+      touching.push_back({DoubtReason::UNJOINED, points, 0.0});
+  }
+  return touching;
+}
+
 } // namespace
 
 std::vector<RepairDoubt>
@@ -258,20 +330,31 @@ doubtsAbout(const RepairedModel& repaired,
             const RepairParameters& parameters)
 {
   std::vector<NewPart> caps;
+  std::vector<RepairDoubt> far_crumbs;
   double unsupported = 0.0;
   for (const NewPart& part :
        NewParts(repaired, report, parameters.crumb_triangles).list()) {
     unsupported += part.unsupported;
+    if (part.crumb_gap > FAR_CRUMB * part.rim)
+      far_crumbs.push_back(
+          {DoubtReason::LONG_GAP,
+           {std::min(part.point, part.crumb), std::max(part.point, part.crumb)},
+           M_PI * part.crumb_gap / part.rim});
     if (part.is_disc && part.area > 0.0)
       caps.push_back(part);
   }
-  std::vector<RepairDoubt> doubts =
-      tunnelsOf(caps, decidedLoops(parameters.survey.decisions.get(), false));
+  const std::set<PointPair> apart =
+      decidedLoops(parameters.survey.decisions.get(), false);
+  std::vector<RepairDoubt> doubts = tunnelsOf(caps, apart);
   const std::vector<RepairDoubt> weak = weakJunctions(report, parameters.survey);
   doubts.insert(doubts.end(), weak.begin(), weak.end());
+  doubts.insert(doubts.end(), far_crumbs.begin(), far_crumbs.end());
   const std::vector<RepairDoubt> parted =
       partedJunctions(repaired.model, report, parameters.survey);
   doubts.insert(doubts.end(), parted.begin(), parted.end());
+  for (const auto& unjoined :
+       {unjoinedMouths(report, parameters.survey), piecesThatTouch(repaired, apart)})
+    doubts.insert(doubts.end(), unjoined.begin(), unjoined.end());
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =
       parameters.watertight || parameters.filling.close == CloseChoice::ALL;

@@ -21,10 +21,16 @@ namespace pcl::repair {
  *
  * LONG_GAP: a junction is joined although its log odds are low, since the mouth of a
  * tube has no other partner (joinLoneStumps()), or are at most 0.2 above what joins.
- * None where the user wants the two joined.
+ * None where the user wants the two joined. Or a crumb lies farther from the rim of the
+ * patch that took it in than 0.3 of its length.
  *
  * PARTED: a junction is joined by its evidence, but its two boundaries are in different
  * pieces. None where the user decides about junctions, or limits bridges.
+ *
+ * UNJOINED: the mouths of two tubes lack at most 1 in log odds to be joined, and
+ * neither is joined to another loop; or two closed pieces touch
+ * (ccaa::pieceContacts()), one of them with new triangles. None where the user does not
+ * want the two joined.
  *
  * UNSUPPORTED, of a body (isSeenFromAllSides()) or what is closed now: those of
  * COMPLETION have measured corners, samples support what joins stumps over them, and a
@@ -39,8 +45,8 @@ namespace pcl::repair {
  * Cost: n log n in the new triangles and linear in all.
  * \param[in] repaired with its adjacency
  * \param[in] report of its holes and junctions
- * \return tunnels by their points, ascending, long gaps and parted junctions by
- * theirs, UNSUPPORTED */
+ * \return tunnels by their points, ascending, then long gaps, parted and unjoined
+ * loops by theirs, UNSUPPORTED */
 std::vector<RepairDoubt>
 doubtsAbout(const RepairedModel& repaired,
             const RepairReport& report,

@@ -21,6 +21,9 @@ constexpr double MARGIN = 0.2;
  * joined in generated range maps (10 of 28) is wrong, above it 6 % (23 of 409). */
 constexpr double SEEN_MARGIN = 0.75;
 
+/** Log odds that two mouths may lack to be joined, and may belong together yet. */
+constexpr double LACK = 1.0;
+
 bool
 isWeak(const JunctionEvidence& evidence, const JunctionParameters& parameters)
 {
@@ -62,6 +65,29 @@ weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
   for (const auto& [points, gap] : gaps)
     weak.push_back({DoubtReason::LONG_GAP, points, gap});
   return weak;
+}
+
+std::vector<RepairDoubt>
+unjoinedMouths(const RepairReport& report, const SurveyParameters& parameters)
+{
+  std::set<pcl::index_t> joined;
+  std::map<PointPair, double> gaps;
+  for (const RepairJunction& junction : report.junctions) {
+    const auto [low, high] = std::minmax(junction.points[0], junction.points[1]);
+    if (junction.verdict == JunctionVerdict::JOINED)
+      joined.insert({low, high});
+    else if (const double lack = oddsThatJoin(junction.evidence, parameters.junction) -
+                                 junction.evidence.logOdds();
+             junction.between_mouths && lack > 0.0 && lack < LACK)
+      gaps[{low, high}] = junction.evidence.gap_share;
+  }
+  const std::set<PointPair> apart = decidedLoops(parameters.decisions.get(), false);
+  std::vector<RepairDoubt> unjoined;
+  for (const auto& [points, gap] : gaps)
+    if (apart.count(points) == 0 && joined.count(points[0]) == 0 &&
+        joined.count(points[1]) == 0)
+      unjoined.push_back({DoubtReason::UNJOINED, points, gap});
+  return unjoined;
 }
 
 std::vector<RepairDoubt>

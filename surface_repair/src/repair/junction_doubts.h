@@ -27,6 +27,11 @@ decidedLoops(const Decisions* decisions, bool join);
 std::vector<RepairDoubt>
 weakJunctions(const RepairReport& report, const SurveyParameters& parameters);
 
+/** \brief Junctions of two mouths of tubes, none of which is joined to any other loop,
+ * that lack little to be joined: by their points, ascending. */
+std::vector<RepairDoubt>
+unjoinedMouths(const RepairReport& report, const SurveyParameters& parameters);
+
 /** \brief Junctions that are joined by what they are, but not in the model: by their
  * points, ascending. \param[in] model as it is written */
 std::vector<RepairDoubt>

@@ -3,6 +3,7 @@
 
 #include "repair/repair_log.h"
 
+#include "boundary/loop_evidence.h"
 #include "mesh/surface_topology.h"
 
 #include <algorithm>
@@ -92,6 +93,10 @@ RepairLog::noteJunctions()
     entry.evidence = junction.evidence;
     entry.verdict = junction.verdict;
     entry.confidence = junction.confidence;
+    const auto isTube = [&](std::size_t curve) {
+      return isMouth(survey_.classes[joined.loops[curve]].evidence);
+    };
+    entry.between_mouths = isTube(junction.curves[0]) && isTube(junction.curves[1]);
     report_.junctions.push_back(entry);
   }
 }

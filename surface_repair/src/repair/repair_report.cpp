@@ -58,6 +58,9 @@ describe(DoubtReason reason)
            "decides, or since there is no better partner";
   case DoubtReason::PARTED:
     return "two boundaries that belong together by evidence came out in two pieces";
+  case DoubtReason::UNJOINED:
+    return "two mouths of tubes were not joined to each other on evidence that hardly "
+           "decides";
   case DoubtReason::UNSUPPORTED:
     return "so much of the surface is new that more may be lost than can be told";
   }
@@ -74,6 +77,8 @@ nameOf(DoubtReason reason)
     return "LONG_GAP";
   case DoubtReason::PARTED:
     return "PARTED";
+  case DoubtReason::UNJOINED:
+    return "UNJOINED";
   case DoubtReason::UNSUPPORTED:
     return "UNSUPPORTED";
   }

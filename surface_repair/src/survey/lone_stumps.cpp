@@ -4,6 +4,7 @@
 #include "survey/lone_stumps.h"
 
 #include "boundary/loop_evidence.h"
+#include "boundary/opposed_loops.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,11 +25,57 @@ struct Partners {
   double next_odds = -std::numeric_limits<double>::infinity();
 };
 
+/** For each island how many loops it has. */
+std::vector<std::size_t>
+loopCounts(const ModelSurvey& survey)
+{
+  std::vector<std::size_t> counts(survey.model.islands.size(), 0);
+  for (const BoundaryLoop& loop : survey.loops)
+    ++counts[loop.island];
+  return counts;
+}
+
+/** Whether the islands of both curves are ends of limbs that were cut off side by side,
+ * such as fingertips: joined, they would be a body of their own. */
+bool
+areTipsSideBySide(const Junction& junction,
+                  const std::vector<std::size_t>& loop_counts,
+                  const ModelSurvey& survey)
+{
+  const std::size_t first = survey.joined.loops[junction.curves[0]];
+  const std::size_t second = survey.joined.loops[junction.curves[1]];
+  const auto isTip = [&](std::size_t loop) {
+    return loop_counts[survey.loops[loop].island] == 1 &&
+           isMouth(survey.classes[loop].evidence);
+  };
+  return survey.loops[first].island != survey.loops[second].island && isTip(first) &&
+         isTip(second) &&
+         lookTheSameWay(survey.loops[first].curve, survey.loops[second].curve);
+}
+
+/** \return flags of the junctions that are none */
+std::vector<bool>
+partTips(ModelSurvey& survey)
+{
+  const std::vector<std::size_t> loop_counts = loopCounts(survey);
+  std::vector<bool> are_parted;
+  for (Junction& junction : survey.joined.junctions) {
+    are_parted.push_back(areTipsSideBySide(junction, loop_counts, survey));
+    if (are_parted.back() && junction.verdict == JunctionVerdict::JOINED) {
+      junction.verdict = JunctionVerdict::DOUBTFUL;
+      junction.believed.clear();
+    }
+  }
+  return are_parted;
+}
+
 std::vector<Partners>
-partnersOfCurves(const SurveyedBridges& joined)
+partnersOfCurves(const SurveyedBridges& joined, const std::vector<bool>& are_parted)
 {
   std::vector<Partners> partners(joined.loops.size());
   for (std::size_t j = 0; j < joined.junctions.size(); ++j) {
+    if (are_parted[j])
+      continue;
     const double odds = joined.junctions[j].evidence.logOdds();
     for (const std::size_t curve : joined.junctions[j].curves) {
       Partners& own = partners[curve];
@@ -50,7 +97,7 @@ joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey)
   if (!isSeenFromAllSides(survey.facing))
     return;
   SurveyedBridges& joined = survey.joined;
-  const std::vector<Partners> partners = partnersOfCurves(joined);
+  const std::vector<Partners> partners = partnersOfCurves(joined, partTips(survey));
   for (std::size_t curve = 0; curve < partners.size(); ++curve) {
     const Partners& own = partners[curve];
     if (own.best == NONE || !isMouth(survey.classes[joined.loops[curve]].evidence) ||

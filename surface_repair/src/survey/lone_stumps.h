@@ -7,9 +7,11 @@
 
 namespace pcl::repair {
 
-/** \brief In a body every mouth of a tube goes on somewhere. Where no junction of one
- * is sure, the one that is not far from it and much better than all others is JOINED,
- * too. \param[in,out] survey whose junctions were judged one by one */
+/** \brief In a body every mouth of a tube goes on somewhere. Two islands that are
+ * nothing but the ends of limbs, side by side, do not go on in each other: that
+ * junction is DOUBTFUL. Where no junction of a mouth is sure, the one that is not far
+ * from it and much better than all others is JOINED, too. \param[in,out] survey whose
+ * junctions were judged one by one */
 void
 joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey);
 

@@ -59,6 +59,61 @@ TEST(Doubts, ACrumbWithinACapDoesNotHideATunnel)
   EXPECT_EQ(DoubtReason::TUNNEL, result.report.doubts.front().reason);
 }
 
+TEST(Doubts, ACrumbFarBeyondAHoleIsOne)
+{
+  const auto tipOf = [](double lift) {
+    Shape tip = withoutFreeVertices(
+        lacking(ellipsoid(4, 4.0), [](const Position& p) { return p.z() < 3.9; }));
+    return translated(tip, Position(0.0, 0.0, lift));
+  };
+  const Shape stump =
+      lacking(ellipsoid(4, 4.0), [](const Position& p) { return p.z() > 3.0; });
+  for (const bool is_far : {false, true}) {
+    SCOPED_TRACE(is_far);
+    const Repaired result = repaired(joined(stump, tipOf(is_far ? 1.0 : 0.0)));
+    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+    const auto& doubts = result.report.doubts;
+    EXPECT_EQ(is_far, std::any_of(doubts.begin(), doubts.end(), [](const auto& doubt) {
+                return doubt.reason == DoubtReason::LONG_GAP;
+              }));
+  }
+}
+
+std::size_t
+countUnjoined(const Repaired& result)
+{
+  const auto& doubts = result.report.doubts;
+  return static_cast<std::size_t>(
+      std::count_if(doubts.begin(), doubts.end(), [](const RepairDoubt& doubt) {
+        return doubt.reason == DoubtReason::UNJOINED;
+      }));
+}
+
+/** Their thin neck may be lost. */
+TEST(Doubts, ClosedPiecesThatTouchAreOne)
+{
+  const Shape ball =
+      lacking(icosphere(4), [](const Position& p) { return p.z() > 0.9; });
+  for (const double gap : {0.02, 0.3}) {
+    SCOPED_TRACE(gap);
+    const Repaired result =
+        repaired(joined(ball, translated(ball, Position(2.0 + gap, 0.0, 0.0))));
+    EXPECT_EQ(2U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(gap < 0.1 ? 1U : 0U, countUnjoined(result));
+  }
+}
+
+TEST(Doubts, PiecesThatTouchedBeforeAreNone)
+{
+  const Repaired result = repaired(joined(
+      joined(icosphere(4), translated(icosphere(4), Position(2.02, 0.0, 0.0))),
+      translated(lacking(icosphere(4), [](const Position& p) { return p.z() > 0.9; }),
+                 Position(0.0, 9.0, 0.0))));
+  EXPECT_EQ(3U, topologyOf(result.triangles()).components);
+  EXPECT_EQ(0U, countUnjoined(result));
+}
+
 TEST(Doubts, OppositeHolesOfAThickBodyAreNone)
 {
   const Repaired result = repaired(discWithOppositeHoles(1.0));

@@ -261,6 +261,24 @@ TEST(RightTopology, StumpsThatDoNotFaceEachOtherStayOpenAndAreTold)
   EXPECT_FALSE(result.report.complete());
 }
 
+/** Beside a body with a hole elsewhere. */
+TEST(RightTopology, TipsSideBySideDoNotBecomeABodyOfTheirOwn)
+{
+  const auto tip = [](double x) {
+    return translated(
+        without(ellipsoid(4, 4.0), [](const Position& p) { return p.z() < 0.4; }),
+        Position(x, 0.0, 6.0));
+  };
+  const Shape body =
+      without(ellipsoid(5, 4.0), [](const Position& p) { return p.z() > 2.0; });
+  const Repaired result = repaired(joined(body, joined(tip(-1.2), tip(1.2))));
+  expectNothingLost(result);
+  for (const RepairJunction& junction : result.report.junctions)
+    EXPECT_TRUE(junction.verdict != JunctionVerdict::JOINED ||
+                junction.islands[0] == 0 || junction.islands[1] == 0);
+  EXPECT_FALSE(result.report.complete());
+}
+
 TEST(RightTopology, AHoleBesideAnotherBodyIsCapped)
 {
   const Shape with_hole =

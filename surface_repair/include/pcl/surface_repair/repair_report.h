@@ -56,7 +56,8 @@ struct RepairJunction {
   std::size_t lines = 0;                /**< that lead from one to the other */
   repair::JunctionEvidence evidence;
   repair::JunctionVerdict verdict = repair::JunctionVerdict::JOINED;
-  double confidence = 0.0; /**< 0 to 1 */
+  double confidence = 0.0;     /**< 0 to 1 */
+  bool between_mouths = false; /**< both loops are mouths of tubes */
 };
 
 /** \brief Why a hole was left open. */
@@ -131,6 +132,8 @@ enum class DoubtReason : std::uint8_t {
                   decides, or since there is no better partner for either */
   PARTED,     /**< two boundaries belong together by evidence, but came out in two
                   pieces */
+  UNJOINED,   /**< two mouths of tubes were closed each by itself, and evidence hardly
+                  decides that they do not belong together */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: closed pieces of a surface that touch others.
-#include "advancing_front/contacts.h"
+#include "mesh/contacts.h"
 
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_types.h>
@@ -22,15 +22,15 @@ public:
   : triangles_(triangles), points_(points)
   {}
 
-  std::size_t
+  std::vector<Contact>
   run(const TriangleAdjacency& adjacency, const LoopContext& context)
   {
     pieces_ = labelIslands(adjacency, context);
     if (pieces_.count < 2)
-      return 0;
+      return {};
     measure(adjacency);
     if (std::find(is_closed_.begin(), is_closed_.end(), 1) == is_closed_.end())
-      return 0;
+      return {};
     return search(candidates());
   }
 
@@ -82,12 +82,12 @@ private:
     return found;
   }
 
-  std::size_t
+  std::vector<Contact>
   search(const std::vector<pcl::index_t>& candidates) const
   {
     if (candidates.empty())
-      return 0;
-    std::size_t joins = 0;
+      return {};
+    std::vector<Contact> contacts;
     const Position origin = points_[static_cast<std::size_t>(candidates.front())];
     const auto placeOf = [&](pcl::index_t v) {
       const Eigen::Vector3f place =
@@ -112,11 +112,12 @@ private:
         const pcl::index_t other = candidates[static_cast<std::size_t>(place)];
         const auto other_piece =
             static_cast<std::size_t>(piece_of_[static_cast<std::size_t>(other)]);
-        joins += joined.find(piece) != joined.find(other_piece) ? 1 : 0;
+        if (joined.find(piece) != joined.find(other_piece))
+          contacts.push_back({v, other});
         joined.join(piece, other_piece);
       }
     }
-    return joins;
+    return contacts;
   }
 
   const Triangles& triangles_;
@@ -130,11 +131,11 @@ private:
 
 } // namespace
 
-std::size_t
-touchingPieces(const Triangles& triangles,
-               const TriangleAdjacency& adjacency,
-               const PointView& points,
-               const LoopContext& context)
+std::vector<Contact>
+pieceContacts(const Triangles& triangles,
+              const TriangleAdjacency& adjacency,
+              const PointView& points,
+              const LoopContext& context)
 {
   return ContactSearch(triangles, points).run(adjacency, context);
 }

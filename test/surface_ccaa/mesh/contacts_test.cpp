@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: closed pieces of a surface that touch others.
 #include <gtest/gtest.h>
 
-#include "advancing_front/contacts.h"
+#include "mesh/contacts.h"
 #include "support/shapes.h"
 
 namespace pcl::ccaa::test {
@@ -12,11 +12,12 @@ namespace {
 constexpr int SUBDIVISIONS = 3;
 
 std::size_t
-contactsOf(const Shape& shape)
+pieceContacts(const Shape& shape)
 {
   TriangleAdjacency adjacency;
   adjacency.build(shape.triangles, shape.vertices.size());
-  return touchingPieces(shape.triangles, adjacency, PointView(shape.vertices), {});
+  return pieceContacts(shape.triangles, adjacency, PointView(shape.vertices), {})
+      .size();
 }
 
 Shape
@@ -28,34 +29,35 @@ spheresApart(double gap)
 
 TEST(Contacts, PiecesNearerThanTheirPointsLieApartTouch)
 {
-  EXPECT_EQ(1U, contactsOf(spheresApart(0.05)));
+  EXPECT_EQ(1U, pieceContacts(spheresApart(0.05)));
 }
 
 TEST(Contacts, PiecesFartherAwayDoNotThoughTheirBoxesMeet)
 {
-  EXPECT_EQ(0U, contactsOf(spheresApart(0.3)));
-  EXPECT_EQ(0U, contactsOf(nestedSpheres(SUBDIVISIONS)));
+  EXPECT_EQ(0U, pieceContacts(spheresApart(0.3)));
+  EXPECT_EQ(0U, pieceContacts(nestedSpheres(SUBDIVISIONS)));
 }
 
 TEST(Contacts, PiecesInARowAreOneLessEach)
 {
-  EXPECT_EQ(2U,
-            contactsOf(joined(spheresApart(0.05),
-                              translated(icosphere(SUBDIVISIONS), {4.1, 0.0, 0.0}))));
+  EXPECT_EQ(
+      2U,
+      pieceContacts(joined(spheresApart(0.05),
+                           translated(icosphere(SUBDIVISIONS), {4.1, 0.0, 0.0}))));
 }
 
 TEST(Contacts, AClosedPieceTouchesAnOpenOne)
 {
-  EXPECT_EQ(1U, contactsOf(withoutTriangles(spheresApart(0.05), {0})));
+  EXPECT_EQ(1U, pieceContacts(withoutTriangles(spheresApart(0.05), {0})));
 }
 
 TEST(Contacts, OpenPiecesBesideEachOtherAreForTheRepair)
 {
   const std::size_t triangles = icosphere(SUBDIVISIONS).triangles.size();
-  EXPECT_EQ(0U, contactsOf(withoutTriangles(spheresApart(0.05), {0, triangles})));
+  EXPECT_EQ(0U, pieceContacts(withoutTriangles(spheresApart(0.05), {0, triangles})));
 }
 
-TEST(Contacts, OnePieceTouchesNone) { EXPECT_EQ(0U, contactsOf(torus(40, 20))); }
+TEST(Contacts, OnePieceTouchesNone) { EXPECT_EQ(0U, pieceContacts(torus(40, 20))); }
 
 } // namespace
 } // namespace pcl::ccaa::test
