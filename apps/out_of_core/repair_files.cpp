@@ -84,7 +84,7 @@ writeRepaired(const TilePlan& plan, std::size_t tile, const RepairedTile& repair
 }
 
 RepairedTile
-readRepaired(const TilePlan& plan, std::size_t tile)
+readRepaired(const TilePlan& plan, std::size_t tile, bool with_surface)
 {
   StepReader file(plan.file(tile, REPAIR_STEP), plan.key);
   RepairedTile repaired;
@@ -92,6 +92,8 @@ readRepaired(const TilePlan& plan, std::size_t tile)
   repaired.patches = file.getAll<RepairedPatch>();
   repaired.joined = file.getAll<std::array<std::uint64_t, 3>>();
   repaired.exposed = file.getAll<ExposedTriangle>();
+  if (!with_surface)
+    return repaired;
   repaired.records = file.getAll<char>();
   repaired.triangles = file.getAll<WideTriangle>();
   return repaired;

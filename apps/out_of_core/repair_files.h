@@ -96,8 +96,9 @@ struct RepairedTile {
 
 void
 writeRepaired(const TilePlan& plan, std::size_t tile, const RepairedTile& repaired);
+/** \param[in] with_surface else without records and triangles */
 RepairedTile
-readRepaired(const TilePlan& plan, std::size_t tile);
+readRepaired(const TilePlan& plan, std::size_t tile, bool with_surface);
 
 /** \brief The repairs of all tiles in numbers. */
 struct RepairNumbers {

@@ -87,7 +87,7 @@ patchesToDrop(const TilePlan& plan)
   std::vector<Exposed> exposed;
   std::vector<pcl::ccaa::Box> boxes;
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
-    const RepairedTile repaired = readRepaired(plan, tile);
+    const RepairedTile repaired = readRepaired(plan, tile, false);
     for (const ExposedTriangle& triangle : repaired.exposed) {
       const double* p = triangle.positions.data();
       exposed.push_back({{tile, triangle.patch},
@@ -207,7 +207,7 @@ numberRepairs(const TilePlan& plan)
   numbers.facts.dropped = numbers.dropped.size();
   pcl::ccaa::DisjointSets sets(numbers.components);
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
-    const RepairedTile repaired = readRepaired(plan, tile);
+    const RepairedTile repaired = readRepaired(plan, tile, false);
     const auto isDropped = [&](std::uint64_t patch) {
       return std::binary_search(numbers.dropped.begin(),
                                 numbers.dropped.end(),
@@ -240,7 +240,7 @@ RepairedTile
 readStayingPatches(const TilePlan& plan, std::size_t tile)
 {
   const RepairNumbers numbers = readNumbers(plan);
-  const RepairedTile all = readRepaired(plan, tile);
+  const RepairedTile all = readRepaired(plan, tile, true);
   RepairedTile left;
   const std::uint64_t first_new = plan.pointsInTiles();
   auto triangle = all.triangles.begin();

@@ -31,8 +31,6 @@ constexpr double AHEAD = 1.2;
 constexpr double AHEAD_VIEW = 0.8;
 /** Operations to look from a point at another loop. */
 constexpr std::uint64_t LOOKING_WORK = 10;
-/** Cosine from which two loops look the same way. */
-constexpr double SAME_WAY = 0.5;
 
 /** Some points of a loop and where they look. */
 struct LookingLoop {
@@ -195,10 +193,10 @@ opposedLoops(const BoundaryLoops& loops, ccaa::RunControl* control)
 }
 
 bool
-lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second)
+lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second, double cosine)
 {
   const Eigen::Vector3d one = vectorArea(first), other = vectorArea(second);
-  return one.dot(other) > SAME_WAY * one.norm() * other.norm();
+  return one.dot(other) > cosine * one.norm() * other.norm();
 }
 
 } // namespace pcl::repair

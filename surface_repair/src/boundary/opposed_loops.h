@@ -31,8 +31,11 @@ std::size_t
 loopAhead(const BoundaryLoops& loops, std::size_t mouth);
 
 /** \brief Whether what would close two curves alone looks into about one direction:
- * they are no ends of one gap, but those of two limbs side by side, such as fingers. */
+ * they are no ends of one gap, but those of two limbs side by side, such as fingers.
+ * \param[in] cosine between the two, least */
 bool
-lookTheSameWay(const BoundaryCurve& first, const BoundaryCurve& second);
+lookTheSameWay(const BoundaryCurve& first,
+               const BoundaryCurve& second,
+               double cosine = 0.5);
 
 } // namespace pcl::repair

@@ -17,6 +17,8 @@ namespace {
 constexpr double LONE_ODDS = 1.5;
 /** Log odds by which it is better than any other one. */
 constexpr double LEAST_MARGIN = 0.5;
+/** Cosine from which two tips look the same way. */
+constexpr double SIDE_BY_SIDE = 0.5;
 
 /** The junctions of a curve. */
 struct Partners {
@@ -36,21 +38,26 @@ loopCounts(const ModelSurvey& survey)
 }
 
 /** Whether the islands of both curves are ends of limbs that were cut off side by side,
- * such as fingertips: joined, they would be a body of their own. */
+ * such as fingertips: joined, they would be a body of their own. Where the junction is
+ * doubtful anyway, they are if they do not look at each other. */
 bool
 areTipsSideBySide(const Junction& junction,
                   const std::vector<std::size_t>& loop_counts,
                   const ModelSurvey& survey)
 {
+  const bool is_doubtful = junction.verdict != JunctionVerdict::JOINED;
   const std::size_t first = survey.joined.loops[junction.curves[0]];
   const std::size_t second = survey.joined.loops[junction.curves[1]];
   const auto isTip = [&](std::size_t loop) {
     return loop_counts[survey.loops[loop].island] == 1 &&
-           isMouth(survey.classes[loop].evidence);
+           (is_doubtful || isMouth(survey.classes[loop].evidence));
+  };
+  const auto look = [&](double cosine) {
+    return lookTheSameWay(
+        survey.loops[first].curve, survey.loops[second].curve, cosine);
   };
   return survey.loops[first].island != survey.loops[second].island && isTip(first) &&
-         isTip(second) &&
-         lookTheSameWay(survey.loops[first].curve, survey.loops[second].curve);
+         isTip(second) && (is_doubtful ? look(0.0) : look(SIDE_BY_SIDE));
 }
 
 /** \return flags of the junctions that are none */
