@@ -52,6 +52,21 @@ mayHavePartner(const ModelSurvey& survey, std::size_t number)
   return false;
 }
 
+/** Whether a junction joins any loop of an island: a tube that goes on at one end has
+ * no second mouth that is open like the other one. */
+bool
+isJoined(const ModelSurvey& survey, std::size_t island)
+{
+  const std::vector<Junction>& junctions = survey.joined.junctions;
+  return std::any_of(junctions.begin(), junctions.end(), [&](const Junction& junction) {
+    const auto isOfIsland = [&](std::size_t curve) {
+      return survey.loops[survey.joined.loops[curve]].island == island;
+    };
+    return junction.verdict == JunctionVerdict::JOINED &&
+           (isOfIsland(junction.curves[0]) || isOfIsland(junction.curves[1]));
+  });
+}
+
 /** What its class says. */
 OpenReason
 reasonByClass(const ModelSurvey& survey, std::size_t number)
@@ -83,7 +98,9 @@ reasonByClass(const ModelSurvey& survey, std::size_t number)
   const bool is_of_input = survey.wishes.inputLoop(model, loop) != NONE;
   if (!is_of_input && isSeenFromAllSides(survey.facing))
     return model.islands.size() == 1 ? OpenReason::NONE : OpenReason::UNDECIDED;
-  return found.evidence.is_tube_mouth ? OpenReason::TUBE_MOUTH : OpenReason::UNDECIDED;
+  return found.evidence.is_tube_mouth && !isJoined(survey, loop.island)
+             ? OpenReason::TUBE_MOUTH
+             : OpenReason::UNDECIDED;
 }
 
 /** A loop stays as it is because the user wants it so. */

@@ -261,6 +261,19 @@ TEST(RightTopology, StumpsThatDoNotFaceEachOtherStayOpenAndAreTold)
   EXPECT_FALSE(result.report.complete());
 }
 
+/** A limb that lacks its middle and its end. */
+TEST(RightTopology, AnOpenEndOfATubeThatGoesOnIsTold)
+{
+  const Shape limb =
+      withoutFreeVertices(without(ellipsoid(5, 4.0), [](const Position& p) {
+        return std::abs(p.z() - 0.5) < 0.3 || p.z() > 2.4;
+      }));
+  const Repaired result = repaired(limb);
+  expectNothingLost(result);
+  EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+  EXPECT_TRUE(topologyOf(result.triangles()).borders == 0 || !result.report.complete());
+}
+
 /** Beside a body with a hole elsewhere. */
 TEST(RightTopology, TipsSideBySideDoNotBecomeABodyOfTheirOwn)
 {
