@@ -310,8 +310,9 @@ TEST_F(RenderInspection, DrawsTheSamePicturesForAnyNumberOfThreads)
   save(folder_.path("caps.ply"), twoCaps());
   std::vector<std::string> first;
   for (const char* threads : {"1", "2"}) {
-    ASSERT_EQ(
-        0, inspect("caps.ply", {"--threads", threads, "--size", "300x200"}).exit_code);
+    const RunResult result =
+        inspect("caps.ply", {"--threads", threads, "--size", "300x200"});
+    ASSERT_EQ(0, result.exit_code) << result.errors;
     const std::vector<std::string> pictures{readFile(foundFile("lines.png")),
                                             readFile(foundFile("slice.png"))};
     if (first.empty())
