@@ -30,12 +30,15 @@ opposedLoops(const BoundaryLoops& loops, ccaa::RunControl* control = nullptr);
 std::size_t
 loopAhead(const BoundaryLoops& loops, std::size_t mouth);
 
+/** \brief Cosine from which two loops look the same way. */
+constexpr double SAME_WAY = 0.5;
+
 /** \brief Whether what would close two curves alone looks into about one direction:
  * they are no ends of one gap, but those of two limbs side by side, such as fingers.
  * \param[in] cosine between the two, least */
 bool
 lookTheSameWay(const BoundaryCurve& first,
                const BoundaryCurve& second,
-               double cosine = 0.5);
+               double cosine = SAME_WAY);
 
 } // namespace pcl::repair

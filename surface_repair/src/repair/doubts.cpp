@@ -5,7 +5,6 @@
 
 #include "boundary/classification.h"
 #include "field/float_tree.h"
-#include "mesh/contacts.h"
 #include "mesh/corners.h"
 #include "repair/junction_doubts.h"
 
@@ -277,8 +276,7 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
       const NewPart& other = caps[static_cast<std::size_t>(found)];
       const double ratio = tubeOverCaps(cap, other);
       if (ratio <= MOST_OF_CAPS)
-        ratios[{std::min(cap.point, other.point), std::max(cap.point, other.point)}] =
-            ratio;
+        ratios[inOrder(cap.point, other.point)] = ratio;
     }
   }
   std::vector<RepairDoubt> tunnels;
@@ -286,40 +284,6 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
     if (apart.count(points) == 0)
       tunnels.push_back({DoubtReason::TUNNEL, points, ratio});
   return tunnels;
-}
-
-/** Closed pieces that touch each other, one of them partly new: by their points. */
-std::vector<RepairDoubt>
-piecesThatTouch(const RepairedModel& repaired, const std::set<PointPair>& apart)
-{
-  const IncompleteModel& model = repaired.model;
-  std::vector<bool> has_new(model.islands.size(), false);
-  std::vector<bool> is_open(model.islands.size(), false);
-  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    const std::size_t island = model.island_of[t];
-    has_new[island] = has_new[island] || t >= repaired.input_triangles;
-    for (int corner = 0; corner < 3; ++corner)
-      if (model.adjacency.across(static_cast<pcl::index_t>(t), corner) < 0)
-        is_open[island] = true;
-  }
-  std::vector<RepairDoubt> touching;
-  for (const ccaa::Contact& contact :
-       ccaa::pieceContacts(model.triangles, model.adjacency, model.positions, {})) {
-    PointPair points{};
-    bool is_new = false, is_closed = true;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const auto vertex = static_cast<std::size_t>(contact[i]);
-      points[i] = model.point_of_vertex[vertex];
-      const auto triangle =
-          static_cast<std::size_t>(*model.adjacency.begin(contact[i]));
-      is_new = is_new || has_new[model.island_of[triangle]];
-      is_closed = is_closed && !is_open[model.island_of[triangle]];
-    }
-    std::sort(points.begin(), points.end());
-    if (is_new && is_closed && apart.count(points) == 0)
-      touching.push_back({DoubtReason::UNJOINED, points, 0.0});
-  }
-  return touching;
 }
 
 } // namespace
@@ -336,16 +300,14 @@ doubtsAbout(const RepairedModel& repaired,
        NewParts(repaired, report, parameters.crumb_triangles).list()) {
     unsupported += part.unsupported;
     if (part.crumb_gap > FAR_CRUMB * part.rim)
-      far_crumbs.push_back(
-          {DoubtReason::LONG_GAP,
-           {std::min(part.point, part.crumb), std::max(part.point, part.crumb)},
-           M_PI * part.crumb_gap / part.rim});
+      far_crumbs.push_back({DoubtReason::LONG_GAP,
+                            inOrder(part.point, part.crumb),
+                            M_PI * part.crumb_gap / part.rim});
     if (part.is_disc && part.area > 0.0)
       caps.push_back(part);
   }
-  const std::set<PointPair> apart =
-      decidedLoops(parameters.survey.decisions.get(), false);
-  std::vector<RepairDoubt> doubts = tunnelsOf(caps, apart);
+  std::vector<RepairDoubt> doubts =
+      tunnelsOf(caps, decidedLoops(parameters.survey.decisions.get(), false));
   const std::vector<RepairDoubt> weak = weakJunctions(report, parameters.survey);
   doubts.insert(doubts.end(), weak.begin(), weak.end());
   doubts.insert(doubts.end(), far_crumbs.begin(), far_crumbs.end());
@@ -353,7 +315,7 @@ doubtsAbout(const RepairedModel& repaired,
       partedJunctions(repaired.model, report, parameters.survey);
   doubts.insert(doubts.end(), parted.begin(), parted.end());
   for (const auto& unjoined :
-       {unjoinedMouths(report, parameters.survey), piecesThatTouch(repaired, apart)})
+       {unjoinedMouths(report, parameters.survey), touchingPieces(repaired, report)})
     doubts.insert(doubts.end(), unjoined.begin(), unjoined.end());
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =

@@ -28,9 +28,8 @@ namespace pcl::repair {
  * pieces. None where the user decides about junctions, or limits bridges.
  *
  * UNJOINED: the mouths of two tubes lack at most 1 in log odds to be joined, and
- * neither is joined to another loop; or two closed pieces touch
- * (ccaa::pieceContacts()), one of them with new triangles. None where the user does not
- * want the two joined.
+ * neither is joined to another loop, none where the user does not want the two joined;
+ * or two closed pieces touch (ccaa::pieceContacts()), one of them with new triangles.
  *
  * UNSUPPORTED, of a body (isSeenFromAllSides()) or what is closed now: those of
  * COMPLETION have measured corners, samples support what joins stumps over them, and a

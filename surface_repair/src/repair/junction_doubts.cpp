@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: what junctions leave in doubt.
+// Part of PclSurfaceRepair: what junctions, and pieces without one, leave in doubt.
 
 #include "repair/junction_doubts.h"
 
@@ -7,6 +7,7 @@
 
 #include "boundary/boundary_loop.h"
 #include "junction/junction.h"
+#include "mesh/contacts.h"
 
 #include <algorithm>
 #include <map>
@@ -40,12 +41,9 @@ decidedLoops(const Decisions* decisions, bool join)
   if (decisions == nullptr)
     return pairs;
   for (const JunctionDecision& junction : decisions->junctions)
-    if (junction.join == join) {
-      const auto [low, high] =
-          std::minmax(decisions->loops[junction.first_loop].key.point,
-                      decisions->loops[junction.second_loop].key.point);
-      pairs.insert({low, high});
-    }
+    if (junction.join == join)
+      pairs.insert(inOrder(decisions->loops[junction.first_loop].key.point,
+                           decisions->loops[junction.second_loop].key.point));
   return pairs;
 }
 
@@ -55,8 +53,7 @@ weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
   const std::set<PointPair> wanted = decidedLoops(parameters.decisions.get(), true);
   std::map<PointPair, double> gaps;
   for (const RepairJunction& junction : report.junctions) {
-    const PointPair points = {std::min(junction.points[0], junction.points[1]),
-                              std::max(junction.points[0], junction.points[1])};
+    const PointPair points = inOrder(junction.points[0], junction.points[1]);
     if (parameters.junction.judge && junction.verdict == JunctionVerdict::JOINED &&
         isWeak(junction.evidence, parameters.junction) && wanted.count(points) == 0)
       gaps[points] = junction.evidence.gap_share;
@@ -73,13 +70,13 @@ unjoinedMouths(const RepairReport& report, const SurveyParameters& parameters)
   std::set<pcl::index_t> joined;
   std::map<PointPair, double> gaps;
   for (const RepairJunction& junction : report.junctions) {
-    const auto [low, high] = std::minmax(junction.points[0], junction.points[1]);
+    const PointPair points = inOrder(junction.points[0], junction.points[1]);
     if (junction.verdict == JunctionVerdict::JOINED)
-      joined.insert({low, high});
+      joined.insert(points.begin(), points.end());
     else if (const double lack = oddsThatJoin(junction.evidence, parameters.junction) -
                                  junction.evidence.logOdds();
              junction.between_mouths && lack > 0.0 && lack < LACK)
-      gaps[{low, high}] = junction.evidence.gap_share;
+      gaps[points] = junction.evidence.gap_share;
   }
   const std::set<PointPair> apart = decidedLoops(parameters.decisions.get(), false);
   std::vector<RepairDoubt> unjoined;
@@ -102,9 +99,9 @@ partedJunctions(const IncompleteModel& model,
   std::map<pcl::index_t, std::size_t> piece_at; // a point
   for (const RepairJunction& junction : report.junctions)
     if (junction.verdict == JunctionVerdict::JOINED) {
-      const auto [low, high] = std::minmax(junction.points[0], junction.points[1]);
-      gaps[{low, high}] = junction.evidence.gap_share;
-      piece_at[low] = piece_at[high] = NONE;
+      const PointPair points = inOrder(junction.points[0], junction.points[1]);
+      gaps[points] = junction.evidence.gap_share;
+      piece_at[points[0]] = piece_at[points[1]] = NONE;
     }
   for (std::size_t v = 0; v < model.point_of_vertex.size(); ++v) {
     const auto found = piece_at.find(model.point_of_vertex[v]);
@@ -120,6 +117,38 @@ partedJunctions(const IncompleteModel& model,
       parted.push_back({DoubtReason::PARTED, points, gap});
   }
   return parted;
+}
+
+std::vector<RepairDoubt>
+touchingPieces(const RepairedModel& repaired, const RepairReport& report)
+{
+  if (report.after.pieces < 2)
+    return {};
+  const IncompleteModel& model = repaired.model;
+  std::vector<bool> has_new(model.islands.size(), false);
+  std::vector<bool> is_open(model.islands.size(), false);
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const std::size_t island = model.island_of[t];
+    has_new[island] = has_new[island] || t >= repaired.input_triangles;
+    for (int corner = 0; corner < 3; ++corner)
+      if (model.adjacency.across(static_cast<pcl::index_t>(t), corner) < 0)
+        is_open[island] = true;
+  }
+  const auto islandOf = [&](pcl::index_t vertex) {
+    return model.island_of[static_cast<std::size_t>(*model.adjacency.begin(vertex))];
+  };
+  const auto pointOf = [&](pcl::index_t vertex) {
+    return model.point_of_vertex[static_cast<std::size_t>(vertex)];
+  };
+  std::vector<RepairDoubt> touching;
+  for (const auto& [vertex, other] :
+       ccaa::pieceContacts(model.triangles, model.adjacency, model.positions, {})) {
+    const std::size_t one = islandOf(vertex), two = islandOf(other);
+    if ((has_new[one] || has_new[two]) && !is_open[one] && !is_open[two])
+      touching.push_back(
+          {DoubtReason::UNJOINED, inOrder(pointOf(vertex), pointOf(other)), 0.0});
+  }
+  return touching;
 }
 
 } // namespace pcl::repair

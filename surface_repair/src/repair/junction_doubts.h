@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: what junctions leave in doubt.
+// Part of PclSurfaceRepair: what junctions, and pieces without one, leave in doubt.
 
 #pragma once
 
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "icadm/incomplete_model.h"
+#include "repair/repaired_model.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <vector>
@@ -16,6 +17,12 @@ namespace pcl::repair {
 
 /** \brief Lowest points of two loops, ascending. */
 using PointPair = std::array<pcl::index_t, 2>;
+
+inline PointPair
+inOrder(pcl::index_t one, pcl::index_t other)
+{
+  return {std::min(one, other), std::max(one, other)};
+}
 
 /** \brief The loops of which the user says that they are to be joined, or are not.
  * \param[in] decisions or null */
@@ -38,5 +45,10 @@ std::vector<RepairDoubt>
 partedJunctions(const IncompleteModel& model,
                 const RepairReport& report,
                 const SurveyParameters& parameters);
+
+/** \brief Closed pieces that touch each other (ccaa::pieceContacts()), one of them
+ * partly new: by points of both. */
+std::vector<RepairDoubt>
+touchingPieces(const RepairedModel& repaired, const RepairReport& report);
 
 } // namespace pcl::repair

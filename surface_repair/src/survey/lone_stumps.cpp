@@ -17,8 +17,6 @@ namespace {
 constexpr double LONE_ODDS = 1.5;
 /** Log odds by which it is better than any other one. */
 constexpr double LEAST_MARGIN = 0.5;
-/** Cosine from which two tips look the same way. */
-constexpr double SIDE_BY_SIDE = 0.5;
 
 /** The junctions of a curve. */
 struct Partners {
@@ -52,12 +50,11 @@ areTipsSideBySide(const Junction& junction,
     return loop_counts[survey.loops[loop].island] == 1 &&
            (is_doubtful || isMouth(survey.classes[loop].evidence));
   };
-  const auto look = [&](double cosine) {
-    return lookTheSameWay(
-        survey.loops[first].curve, survey.loops[second].curve, cosine);
-  };
   return survey.loops[first].island != survey.loops[second].island && isTip(first) &&
-         isTip(second) && (is_doubtful ? look(0.0) : look(SIDE_BY_SIDE));
+         isTip(second) &&
+         lookTheSameWay(survey.loops[first].curve,
+                        survey.loops[second].curve,
+                        is_doubtful ? 0.0 : SAME_WAY);
 }
 
 /** \return flags of the junctions that are none */

@@ -133,7 +133,8 @@ enum class DoubtReason : std::uint8_t {
   PARTED,     /**< two boundaries belong together by evidence, but came out in two
                   pieces */
   UNJOINED,   /**< two mouths of tubes were closed each by itself, and evidence hardly
-                  decides that they do not belong together */
+                  decides that they do not belong together; or closed pieces touch, one of
+                  them partly new */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
 };
 
