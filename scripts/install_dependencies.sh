@@ -7,7 +7,7 @@
 #   python     that, and what the Python package and pip take
 #   test       that, and what the tests, the format check and the sanitizers need
 #   workflow   that, and Snakemake and Slurm, which the tests of the tile workflow need
-#   benchmark  that of test, and CGAL as a competitor
+#   benchmark  that of test, and CGAL and Open3D as competitors
 #   package    what it takes to build the programs, the site and the Debian packages
 #   --update   installs nothing, renews apt's lists of packages
 
@@ -22,7 +22,7 @@ test_packages=("${python_packages[@]}" python3-pytest python3-tqdm mypy clang-fo
 package_packages=("${python_packages[@]}" doxygen dpkg-dev file lintian)
 # Some 90 packages, and minutes until they are set up.
 workflow_packages=(snakemake slurm-wlm munge)
-benchmark_packages=(libcgal-dev)
+benchmark_packages=(libcgal-dev libopen3d-dev)
 
 as_root=()
 if ((EUID != 0)); then

@@ -60,7 +60,9 @@ LocalRegrowth::run(const std::vector<pcl::index_t>& obstructed, LoopContext loop
     number_in_open_[static_cast<std::size_t>(vertices_[i])] =
         static_cast<pcl::index_t>(i);
   std::vector<Group> waiting = groups(obstructed);
-  has_many_groups_ = waiting.size() > tuning::MANY_GROUPS;
+  has_many_groups_ =
+      waiting.size() >
+      std::min(tuning::MANY_GROUPS, surface_.vertexCount() / tuning::POINTS_OF_MANY);
   while (!waiting.empty()) {
     std::vector<Attempt> attempts(waiting.size());
     const bool finished = forEachBlock(

@@ -244,14 +244,24 @@ completeSurface(PartialMesh mesh,
                 RunControl& control,
                 CompletionReport& report)
 {
-  const auto complete = [&](const std::vector<pcl::index_t>& more_doubts,
+  const auto complete = [&](PartialMesh part,
+                            const std::vector<pcl::index_t>& more_doubts,
+                            std::uint64_t most_work,
                             CompletionReport& counts) {
-    return Completion(mesh, more_doubts, search, parameters, threads, control, counts)
-        .run();
+    RunControl budget(&control, most_work);
+    CompletedMesh completed =
+        Completion(part, more_doubts, search, parameters, threads, budget, counts)
+            .run();
+    counts.cancelled = budget.cancelled();
+    return completed;
   };
-  CompletedMesh result = complete({}, report);
+  const std::uint64_t before = control.work();
+  CompletedMesh result =
+      Completion(mesh, {}, search, parameters, threads, control, report).run();
+  const std::uint64_t work = control.work() - before;
   if (!parameters.keep_given && result.fault == PartialMeshFault::NONE)
-    openTunnels(mesh, complete, {threads, &control, "partial mesh"}, result, report);
+    openTunnels(
+        mesh, complete, work, {threads, &control, "partial mesh"}, result, report);
   report.cancelled = control.cancelled();
   if (report.cancelled)
     return {};

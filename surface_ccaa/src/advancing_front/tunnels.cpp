@@ -35,6 +35,12 @@ thinPlaces(const Triangles& triangles,
   return is_thin;
 }
 
+std::size_t
+countOf(const std::vector<std::uint8_t>& flags)
+{
+  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
+
 std::vector<pcl::index_t>
 trianglesAt(const std::vector<std::uint8_t>& is_chosen, const Triangles& triangles)
 {
@@ -55,42 +61,79 @@ flawsOf(const CompletedMesh& mesh, const CompletionReport& report)
          mesh.topology.boundary_loops + report.free_points;
 }
 
-bool
-anyOf(const std::vector<std::uint8_t>& flags)
+/** The numbers of rings that are tried: few do little for a body that is thin all over.
+ */
+std::vector<int>
+ringsFor(std::size_t thin, std::size_t points)
 {
-  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+  const auto first =
+      tuning::AROUND.begin() +
+      (static_cast<double>(thin) < tuning::THIN_ALL_OVER * static_cast<double>(points)
+           ? 0
+           : 1);
+  return {first, tuning::AROUND.end()};
 }
 
-/** Takes what comes out without the surroundings of thin places, if it is better.
- * \param[in] is_thin flags of vertices, some of them set */
+/** Triangles at flagged vertices, and rings around them. */
+std::vector<pcl::index_t>
+ringsAround(std::vector<std::uint8_t> is_chosen, int rings, const Triangles& triangles)
+{
+  std::vector<pcl::index_t> found = trianglesAt(is_chosen, triangles);
+  for (int ring = 1; ring < rings; ++ring) {
+    for (const pcl::index_t t : found)
+      for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
+        is_chosen[static_cast<std::size_t>(corner)] = 1;
+    found = trianglesAt(is_chosen, triangles);
+  }
+  return found;
+}
+
+/** The completion of a result as that of what the result was completed from.
+ * \param[in] kept of that */
+void
+countFrom(const std::vector<pcl::index_t>& kept,
+          const CompletionReport& before,
+          CompletedMesh& after,
+          CompletionReport& report)
+{
+  std::vector<pcl::index_t> kept_after;
+  for (const pcl::index_t t : after.kept)
+    if (static_cast<std::size_t>(t) < kept.size())
+      kept_after.push_back(kept[static_cast<std::size_t>(t)]);
+  after.kept = std::move(kept_after);
+  report.given_triangles = before.given_triangles;
+  report.open_points = before.open_points;
+  report.kept_triangles = after.kept.size();
+  report.new_triangles = after.triangles.size() - after.kept.size();
+}
+
+/** Takes what comes out without the surroundings of thin places, if it is better. */
 void
 growThinPlacesAnew(const PartialMesh& mesh,
+                   const std::vector<std::uint8_t>& is_thin,
+                   const std::vector<int>& rings_around,
                    const CompletionWithout& complete,
-                   std::vector<std::uint8_t> is_thin,
-                   const LoopContext& context,
+                   std::uint64_t most_work,
                    CompletedMesh& result,
                    CompletionReport& report)
 {
-  std::vector<pcl::index_t> thin = trianglesAt(is_thin, mesh.given);
-  int ring = 1;
-  for (const int rings : tuning::AROUND) {
-    for (; ring < rings; ++ring) {
-      for (const pcl::index_t t : thin)
-        for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])
-          is_thin[static_cast<std::size_t>(corner)] = 1;
-      thin = trianglesAt(is_thin, mesh.given);
-    }
-    if (context.cancelled())
-      return;
+  PartialMesh whole = mesh;
+  whole.given = result.triangles;
+  const std::vector<pcl::index_t> kept = result.kept;
+  const CompletionReport first_report = report;
+  for (const int rings : rings_around) {
     CompletionReport other_report;
-    CompletedMesh other = complete(thin, other_report);
+    CompletedMesh other = complete(
+        whole, ringsAround(is_thin, rings, whole.given), most_work, other_report);
     const std::size_t before = flawsOf(result, report);
     const std::size_t after = flawsOf(other, other_report);
-    if (context.cancelled() || after >= before)
+    if (other_report.cancelled || other.fault != PartialMeshFault::NONE ||
+        after >= before)
       return;
+    countFrom(kept, first_report, other, other_report);
     result = std::move(other);
     report = other_report;
-    if (2 * after > before || result.topology.genus.value_or(0) <= 0)
+    if (2 * after > before || after == 0)
       return;
   }
 }
@@ -100,20 +143,29 @@ growThinPlacesAnew(const PartialMesh& mesh,
 void
 openTunnels(const PartialMesh& mesh,
             const CompletionWithout& complete,
+            std::uint64_t work,
             const LoopContext& context,
             CompletedMesh& result,
             CompletionReport& report)
 {
   if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
     return;
-  const auto is_thin = thinPlaces(mesh.given, mesh.points, context);
-  const bool was_thin = anyOf(is_thin);
-  if (was_thin)
-    growThinPlacesAnew(mesh, complete, is_thin, context, result, report);
-  const long handles = result.topology.genus.value_or(0);
-  if (handles > 0 &&
-      (was_thin || anyOf(thinPlaces(result.triangles, mesh.points, context))))
-    report.doubtful_handles = static_cast<std::size_t>(handles);
+  const auto is_thin = thinPlaces(result.triangles, mesh.points, context);
+  const std::size_t thin = countOf(is_thin);
+  if (thin == 0 && countOf(thinPlaces(mesh.given, mesh.points, context)) == 0)
+    return;
+  const auto most_work =
+      static_cast<std::uint64_t>(tuning::MOST_WORK_ANEW * static_cast<double>(work));
+  if (thin > 0)
+    growThinPlacesAnew(mesh,
+                       is_thin,
+                       ringsFor(thin, is_thin.size()),
+                       complete,
+                       most_work,
+                       result,
+                       report);
+  report.doubtful_handles =
+      static_cast<std::size_t>(std::max(0L, result.topology.genus.value_or(0)));
 }
 
 } // namespace pcl::ccaa
