@@ -53,12 +53,15 @@ trianglesAt(const std::vector<std::uint8_t>& is_chosen, const Triangles& triangl
   return found;
 }
 
-/** What a body is unlikely to have: handles, openings, points beside its surface. */
+/** What a body is unlikely to have: handles, openings, points beside its surface, more
+ * pieces than one. */
 std::size_t
 flawsOf(const CompletedMesh& mesh, const CompletionReport& report)
 {
-  return 2 * static_cast<std::size_t>(mesh.topology.genus.value_or(0)) +
-         mesh.topology.boundary_loops + report.free_points;
+  const SurfaceTopology& topology = mesh.topology;
+  return 2 * static_cast<std::size_t>(topology.genus.value_or(0)) +
+         2 * (std::max<std::size_t>(topology.pieces, 1) - 1) + topology.boundary_loops +
+         report.free_points;
 }
 
 /** The numbers of rings that are tried: few do little for a body that is thin all over.

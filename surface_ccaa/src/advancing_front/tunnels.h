@@ -26,12 +26,13 @@ using CompletionWithout =
  * other (normals more than 107 degrees apart), as at the tip of a blade, grow four
  * rings around these anew, then ten and twenty; bodies thin all over begin with ten.
  *
- * What comes out is taken if it has fewer flaws: handles (counted twice), openings and
- * free points. So true handles stay, and where the sampling does not tell the sides
- * apart nothing changes. Cost: nothing for a result of genus 0; else that of looking
- * for thin places, some 0.3 us a triangle, and where there are any of reading the
- * surface again for each number of rings, some 1 us a triangle, and of what
- * grows around them, at most 1.5 times the work of the completion.
+ * What comes out is taken if it has fewer flaws: handles and more pieces than one (both
+ * counted twice), openings and free points. So true handles stay, and where the
+ * sampling does not tell the sides apart nothing changes. Cost: nothing for a result of
+ * genus 0; else that of looking for thin places, some 0.3 us a triangle, and where
+ * there are any of reading the surface again for each number of rings, some 1 us a
+ * triangle, and of what grows around them, at most 1.5 times the work of the
+ * completion.
  *
  * Handles that are left are in doubt (report.doubtful_handles) if the result, or what
  * was given, has thin places: no sampling tells there whether the two sides are
