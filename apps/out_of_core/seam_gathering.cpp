@@ -31,29 +31,50 @@ SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
       group_of_.resize(disputes_.size(), surroundings_.size());
       surroundings_.emplace_back();
     }
-  for (const PlacedDispute& dispute : disputes_) {
+  for (const PlacedDispute& dispute : disputes_)
     edge_ = std::max(edge_, 2.0 * AROUND * dispute.reach);
-    parts_.insert(plan.tiling.ownerOf(dispute.index));
-  }
-  for (const std::size_t owner : std::set<std::size_t>(parts_))
-    for (const std::size_t part : plan.tiling.neighborsOf(owner))
-      parts_.insert(part);
   for (std::size_t i = 0; i < disputes_.size(); ++i)
-    grid_[gridPlace(Eigen::Vector3d(disputes_[i].position.data()), 13)].push_back(i);
+    addToGrid(i);
+  findParts();
 }
 
-/** \param[in] neighbor 0 to 26; 13 is the cell itself */
-SeamGathering::GridPlace
-SeamGathering::gridPlace(const Eigen::Vector3d& position, std::size_t neighbor) const
+/** Tiles of disputes, and those around these whose own points may be near one. */
+void
+SeamGathering::findParts()
 {
-  const std::array<std::size_t, 3> step{
-      neighbor % 3, neighbor / 3 % 3, neighbor / 9 % 3};
+  std::map<std::size_t, std::vector<const PlacedDispute*>> by_owner;
+  for (const PlacedDispute& dispute : disputes_)
+    by_owner[plan_.tiling.ownerOf(dispute.index)].push_back(&dispute);
+  for (const auto& [owner, disputes] : by_owner) {
+    parts_.insert(owner);
+    for (const std::size_t part : plan_.tiling.neighborsOf(owner))
+      if (std::any_of(disputes.begin(), disputes.end(), [&](const PlacedDispute* d) {
+            return plan_.tiling.tiles[part].cell.distance(
+                       Eigen::Vector3d(d->position.data())) <= 2.0 * AROUND * d->reach;
+          }))
+        parts_.insert(part);
+  }
+}
+
+SeamGathering::GridPlace
+SeamGathering::gridPlace(const Eigen::Vector3d& position) const
+{
   GridPlace place{};
   for (std::size_t axis = 0; axis < 3; ++axis)
     place[axis] = static_cast<std::int64_t>(
-                      std::floor(position[static_cast<Eigen::Index>(axis)] / edge_)) +
-                  static_cast<std::int64_t>(step[axis]) - 1;
+        std::floor(position[static_cast<Eigen::Index>(axis)] / edge_));
   return place;
+}
+
+/** In its cell and all beside it: what is near is in one of these. */
+void
+SeamGathering::addToGrid(std::size_t dispute)
+{
+  const GridPlace own = gridPlace(Eigen::Vector3d(disputes_[dispute].position.data()));
+  for (std::int64_t x = -1; x <= 1; ++x)
+    for (std::int64_t y = -1; y <= 1; ++y)
+      for (std::int64_t z = -1; z <= 1; ++z)
+        grid_[{own[0] + x, own[1] + y, own[2] + z}].push_back(dispute);
 }
 
 /** By group, as far as the distance is below twice AROUND. */
@@ -61,21 +82,19 @@ std::map<std::size_t, SeamGathering::Nearness>
 SeamGathering::nearness(const Eigen::Vector3d& position) const
 {
   std::map<std::size_t, Nearness> by_group;
-  for (std::size_t neighbor = 0; neighbor < 27; ++neighbor) {
-    const auto cell = grid_.find(gridPlace(position, neighbor));
-    if (cell == grid_.end())
+  const auto cell = grid_.find(gridPlace(position));
+  if (cell == grid_.end())
+    return by_group;
+  for (const std::size_t i : cell->second) {
+    const PlacedDispute& dispute = disputes_[i];
+    const double distance =
+        (Eigen::Vector3d(dispute.position.data()) - position).norm();
+    if (distance >= 2.0 * AROUND * dispute.reach)
       continue;
-    for (const std::size_t i : cell->second) {
-      const PlacedDispute& dispute = disputes_[i];
-      const double distance =
-          (Eigen::Vector3d(dispute.position.data()) - position).norm();
-      if (distance >= 2.0 * AROUND * dispute.reach)
-        continue;
-      Nearness& nearness =
-          by_group.emplace(group_of_[i], Nearness{2.0 * AROUND, 0.0}).first->second;
-      nearness.in_reaches = std::min(nearness.in_reaches, distance / dispute.reach);
-      nearness.room = std::max(nearness.room, dispute.room - distance);
-    }
+    Nearness& nearness =
+        by_group.emplace(group_of_[i], Nearness{2.0 * AROUND, 0.0}).first->second;
+    nearness.in_reaches = std::min(nearness.in_reaches, distance / dispute.reach);
+    nearness.room = std::max(nearness.room, dispute.room - distance);
   }
   return by_group;
 }

@@ -62,7 +62,11 @@ private:
   };
 
   GridPlace
-  gridPlace(const Eigen::Vector3d& position, std::size_t neighbor) const;
+  gridPlace(const Eigen::Vector3d& position) const;
+  void
+  addToGrid(std::size_t dispute);
+  void
+  findParts();
   std::map<std::size_t, Nearness>
   nearness(const Eigen::Vector3d& position) const;
   void
@@ -76,7 +80,8 @@ private:
   std::vector<std::size_t> group_of_;   /**< of each of them */
   std::set<std::size_t> parts_;         /**< tiles that may have something near them */
   double edge_ = 0.0;                   /**< of the grid's cells */
-  std::map<GridPlace, std::vector<std::size_t>> grid_; /**< disputes by cell */
+  std::map<GridPlace, std::vector<std::size_t>>
+      grid_; /**< disputes in or beside cells */
   std::map<pcl::ccaa::WideIndex, Known> known_;
   std::vector<Surroundings> surroundings_; /**< by group */
 };

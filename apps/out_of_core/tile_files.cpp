@@ -106,7 +106,9 @@ readMesh(const TilePlan& plan, std::size_t tile, bool with_inner)
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   TileMesh mesh;
   mesh.doubts = file.get<pcl::ccaa::TopologyDoubts>();
-  for (const StoredPoint& point : file.getAll<StoredPoint>())
+  const std::vector<StoredPoint> points = file.getAll<StoredPoint>();
+  mesh.border.points.reserve(points.size());
+  for (const StoredPoint& point : points)
     mesh.border.points.push_back({point.index, Eigen::Vector3d(point.position.data())});
   mesh.border.triangles = file.getAll<WideTriangle>();
   if (with_inner)

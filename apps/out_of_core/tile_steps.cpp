@@ -97,18 +97,21 @@ private:
   std::vector<bool> is_border_, is_seen_;
 };
 
-/** \param[in] points of the border \param[in,out] disputes get the corners of a refused
- * triangle; a closing takes room as the triangle did. */
+/** \param[in] borders of the tile and its neighbors \param[in,out] disputes get the
+ * corners of a refused triangle; a closing takes room as the triangle did. */
 void
 addDisputes(const TilePlan& plan,
             const WideTriangle& triangle,
-            const pcl::ccaa::BorderPoints& points,
+            const std::vector<pcl::ccaa::BorderPoints>& borders,
             std::vector<PlacedDispute>& disputes)
 {
   std::vector<PlacedDispute> corners;
   std::vector<pcl::ccaa::Position> positions;
   for (const WideIndex index : triangle)
-    if (const auto place = findPoint(points, index); place != points.end()) {
+    for (const pcl::ccaa::BorderPoints& points : borders) {
+      const auto place = findPoint(points, index);
+      if (place == points.end())
+        continue;
       PlacedDispute dispute;
       dispute.index = index;
       Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = place->position;
@@ -116,6 +119,7 @@ addDisputes(const TilePlan& plan,
       dispute.room = MOST_ROOM * dispute.reach;
       corners.push_back(dispute);
       positions.push_back(place->position);
+      break;
     }
   if (corners.size() == 3) {
     const double room = 2.0 * pcl::ccaa::longestEdge(positions);
@@ -162,25 +166,23 @@ joinTile(const TilePlan& plan, std::size_t tile)
 {
   if (isDone(plan.file(tile, JOIN_STEP), plan.key))
     return;
+  const pcl::ccaa::Tile& cell = plan.tiling.tiles[tile];
   const TileMesh own = readMesh(plan, tile, false);
   std::vector<std::vector<WideTriangle>> others;
-  pcl::ccaa::BorderPoints points = own.border.points;
+  std::vector<pcl::ccaa::BorderPoints> borders = {own.border.points};
   for (const std::size_t neighbor : plan.tiling.neighborsOf(tile)) {
     others.emplace_back();
-    const TileMesh other = readMesh(plan, neighbor, false);
+    TileMesh other = readMesh(plan, neighbor, false);
     for (const WideTriangle& triangle : other.border.triangles)
-      if (plan.tiling.ownerOf(cornersInOrder(triangle).front()) == tile)
+      if (cell.owns(cornersInOrder(triangle).front()))
         others.back().push_back(triangle);
-    points.insert(points.end(), other.border.points.begin(), other.border.points.end());
+    borders.push_back(std::move(other.border.points));
   }
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.index < b.index;
-  });
   pcl::ccaa::Agreed agreed = agree(plan.tiling, tile, own.border, others);
   JoinedTile joined;
   joined.triangles = std::move(agreed.triangles);
   for (const WideTriangle& triangle : agreed.refused)
-    addDisputes(plan, triangle, points, joined.disputes);
+    addDisputes(plan, triangle, borders, joined.disputes);
   keepWidest(joined.disputes);
   writeJoined(plan, tile, joined);
 }

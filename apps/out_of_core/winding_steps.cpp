@@ -47,11 +47,12 @@ finalBorder(const TilePlan& plan, std::size_t tile)
   const std::set<std::size_t> closers = closersAround(plan, tile, readDisputes(plan));
   std::set<WideTriangle> removed; // some of them are added again
   std::vector<WideTriangle> added;
+  const Tile& own = plan.tiling.tiles[tile];
   for (const std::size_t closer : closers) {
     const ClosedTile closed = readClosed(plan, closer);
     removed.insert(closed.removed.begin(), closed.removed.end());
     for (const WideTriangle& triangle : closed.added)
-      if (plan.tiling.ownerOf(cornersInOrder(triangle).front()) == tile)
+      if (own.owns(cornersInOrder(triangle).front()))
         added.push_back(triangle);
   }
   std::vector<WideTriangle> triangles = readJoined(plan, tile).triangles;

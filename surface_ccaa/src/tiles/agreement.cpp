@@ -20,20 +20,14 @@ borderCorners(const WideTriangle& triangle, const BorderPoints& points)
   return corners;
 }
 
-bool
-seesAll(const Tile& tile, const Positions& corners)
+/** How many of the corners a tile sees. */
+std::size_t
+seenBy(const Tile& tile, const Positions& corners)
 {
-  return std::all_of(corners.begin(), corners.end(), [&](const Position& corner) {
-    return tile.sees(corner);
-  });
-}
-
-bool
-seesAny(const Tile& tile, const Positions& corners)
-{
-  return std::any_of(corners.begin(), corners.end(), [&](const Position& corner) {
-    return tile.sees(corner);
-  });
+  return static_cast<std::size_t>(
+      std::count_if(corners.begin(), corners.end(), [&](const Position& corner) {
+        return tile.sees(corner);
+      }));
 }
 
 std::vector<WideTriangle>
@@ -63,7 +57,7 @@ public:
   run()
   {
     for (const WideTriangle& triangle : own_.triangles)
-      if (tiling_.ownerOf(cornersInOrder(triangle).front()) == tile_)
+      if (tiling_.tiles[tile_].owns(cornersInOrder(triangle).front()))
         judge(triangle);
     const std::vector<WideTriangle> own = sortedCorners(own_.triangles);
     for (const auto& other : others_)
@@ -91,9 +85,9 @@ private:
   {
     bool is_shared = false;
     for (std::size_t i = 0; i < neighbors_.size(); ++i) {
-      const Tile& other = tiling_.tiles[neighbors_[i]];
-      is_shared = is_shared || seesAny(other, corners);
-      if (corners.size() == 3 && seesAll(other, corners) &&
+      const std::size_t seen = seenBy(tiling_.tiles[neighbors_[i]], corners);
+      is_shared = is_shared || seen > 0;
+      if (seen == 3 &&
           !std::binary_search(others_[i].begin(), others_[i].end(), triangle))
         return false;
     }
@@ -102,7 +96,7 @@ private:
     return corners.size() == 3 &&
            std::all_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
              const Tile& owner = tiling_.tiles[tiling_.ownerOf(corner)];
-             return seesAll(owner, corners) &&
+             return seenBy(owner, corners) == 3 &&
                     longestEdge(corners) <= Tile::LONGEST * owner.halo;
            });
   }

@@ -35,10 +35,13 @@ GridCell::box() const
 double
 GridCell::distance(const Position& position) const
 {
+  if (isWhole())
+    return 0.0;
+  const double edge = std::ldexp(1.0, level); // a power of two: products are exact
   double farthest = 0.0;
-  for (std::size_t axis = 0; axis < 3 && !isWhole(); ++axis) {
-    const double low = std::ldexp(static_cast<double>(at[axis]), level);
-    const double high = std::ldexp(static_cast<double>(at[axis] + 1), level);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double low = static_cast<double>(at[axis]) * edge;
+    const double high = static_cast<double>(at[axis] + 1) * edge;
     const double x = position[static_cast<Eigen::Index>(axis)];
     farthest = std::max({farthest, low - x, x - high});
   }
