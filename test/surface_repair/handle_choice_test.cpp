@@ -20,6 +20,18 @@ namespace {
 using namespace ccaa::test;
 using test::without;
 
+BoundaryEdges
+boundariesOf(const ModelSurvey& survey)
+{
+  SourceSet sources;
+  for (const std::size_t loop : survey.joined.loops) {
+    sources.curves.emplace_back();
+    sources.curves.back().loop = loop;
+    sources.curves.back().island = survey.loops[loop].island;
+  }
+  return targetsOf(sources, survey.loops);
+}
+
 /** Two halves of a sphere, the boundaries of both, and three pairs of bridges
  * between them. */
 class HandleChoice : public testing::Test {
@@ -54,18 +66,6 @@ protected:
   angleOf(const Bridge& bridge)
   {
     return std::atan2(bridge.begin.position.y(), bridge.begin.position.x());
-  }
-
-  static BoundaryEdges
-  boundariesOf(const ModelSurvey& survey)
-  {
-    SourceSet sources;
-    for (const std::size_t loop : survey.joined.loops) {
-      sources.curves.emplace_back();
-      sources.curves.back().loop = loop;
-      sources.curves.back().island = survey.loops[loop].island;
-    }
-    return targetsOf(sources, survey.loops);
   }
 
   void
@@ -119,6 +119,70 @@ TEST_F(HandleChoice, OfCrossedPairsOneGoesHoweverLikelyTheJunctionIs)
   EXPECT_EQ(1U, topology().pieces);
   EXPECT_EQ(0, topology().handles);
   EXPECT_EQ(4U, survey_.joined.bridges.size());
+}
+
+/** Handles of a sphere in three slices, of which the outer ones are connected by a
+ * strip of so many bridges through the body, after those that nothing supports are
+ * given up. */
+long
+handlesWithStrip(std::size_t width)
+{
+  ModelSurvey survey = surveyModel(
+      pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(without(
+          icosphere(4),
+          [](const Position& p) { return std::abs(std::abs(p.z()) - 0.4) < 0.08; }))),
+      nullptr,
+      {},
+      {});
+  const auto outerEnd = [](const Bridge& bridge) {
+    const bool begins = std::abs(bridge.begin.position.z()) > 0.4;
+    return begins ? bridge.begin : bridge.end;
+  };
+  const auto angle = [&](const Bridge& bridge) {
+    const Position& p = outerEnd(bridge).position;
+    return std::atan2(p.y(), p.x());
+  };
+  std::vector<Bridge>& bridges = survey.joined.bridges;
+  std::sort(bridges.begin(), bridges.end(), [&](const Bridge& a, const Bridge& b) {
+    return angle(a) < angle(b);
+  });
+  const auto takeOuterEnds = [&](bool above) {
+    std::vector<BoundaryPoint> ends;
+    for (auto b = bridges.begin(); b != bridges.end() && ends.size() < width;)
+      if ((outerEnd(*b).position.z() > 0.0) == above) {
+        ends.push_back(outerEnd(*b));
+        b = bridges.erase(b);
+      }
+      else
+        ++b;
+    return ends;
+  };
+  const std::vector<BoundaryPoint> upper = takeOuterEnds(true);
+  const std::vector<BoundaryPoint> lower = takeOuterEnds(false);
+  EXPECT_EQ(2U, survey.joined.junctions.size());
+  Junction junction = survey.joined.junctions.front();
+  junction.curves = {std::min(upper[0].curve, lower[0].curve),
+                     std::max(upper[0].curve, lower[0].curve)};
+  survey.joined.junctions.push_back(junction);
+  for (std::size_t i = 0; i < width; ++i) {
+    Bridge bridge = bridges.front();
+    bridge.begin = upper[i];
+    bridge.end = lower[i];
+    bridges.push_back(bridge);
+  }
+  const BoundaryEdges boundaries = boundariesOf(survey);
+  survey.joined.holes = extractContours(boundaries, bridges);
+  EXPECT_EQ(1, bridgedTopology(survey, survey.joined).handles);
+  dropHandles(survey, boundaries, survey.joined);
+  EXPECT_EQ(1U, bridgedTopology(survey, survey.joined).pieces);
+  return bridgedTopology(survey, survey.joined).handles;
+}
+
+TEST(HandleOverStrip, GoesWhereTwoBridgesCarryIt) { EXPECT_EQ(0, handlesWithStrip(2)); }
+
+TEST(HandleOverStrip, StaysWhereAJunctionIsSureAndWide)
+{
+  EXPECT_EQ(1, handlesWithStrip(4));
 }
 
 } // namespace

@@ -22,6 +22,9 @@ namespace {
  * to 3.5; a coarse torus has 120 with odds of 3.9. */
 constexpr double MOST_BENT = 2.1;
 constexpr double CARRYING_ODDS = 3.6;
+/** Bridges of a strip that carries no handle, whatever its junction, unless it leads
+ * all around. */
+constexpr std::size_t ISTHMUS = 2;
 /** Junctions that are tried for each handle. */
 constexpr std::size_t MOST_TRIES = 64;
 /** Times in all that contours are extracted anew. */
@@ -113,30 +116,83 @@ mayMakeHandle(const Junction& junction)
 
 using Bridges = std::vector<std::size_t>; // ascending
 
-/** Bridges of the same two boundaries with nothing but them between each two neighbours
- * are a strip of surface. Of each pair of boundaries the narrowest strips come first.
+/** Bridges of the same two boundaries with nothing but them between each two
+ * neighbours.
  */
-std::map<CurvePair, std::vector<Bridges>>
+struct Strip {
+  Bridges bridges;
+  std::size_t contours =
+      0; /**< between two of them: as many where it leads all around */
+
+  bool
+  isNarrow() const
+  {
+    return contours < bridges.size() && bridges.size() <= ISTHMUS;
+  }
+};
+
+/** Of each pair of boundaries the narrowest strips come first. */
+std::map<CurvePair, std::vector<Strip>>
 stripsOf(const SurveyedBridges& joined)
 {
   ccaa::DisjointSets sets(joined.bridges.size());
+  std::vector<std::size_t> between;
   for (const HoleContour& contour : joined.holes.contours)
     if (const auto& steps = contour.steps;
         steps.size() == 2 && steps[0].bridge != NONE && steps[1].bridge != NONE &&
         curvesOf(joined.bridges[steps[0].bridge]) ==
-            curvesOf(joined.bridges[steps[1].bridge]))
+            curvesOf(joined.bridges[steps[1].bridge])) {
       sets.join(steps[0].bridge, steps[1].bridge);
-  std::map<std::size_t, Bridges> strip_of;
+      between.push_back(steps[0].bridge);
+    }
+  std::map<std::size_t, Strip> strip_of;
   for (std::size_t b = 0; b < joined.bridges.size(); ++b)
-    strip_of[sets.find(b)].push_back(b);
-  std::map<CurvePair, std::vector<Bridges>> strips;
+    strip_of[sets.find(b)].bridges.push_back(b);
+  for (const std::size_t b : between)
+    ++strip_of[sets.find(b)].contours;
+  std::map<CurvePair, std::vector<Strip>> strips;
   for (auto& [root, strip] : strip_of)
     strips[curvesOf(joined.bridges[root])].push_back(std::move(strip));
   for (auto& [curves, some] : strips)
-    std::stable_sort(some.begin(), some.end(), [](const auto& a, const auto& b) {
-      return a.size() < b.size();
+    std::stable_sort(some.begin(), some.end(), [](const Strip& a, const Strip& b) {
+      return a.bridges.size() < b.bridges.size();
     });
   return strips;
+}
+
+/** Whether nobody wants a junction, and no mouth looks at the other boundary. */
+bool
+mayGiveWay(const Junction& junction,
+           const ModelSurvey& survey,
+           const SurveyedBridges& joined)
+{
+  return !isWanted(junction, survey) &&
+         joined.ahead[joined.loops[junction.curves[0]]] !=
+             joined.loops[junction.curves[1]];
+}
+
+/** Narrow strips of all junctions, of the least likely ones first. */
+std::vector<Bridges>
+narrowStrips(const ModelSurvey& survey,
+             const SurveyedBridges& joined,
+             const std::map<CurvePair, std::vector<Strip>>& strips)
+{
+  std::vector<std::pair<double, Bridges>> narrow;
+  for (const Junction& junction : joined.junctions)
+    if (const auto some = strips.find(junction.curves);
+        some != strips.end() && mayGiveWay(junction, survey, joined))
+      for (const Strip& strip : some->second)
+        if (strip.isNarrow())
+          narrow.emplace_back(junction.evidence.logOdds(), strip.bridges);
+  std::stable_sort(narrow.begin(), narrow.end(), [](const auto& a, const auto& b) {
+    return a.first < b.first;
+  });
+  if (narrow.size() > MOST_TRIES)
+    narrow.resize(MOST_TRIES);
+  std::vector<Bridges> bridges;
+  for (auto& [odds, strip] : narrow)
+    bridges.push_back(std::move(strip));
+  return bridges;
 }
 
 /** Bridges that may be given up together: of each junction single strips, so that most
@@ -148,12 +204,10 @@ candidatesOf(const ModelSurvey& survey,
              const SurveyedBridges& joined,
              bool of_sure_ones)
 {
-  const std::map<CurvePair, std::vector<Bridges>> strips = stripsOf(joined);
+  const std::map<CurvePair, std::vector<Strip>> strips = stripsOf(joined);
   std::vector<const Junction*> junctions;
   for (const Junction& junction : joined.junctions)
-    if (strips.count(junction.curves) > 0 && !isWanted(junction, survey) &&
-        joined.ahead[joined.loops[junction.curves[0]]] !=
-            joined.loops[junction.curves[1]] &&
+    if (strips.count(junction.curves) > 0 && mayGiveWay(junction, survey, joined) &&
         mayMakeHandle(junction) == of_sure_ones)
       junctions.push_back(&junction);
   std::stable_sort(
@@ -164,14 +218,17 @@ candidatesOf(const ModelSurvey& survey,
   if (junctions.size() > MOST_TRIES)
     junctions.resize(MOST_TRIES);
   std::vector<Bridges> candidates;
+  if (!of_sure_ones)
+    candidates = narrowStrips(survey, joined, strips);
   for (const Junction* junction : junctions) {
-    const std::vector<Bridges>& some = strips.at(junction->curves);
-    candidates.insert(candidates.end(), some.begin(), some.end());
+    const std::vector<Strip>& some = strips.at(junction->curves);
+    for (const Strip& strip : some)
+      candidates.push_back(strip.bridges);
     if (some.size() == 1) // which is all
       continue;
     Bridges all;
-    for (const Bridges& strip : some)
-      all.insert(all.end(), strip.begin(), strip.end());
+    for (const Strip& strip : some)
+      all.insert(all.end(), strip.bridges.begin(), strip.bridges.end());
     std::sort(all.begin(), all.end());
     candidates.push_back(std::move(all));
   }

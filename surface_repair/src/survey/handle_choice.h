@@ -25,10 +25,11 @@ struct BridgedTopology {
 BridgedTopology
 bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined);
 
-/** \brief Give up bridges that make a handle, of the most bent junction first, until
- * none is left that evidence does not carry: at a true handle that was cut through the
- * surfaces go on straight. A handle that lies in one gap as a whole has no evidence at
- * all: there the least likely junctions give way, too.
+/** \brief Give up bridges that make a handle, those of narrow strips and then of the
+ * most bent junction first, until none is left that evidence does not carry: at a true
+ * handle that was cut through the surfaces go on straight. A handle that lies in one
+ * gap as a whole has no evidence at all: there the least likely junctions give way,
+ * too.
  *
  * No piece falls apart. Cost: some dozen extractions of contours for each handle.
  * \param[in,out] joined bridges and contours of boundaries of the survey

@@ -59,9 +59,8 @@ areTipsSideBySide(const Junction& junction,
 
 /** \return flags of the junctions that are none */
 std::vector<bool>
-partTips(ModelSurvey& survey)
+partTips(const std::vector<std::size_t>& loop_counts, ModelSurvey& survey)
 {
-  const std::vector<std::size_t> loop_counts = loopCounts(survey);
   std::vector<bool> are_parted;
   for (Junction& junction : survey.joined.junctions) {
     are_parted.push_back(areTipsSideBySide(junction, loop_counts, survey));
@@ -71,6 +70,19 @@ partTips(ModelSurvey& survey)
     }
   }
   return are_parted;
+}
+
+/** Whether a loop is a mouth, or a stump without which its island would be a piece of
+ * its own. */
+bool
+mustGoOn(std::size_t loop,
+         const std::vector<std::size_t>& loop_counts,
+         const ModelSurvey& survey)
+{
+  const LoopEvidence& evidence = survey.classes[loop].evidence;
+  return isMouth(evidence) ||
+         (loop_counts[survey.loops[loop].island] == 1 && mayBeStump(evidence) &&
+          evidence.integral.relative() > 0.0);
 }
 
 std::vector<Partners>
@@ -101,10 +113,12 @@ joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey)
   if (!isSeenFromAllSides(survey.facing))
     return;
   SurveyedBridges& joined = survey.joined;
-  const std::vector<Partners> partners = partnersOfCurves(joined, partTips(survey));
+  const std::vector<std::size_t> loop_counts = loopCounts(survey);
+  const std::vector<Partners> partners =
+      partnersOfCurves(joined, partTips(loop_counts, survey));
   for (std::size_t curve = 0; curve < partners.size(); ++curve) {
     const Partners& own = partners[curve];
-    if (own.best == NONE || !isMouth(survey.classes[joined.loops[curve]].evidence) ||
+    if (own.best == NONE || !mustGoOn(joined.loops[curve], loop_counts, survey) ||
         own.odds < parameters.joined_from - LONE_ODDS ||
         own.odds < own.next_odds + LEAST_MARGIN)
       continue;

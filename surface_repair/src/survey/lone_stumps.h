@@ -7,11 +7,12 @@
 
 namespace pcl::repair {
 
-/** \brief In a body every mouth of a tube goes on somewhere. Two islands that are
- * nothing but the ends of limbs, side by side, do not go on in each other: that
- * junction is DOUBTFUL. Where no junction of a mouth is sure, the one that is not far
- * from it and much better than all others is JOINED, too. \param[in,out] survey whose
- * junctions were judged one by one */
+/** \brief In a body every mouth of a tube goes on somewhere, and every stump that is
+ * the only boundary of its island. Two islands that are nothing but the ends of limbs,
+ * side by side, do not go on in each other: that junction is DOUBTFUL. Where no
+ * junction of such a boundary is sure, the one that is not far from it and much better
+ * than all others is JOINED, too. \param[in,out] survey whose junctions were judged one
+ * by one */
 void
 joinLoneStumps(const JunctionParameters& parameters, ModelSurvey& survey);
 
