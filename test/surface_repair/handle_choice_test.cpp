@@ -122,10 +122,10 @@ TEST_F(HandleChoice, OfCrossedPairsOneGoesHoweverLikelyTheJunctionIs)
 }
 
 /** Handles of a sphere in three slices, of which the outer ones are connected by a
- * strip of so many bridges through the body, after those that nothing supports are
- * given up. */
+ * strip of so many bridges through the body, whose junction has at most such log odds,
+ * after those that nothing supports are given up. */
 long
-handlesWithStrip(std::size_t width)
+handlesWithStrip(std::size_t width, double odds)
 {
   ModelSurvey survey = surveyModel(
       pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(without(
@@ -163,6 +163,8 @@ handlesWithStrip(std::size_t width)
   Junction junction = survey.joined.junctions.front();
   junction.curves = {std::min(upper[0].curve, lower[0].curve),
                      std::max(upper[0].curve, lower[0].curve)};
+  while (junction.evidence.logOdds() > odds)
+    junction.evidence.seen_empty += 0.01;
   survey.joined.junctions.push_back(junction);
   for (std::size_t i = 0; i < width; ++i) {
     Bridge bridge = bridges.front();
@@ -178,11 +180,19 @@ handlesWithStrip(std::size_t width)
   return bridgedTopology(survey, survey.joined).handles;
 }
 
-TEST(HandleOverStrip, GoesWhereTwoBridgesCarryIt) { EXPECT_EQ(0, handlesWithStrip(2)); }
-
-TEST(HandleOverStrip, StaysWhereAJunctionIsSureAndWide)
+TEST(HandleOverStrip, GoesWhereTwoBridgesCarryIt)
 {
-  EXPECT_EQ(1, handlesWithStrip(4));
+  EXPECT_EQ(0, handlesWithStrip(2, 3.0));
+}
+
+TEST(HandleOverStrip, StaysWhereFourBridgesCarryIt)
+{
+  EXPECT_EQ(1, handlesWithStrip(4, 3.0));
+}
+
+TEST(HandleOverStrip, StaysWhereTheJunctionIsSure)
+{
+  EXPECT_EQ(1, handlesWithStrip(2, 5.0));
 }
 
 } // namespace

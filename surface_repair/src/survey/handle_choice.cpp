@@ -22,8 +22,8 @@ namespace {
  * to 3.5; a coarse torus has 120 with odds of 3.9. */
 constexpr double MOST_BENT = 2.1;
 constexpr double CARRYING_ODDS = 3.6;
-/** Bridges of a strip that carries no handle, whatever its junction, unless it leads
- * all around. */
+/** Bridges of a strip that carries no handle, however straight its junction, unless it
+ * leads all around or its junction is that likely. */
 constexpr std::size_t ISTHMUS = 2;
 /** Junctions that are tried for each handle. */
 constexpr std::size_t MOST_TRIES = 64;
@@ -171,7 +171,7 @@ mayGiveWay(const Junction& junction,
              joined.loops[junction.curves[1]];
 }
 
-/** Narrow strips of all junctions, of the least likely ones first. */
+/** Narrow strips of junctions that are not sure, of the least likely ones first. */
 std::vector<Bridges>
 narrowStrips(const ModelSurvey& survey,
              const SurveyedBridges& joined,
@@ -180,7 +180,8 @@ narrowStrips(const ModelSurvey& survey,
   std::vector<std::pair<double, Bridges>> narrow;
   for (const Junction& junction : joined.junctions)
     if (const auto some = strips.find(junction.curves);
-        some != strips.end() && mayGiveWay(junction, survey, joined))
+        some != strips.end() && junction.evidence.logOdds() < CARRYING_ODDS &&
+        mayGiveWay(junction, survey, joined))
       for (const Strip& strip : some->second)
         if (strip.isNarrow())
           narrow.emplace_back(junction.evidence.logOdds(), strip.bridges);
