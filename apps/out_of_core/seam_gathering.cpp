@@ -131,8 +131,7 @@ SeamGathering::read()
 {
   std::vector<WideTriangle> candidates;
   for (const std::size_t part : parts_) {
-    for (const pcl::ccaa::BorderPoint& point :
-         readMesh(plan_, part, false).border.points)
+    for (const pcl::ccaa::BorderPoint& point : readBorderPoints(plan_, part))
       if (plan_.tiling.tiles[part].owns(point.index))
         addPoint(point);
     const JoinedTile joined = readJoined(plan_, part);

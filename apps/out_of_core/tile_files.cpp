@@ -100,19 +100,39 @@ writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh)
   file.commit();
 }
 
-TileMesh
-readMesh(const TilePlan& plan, std::size_t tile, bool with_inner)
+pcl::ccaa::BorderPoints
+readBorderPoints(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
+  file.get<pcl::ccaa::TopologyDoubts>();
+  const std::vector<StoredPoint> stored = file.getAll<StoredPoint>();
+  pcl::ccaa::BorderPoints points;
+  points.reserve(stored.size());
+  for (const StoredPoint& point : stored)
+    points.push_back({point.index, Eigen::Vector3d(point.position.data())});
+  return points;
+}
+
+std::vector<WideTriangle>
+readBorderTriangles(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, MESH_STEP), plan.key);
+  std::size_t count = 0;
+  file.get<pcl::ccaa::TopologyDoubts>();
+  file.skipAll<StoredPoint>(count);
+  return file.getAll<WideTriangle>();
+}
+
+TileMesh
+readInner(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, MESH_STEP), plan.key);
+  std::size_t count = 0;
   TileMesh mesh;
   mesh.doubts = file.get<pcl::ccaa::TopologyDoubts>();
-  const std::vector<StoredPoint> points = file.getAll<StoredPoint>();
-  mesh.border.points.reserve(points.size());
-  for (const StoredPoint& point : points)
-    mesh.border.points.push_back({point.index, Eigen::Vector3d(point.position.data())});
-  mesh.border.triangles = file.getAll<WideTriangle>();
-  if (with_inner)
-    mesh.inner = file.getAll<CoreTriangle>();
+  file.skipAll<StoredPoint>(count);
+  file.skipAll<WideTriangle>(count);
+  mesh.inner = file.getAll<CoreTriangle>();
   return mesh;
 }
 

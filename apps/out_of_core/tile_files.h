@@ -34,8 +34,13 @@ struct TileMesh {
 
 void
 writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh);
+pcl::ccaa::BorderPoints
+readBorderPoints(const TilePlan& plan, std::size_t tile);
+std::vector<pcl::ccaa::WideTriangle>
+readBorderTriangles(const TilePlan& plan, std::size_t tile);
+/** \brief The mesh without its border. */
 TileMesh
-readMesh(const TilePlan& plan, std::size_t tile, bool with_inner);
+readInner(const TilePlan& plan, std::size_t tile);
 
 /** \brief A point at which tiles did not agree, and where it is. */
 struct PlacedDispute {

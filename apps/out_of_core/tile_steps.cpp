@@ -97,21 +97,44 @@ private:
   std::vector<bool> is_border_, is_seen_;
 };
 
-/** \param[in] borders of the tile and its neighbors \param[in,out] disputes get the
+/** Those of the neighbors, too, where the tile does not know all corners of a triangle.
+ * \return ascending */
+pcl::ccaa::BorderPoints
+pointsFor(const TilePlan& plan,
+          std::size_t tile,
+          const std::vector<WideTriangle>& triangles,
+          pcl::ccaa::BorderPoints points)
+{
+  const auto isKnown = [&points](WideIndex corner) {
+    return findPoint(points, corner) != points.end();
+  };
+  if (std::all_of(
+          triangles.begin(), triangles.end(), [&](const WideTriangle& triangle) {
+            return std::all_of(triangle.begin(), triangle.end(), isKnown);
+          }))
+    return points;
+  for (const std::size_t neighbor : plan.tiling.neighborsOf(tile)) {
+    const pcl::ccaa::BorderPoints more = readBorderPoints(plan, neighbor);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.index < b.index;
+  });
+  return points;
+}
+
+/** \param[in] points of the border \param[in,out] disputes get the
  * corners of a refused triangle; a closing takes room as the triangle did. */
 void
 addDisputes(const TilePlan& plan,
             const WideTriangle& triangle,
-            const std::vector<pcl::ccaa::BorderPoints>& borders,
+            const pcl::ccaa::BorderPoints& points,
             std::vector<PlacedDispute>& disputes)
 {
   std::vector<PlacedDispute> corners;
   std::vector<pcl::ccaa::Position> positions;
   for (const WideIndex index : triangle)
-    for (const pcl::ccaa::BorderPoints& points : borders) {
-      const auto place = findPoint(points, index);
-      if (place == points.end())
-        continue;
+    if (const auto place = findPoint(points, index); place != points.end()) {
       PlacedDispute dispute;
       dispute.index = index;
       Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = place->position;
@@ -119,7 +142,6 @@ addDisputes(const TilePlan& plan,
       dispute.room = MOST_ROOM * dispute.reach;
       corners.push_back(dispute);
       positions.push_back(place->position);
-      break;
     }
   if (corners.size() == 3) {
     const double room = 2.0 * pcl::ccaa::longestEdge(positions);
@@ -167,22 +189,22 @@ joinTile(const TilePlan& plan, std::size_t tile)
   if (isDone(plan.file(tile, JOIN_STEP), plan.key))
     return;
   const pcl::ccaa::Tile& cell = plan.tiling.tiles[tile];
-  const TileMesh own = readMesh(plan, tile, false);
+  const pcl::ccaa::BorderMesh own{readBorderPoints(plan, tile),
+                                  readBorderTriangles(plan, tile)};
   std::vector<std::vector<WideTriangle>> others;
-  std::vector<pcl::ccaa::BorderPoints> borders = {own.border.points};
   for (const std::size_t neighbor : plan.tiling.neighborsOf(tile)) {
     others.emplace_back();
-    TileMesh other = readMesh(plan, neighbor, false);
-    for (const WideTriangle& triangle : other.border.triangles)
+    for (const WideTriangle& triangle : readBorderTriangles(plan, neighbor))
       if (cell.owns(cornersInOrder(triangle).front()))
         others.back().push_back(triangle);
-    borders.push_back(std::move(other.border.points));
   }
-  pcl::ccaa::Agreed agreed = agree(plan.tiling, tile, own.border, others);
+  pcl::ccaa::Agreed agreed = agree(plan.tiling, tile, own, others);
   JoinedTile joined;
   joined.triangles = std::move(agreed.triangles);
+  const pcl::ccaa::BorderPoints points =
+      pointsFor(plan, tile, agreed.refused, own.points);
   for (const WideTriangle& triangle : agreed.refused)
-    addDisputes(plan, triangle, borders, joined.disputes);
+    addDisputes(plan, triangle, points, joined.disputes);
   keepWidest(joined.disputes);
   writeJoined(plan, tile, joined);
 }

@@ -157,7 +157,7 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   const std::vector<WideTriangle> border = finalBorder(plan, tile);
   const TileCloud cloud(plan, tile, foreignCorners(plan.tiling.tiles[tile], border));
   const Position corner = plan.corners[tile];
-  const TileMesh mesh = readMesh(plan, tile, true);
+  const TileMesh mesh = readInner(plan, tile);
   pcl::ccaa::Triangles triangles = finalTriangles(mesh, cloud, border);
   pcl::ccaa::RunControl control(run.progress);
   std::vector<std::uint32_t> piece_of;
