@@ -123,8 +123,8 @@ pointsFor(const TilePlan& plan,
   return points;
 }
 
-/** \param[in] points of the border \param[in,out] disputes get the
- * corners of a refused triangle; a closing takes room as the triangle did. */
+/** \param[in] points of the border \param[in,out] disputes get the corners of a refused
+ * triangle; a closing takes room as the triangle did. */
 void
 addDisputes(const TilePlan& plan,
             const WideTriangle& triangle,
@@ -189,8 +189,8 @@ joinTile(const TilePlan& plan, std::size_t tile)
   if (isDone(plan.file(tile, JOIN_STEP), plan.key))
     return;
   const pcl::ccaa::Tile& cell = plan.tiling.tiles[tile];
-  const pcl::ccaa::BorderMesh own{readBorderPoints(plan, tile),
-                                  readBorderTriangles(plan, tile)};
+  pcl::ccaa::BorderMesh own{readBorderPoints(plan, tile),
+                            readBorderTriangles(plan, tile)};
   std::vector<std::vector<WideTriangle>> others;
   for (const std::size_t neighbor : plan.tiling.neighborsOf(tile)) {
     others.emplace_back();
@@ -202,7 +202,7 @@ joinTile(const TilePlan& plan, std::size_t tile)
   JoinedTile joined;
   joined.triangles = std::move(agreed.triangles);
   const pcl::ccaa::BorderPoints points =
-      pointsFor(plan, tile, agreed.refused, own.points);
+      pointsFor(plan, tile, agreed.refused, std::move(own.points));
   for (const WideTriangle& triangle : agreed.refused)
     addDisputes(plan, triangle, points, joined.disputes);
   keepWidest(joined.disputes);

@@ -32,17 +32,24 @@ boundariesOf(const ModelSurvey& survey)
   return targetsOf(sources, survey.loops);
 }
 
+template <typename IsLost>
+ModelSurvey
+surveyOfSphereWithout(const IsLost& is_lost)
+{
+  return surveyModel(
+      pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(without(icosphere(4), is_lost))),
+      nullptr,
+      {},
+      {});
+}
+
 /** Two halves of a sphere, the boundaries of both, and three pairs of bridges
  * between them. */
 class HandleChoice : public testing::Test {
 protected:
   HandleChoice()
-  : survey_(surveyModel(
-        pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(without(
-            icosphere(4), [](const Position& p) { return std::abs(p.z()) < 0.08; }))),
-        nullptr,
-        {},
-        {}))
+  : survey_(
+        surveyOfSphereWithout([](const Position& p) { return std::abs(p.z()) < 0.08; }))
   , boundaries_(boundariesOf(survey_))
   {
     std::vector<Bridge>& bridges = survey_.joined.bridges;
@@ -127,13 +134,8 @@ TEST_F(HandleChoice, OfCrossedPairsOneGoesHoweverLikelyTheJunctionIs)
 long
 handlesWithStrip(std::size_t width, double odds)
 {
-  ModelSurvey survey = surveyModel(
-      pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(without(
-          icosphere(4),
-          [](const Position& p) { return std::abs(std::abs(p.z()) - 0.4) < 0.08; }))),
-      nullptr,
-      {},
-      {});
+  ModelSurvey survey = surveyOfSphereWithout(
+      [](const Position& p) { return std::abs(std::abs(p.z()) - 0.4) < 0.08; });
   const auto outerEnd = [](const Bridge& bridge) {
     const bool begins = std::abs(bridge.begin.position.z()) > 0.4;
     return begins ? bridge.begin : bridge.end;

@@ -260,8 +260,12 @@ completeSurface(PartialMesh mesh,
       Completion(mesh, {}, search, parameters, threads, control, report).run();
   const std::uint64_t work = control.work() - before;
   if (!parameters.keep_given && result.fault == PartialMeshFault::NONE)
-    openTunnels(
-        mesh, complete, work, {threads, &control, "partial mesh"}, result, report);
+    openTunnels(std::move(mesh),
+                complete,
+                work,
+                {threads, &control, "partial mesh"},
+                result,
+                report);
   report.cancelled = control.cancelled();
   if (report.cancelled)
     return {};

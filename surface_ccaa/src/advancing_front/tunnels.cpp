@@ -67,28 +67,21 @@ flawsOf(const CompletedMesh& mesh, const CompletionReport& report)
 /** The numbers of rings that are tried: few do little for a body that is thin all over.
  */
 std::vector<int>
-ringsFor(std::size_t thin, std::size_t points)
+ringsFor(const std::vector<std::uint8_t>& is_thin)
 {
-  const auto first =
-      tuning::AROUND.begin() +
-      (static_cast<double>(thin) < tuning::THIN_ALL_OVER * static_cast<double>(points)
-           ? 0
-           : 1);
-  return {first, tuning::AROUND.end()};
+  const double share =
+      static_cast<double>(countOf(is_thin)) / static_cast<double>(is_thin.size());
+  return {tuning::AROUND.begin() + (share < tuning::THIN_ALL_OVER ? 0 : 1),
+          tuning::AROUND.end()};
 }
 
-/** Triangles at flagged vertices, and rings around them. */
-std::vector<pcl::index_t>
-ringsAround(std::vector<std::uint8_t> is_chosen, int rings, const Triangles& triangles)
+/** Flags all corners of the triangles at flagged vertices. */
+void
+addRing(std::vector<std::uint8_t>& is_chosen, const Triangles& triangles)
 {
-  std::vector<pcl::index_t> found = trianglesAt(is_chosen, triangles);
-  for (int ring = 1; ring < rings; ++ring) {
-    for (const pcl::index_t t : found)
-      for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
-        is_chosen[static_cast<std::size_t>(corner)] = 1;
-    found = trianglesAt(is_chosen, triangles);
-  }
-  return found;
+  for (const pcl::index_t t : trianglesAt(is_chosen, triangles))
+    for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
+      is_chosen[static_cast<std::size_t>(corner)] = 1;
 }
 
 /** The completion of a result as that of what the result was completed from.
@@ -110,24 +103,26 @@ countFrom(const std::vector<pcl::index_t>& kept,
   report.new_triangles = after.triangles.size() - after.kept.size();
 }
 
-/** Takes what comes out without the surroundings of thin places, if it is better. */
+/** Takes what comes out without the surroundings of thin places, if it is better.
+ * \param[in] is_thin flags of vertices of the result */
 void
-growThinPlacesAnew(const PartialMesh& mesh,
-                   const std::vector<std::uint8_t>& is_thin,
-                   const std::vector<int>& rings_around,
+growThinPlacesAnew(PartialMesh mesh,
+                   std::vector<std::uint8_t> is_thin,
                    const CompletionWithout& complete,
                    std::uint64_t most_work,
                    CompletedMesh& result,
                    CompletionReport& report)
 {
-  PartialMesh whole = mesh;
-  whole.given = result.triangles;
+  mesh.given = result.triangles;
   const std::vector<pcl::index_t> kept = result.kept;
   const CompletionReport first_report = report;
-  for (const int rings : rings_around) {
+  int ring = 1;
+  for (const int rings : ringsFor(is_thin)) {
+    for (; ring < rings; ++ring)
+      addRing(is_thin, mesh.given);
     CompletionReport other_report;
-    CompletedMesh other = complete(
-        whole, ringsAround(is_thin, rings, whole.given), most_work, other_report);
+    CompletedMesh other =
+        complete(mesh, trianglesAt(is_thin, mesh.given), most_work, other_report);
     const std::size_t before = flawsOf(result, report);
     const std::size_t after = flawsOf(other, other_report);
     if (other_report.cancelled || other.fault != PartialMeshFault::NONE ||
@@ -144,7 +139,7 @@ growThinPlacesAnew(const PartialMesh& mesh,
 } // namespace
 
 void
-openTunnels(const PartialMesh& mesh,
+openTunnels(PartialMesh mesh,
             const CompletionWithout& complete,
             std::uint64_t work,
             const LoopContext& context,
@@ -153,20 +148,15 @@ openTunnels(const PartialMesh& mesh,
 {
   if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
     return;
-  const auto is_thin = thinPlaces(result.triangles, mesh.points, context);
-  const std::size_t thin = countOf(is_thin);
-  if (thin == 0 && countOf(thinPlaces(mesh.given, mesh.points, context)) == 0)
+  auto is_thin = thinPlaces(result.triangles, mesh.points, context);
+  const bool has_thin = countOf(is_thin) > 0;
+  if (!has_thin && countOf(thinPlaces(mesh.given, mesh.points, context)) == 0)
     return;
   const auto most_work =
       static_cast<std::uint64_t>(tuning::MOST_WORK_ANEW * static_cast<double>(work));
-  if (thin > 0)
-    growThinPlacesAnew(mesh,
-                       is_thin,
-                       ringsFor(thin, is_thin.size()),
-                       complete,
-                       most_work,
-                       result,
-                       report);
+  if (has_thin)
+    growThinPlacesAnew(
+        std::move(mesh), std::move(is_thin), complete, most_work, result, report);
   report.doubtful_handles =
       static_cast<std::size_t>(std::max(0L, result.topology.genus.value_or(0)));
 }

@@ -39,7 +39,7 @@ using CompletionWithout =
  * connected. \param[in] mesh consistently wound \param[in] work of complete()
  * \param[in,out] result of complete() without more doubts, with its report */
 void
-openTunnels(const PartialMesh& mesh,
+openTunnels(PartialMesh mesh,
             const CompletionWithout& complete,
             std::uint64_t work,
             const LoopContext& context,

@@ -121,8 +121,7 @@ using Bridges = std::vector<std::size_t>; // ascending
  */
 struct Strip {
   Bridges bridges;
-  std::size_t contours =
-      0; /**< between two of them: as many where it leads all around */
+  std::size_t contours = 0; /**< between two each: as many where it leads all around */
 
   bool
   isNarrow() const
@@ -132,7 +131,9 @@ struct Strip {
 };
 
 /** Of each pair of boundaries the narrowest strips come first. */
-std::map<CurvePair, std::vector<Strip>>
+using Strips = std::map<CurvePair, std::vector<Strip>>;
+
+Strips
 stripsOf(const SurveyedBridges& joined)
 {
   ccaa::DisjointSets sets(joined.bridges.size());
@@ -150,7 +151,7 @@ stripsOf(const SurveyedBridges& joined)
     strip_of[sets.find(b)].bridges.push_back(b);
   for (const std::size_t b : between)
     ++strip_of[sets.find(b)].contours;
-  std::map<CurvePair, std::vector<Strip>> strips;
+  Strips strips;
   for (auto& [root, strip] : strip_of)
     strips[curvesOf(joined.bridges[root])].push_back(std::move(strip));
   for (auto& [curves, some] : strips)
@@ -160,40 +161,49 @@ stripsOf(const SurveyedBridges& joined)
   return strips;
 }
 
-/** Whether nobody wants a junction, and no mouth looks at the other boundary. */
-bool
-mayGiveWay(const Junction& junction,
-           const ModelSurvey& survey,
-           const SurveyedBridges& joined)
+/** Those that have bridges and that nobody wants, as far as a rule takes them, where no
+ * mouth looks at the other boundary; the least one first. */
+template <typename Rule, typename Less>
+std::vector<const Junction*>
+yieldingJunctions(const ModelSurvey& survey,
+                  const SurveyedBridges& joined,
+                  const Strips& strips,
+                  const Rule& takes,
+                  const Less& less)
 {
-  return !isWanted(junction, survey) &&
-         joined.ahead[joined.loops[junction.curves[0]]] !=
-             joined.loops[junction.curves[1]];
+  std::vector<const Junction*> junctions;
+  for (const Junction& junction : joined.junctions)
+    if (strips.count(junction.curves) > 0 && !isWanted(junction, survey) &&
+        joined.ahead[joined.loops[junction.curves[0]]] !=
+            joined.loops[junction.curves[1]] &&
+        takes(junction))
+      junctions.push_back(&junction);
+  std::stable_sort(junctions.begin(), junctions.end(), less);
+  return junctions;
+}
+
+bool
+isLessLikely(const Junction* a, const Junction* b)
+{
+  return a->evidence.logOdds() < b->evidence.logOdds();
 }
 
 /** Narrow strips of junctions that are not sure, of the least likely ones first. */
 std::vector<Bridges>
 narrowStrips(const ModelSurvey& survey,
              const SurveyedBridges& joined,
-             const std::map<CurvePair, std::vector<Strip>>& strips)
+             const Strips& strips)
 {
-  std::vector<std::pair<double, Bridges>> narrow;
-  for (const Junction& junction : joined.junctions)
-    if (const auto some = strips.find(junction.curves);
-        some != strips.end() && junction.evidence.logOdds() < CARRYING_ODDS &&
-        mayGiveWay(junction, survey, joined))
-      for (const Strip& strip : some->second)
-        if (strip.isNarrow())
-          narrow.emplace_back(junction.evidence.logOdds(), strip.bridges);
-  std::stable_sort(narrow.begin(), narrow.end(), [](const auto& a, const auto& b) {
-    return a.first < b.first;
-  });
-  if (narrow.size() > MOST_TRIES)
-    narrow.resize(MOST_TRIES);
-  std::vector<Bridges> bridges;
-  for (auto& [odds, strip] : narrow)
-    bridges.push_back(std::move(strip));
-  return bridges;
+  const auto isUnsure = [](const Junction& junction) {
+    return junction.evidence.logOdds() < CARRYING_ODDS;
+  };
+  std::vector<Bridges> narrow;
+  for (const Junction* junction :
+       yieldingJunctions(survey, joined, strips, isUnsure, isLessLikely))
+    for (const Strip& strip : strips.at(junction->curves))
+      if (strip.isNarrow() && narrow.size() < MOST_TRIES)
+        narrow.push_back(strip.bridges);
+  return narrow;
 }
 
 /** Bridges that may be given up together: of each junction single strips, so that most
@@ -205,16 +215,14 @@ candidatesOf(const ModelSurvey& survey,
              const SurveyedBridges& joined,
              bool of_sure_ones)
 {
-  const std::map<CurvePair, std::vector<Strip>> strips = stripsOf(joined);
-  std::vector<const Junction*> junctions;
-  for (const Junction& junction : joined.junctions)
-    if (strips.count(junction.curves) > 0 && mayGiveWay(junction, survey, joined) &&
-        mayMakeHandle(junction) == of_sure_ones)
-      junctions.push_back(&junction);
-  std::stable_sort(
-      junctions.begin(), junctions.end(), [&](const Junction* a, const Junction* b) {
-        return of_sure_ones ? a->evidence.logOdds() < b->evidence.logOdds()
-                            : bendOf(*a) > bendOf(*b);
+  const Strips strips = stripsOf(joined);
+  std::vector<const Junction*> junctions = yieldingJunctions(
+      survey,
+      joined,
+      strips,
+      [&](const Junction& junction) { return mayMakeHandle(junction) == of_sure_ones; },
+      [&](const Junction* a, const Junction* b) {
+        return of_sure_ones ? isLessLikely(a, b) : bendOf(*a) > bendOf(*b);
       });
   if (junctions.size() > MOST_TRIES)
     junctions.resize(MOST_TRIES);
