@@ -216,6 +216,10 @@ addToModel(const ccaa::LoopContext& context,
   for (const auto& [vertex, failure] : closed.failed)
     failed.emplace(number[static_cast<std::size_t>(vertex)], failure);
   closed.failed = std::move(failed);
+  for (auto& [one, other] : closed.failed_pairs) {
+    one = number[static_cast<std::size_t>(one)];
+    other = number[static_cast<std::size_t>(other)];
+  }
 }
 
 } // namespace pcl::repair

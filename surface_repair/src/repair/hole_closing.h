@@ -26,6 +26,9 @@ using Failures = std::unordered_map<pcl::index_t, Failure>;
 bool
 isObstructed(const Failures& failed, pcl::index_t vertex);
 
+/** \brief A vertex of each of two boundaries. */
+using VertexPair = std::pair<pcl::index_t, pcl::index_t>;
+
 /** \brief What a pass adds to a model, and what it does not close. */
 struct ClosedHoles {
   Triangles triangles;
@@ -33,6 +36,7 @@ struct ClosedHoles {
   std::vector<pcl::index_t> point_of_vertex; /**< of these; UNAVAILABLE: none */
   std::vector<bool> used;                    /**< of each free point: it is a vertex */
   Failures failed;
+  std::vector<VertexPair> failed_pairs; /**< see failedPairs() */
 };
 
 /** \brief Close the regions of a list (see closeRegions()).

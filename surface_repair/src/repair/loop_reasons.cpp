@@ -52,6 +52,37 @@ mayHavePartner(const ModelSurvey& survey, std::size_t number)
   return false;
 }
 
+/** The likeliest junction that joins a loop to one of another island; null: none. */
+const Junction*
+likeliestOf(const ModelSurvey& survey, std::size_t loop)
+{
+  const Junction* likeliest = nullptr;
+  for (const Junction& junction : survey.joined.junctions) {
+    const std::size_t first = survey.joined.loops[junction.curves[0]];
+    const std::size_t second = survey.joined.loops[junction.curves[1]];
+    if (junction.verdict == JunctionVerdict::JOINED &&
+        (first == loop || second == loop) &&
+        survey.loops[first].island != survey.loops[second].island &&
+        (likeliest == nullptr ||
+         junction.evidence.logOdds() > likeliest->evidence.logOdds()))
+      likeliest = &junction;
+  }
+  return likeliest;
+}
+
+/** Whether two loops of different islands belong to each other rather than to others,
+ * but no bridge leads there: one closed by itself would leave two pieces for good. */
+bool
+hasPartner(const ModelSurvey& survey, std::size_t loop)
+{
+  const Junction* junction = likeliestOf(survey, loop);
+  if (junction == nullptr)
+    return false;
+  const std::vector<std::size_t>& loops = survey.joined.loops;
+  const bool is_first = loops[junction->curves[0]] == loop;
+  return likeliestOf(survey, loops[junction->curves[is_first ? 1 : 0]]) == junction;
+}
+
 /** Whether a junction joins any loop of an island: a tube that goes on at one end has
  * no second mouth that is open like the other one. */
 bool
@@ -80,7 +111,7 @@ reasonByClass(const ModelSurvey& survey, std::size_t number)
     return OpenReason::FIN;
   switch (found.boundary_class) {
   case BoundaryClass::HOLE:
-    if (mayHavePartner(survey, number))
+    if (hasPartner(survey, number) || mayHavePartner(survey, number))
       return OpenReason::NOT_JOINED;
     return isDepthJump(fillAreaOf(loop.curve), loop.curve, loop.vertices, model)
                ? OpenReason::DEPTH_JUMP

@@ -5,6 +5,7 @@
 
 #include "repair/filling_choice.h"
 #include "repair/loop_reasons.h"
+#include "repair/ring_joining.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
 
@@ -77,6 +78,7 @@ closePass(int pass,
                           course.survey,
                           course.memory,
                           course.log);
+  now.closed.failed_pairs = failedPairs(course.survey, now.closed.failed);
   now.finished = allIsClosed(now.holes, now.closed);
   course.log.countSeconds("closing", clock.seconds());
   return now;
@@ -99,9 +101,13 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
     if (pass == MOST_PASSES)
       break;
     last = closePass(pass, over_samples, round, course);
-    if (context.cancelled() || last.finished || last.closed.triangles.empty())
+    if (context.cancelled() || last.finished)
       break;
-    takeClosed(last, course);
+    const bool has_closed = !last.closed.triangles.empty();
+    if (has_closed)
+      takeClosed(last, course);
+    if (context.cancelled() || !(joinRings(last.closed, course) || has_closed))
+      break;
   }
   return last;
 }

@@ -9,7 +9,6 @@
 #include "repair/last_check.h"
 #include "repair/loop_reasons.h"
 #include "repair/passes.h"
-#include "repair/ring_joining.h"
 #include "repair/sampled_rings.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
@@ -169,18 +168,6 @@ afterCrumbs(const Crumbs& crumbs,
   return closeRounds(course);
 }
 
-/** The last pass after boundaries are joined all around at once. */
-Pass
-afterRings(Pass last, const Course& course)
-{
-  const ccaa::StageClock clock;
-  if (course.context.cancelled() || !last.closed.triangles.empty() ||
-      !joinRings(last.closed.failed, course))
-    return last;
-  course.log.countSeconds("rings", clock.seconds());
-  return closeRounds(course);
-}
-
 /** The last pass after stumps that are still open are joined over samples. */
 Pass
 afterSamples(Pass last, const Course& course)
@@ -242,15 +229,13 @@ Pass
 closeAll(const Crumbs& crumbs, std::size_t crumb_triangles, const Course& course)
 {
   Pass last = closeRounds(course);
-  if (!last.closed.failed.empty())
-    last = afterRings(std::move(last), course);
   if (!crumbs.empty() || (crumb_triangles > 0 && hasUnjoined(last)))
     last = afterCrumbs(crumbs, crumb_triangles, std::move(last), course);
   if (!last.finished)
     last = afterSamples(std::move(last), course);
   if (hasObstructed(last.closed))
     last = afterReopening(std::move(last), course);
-  if (crumb_triangles > 0 && last.holes.islands > 1 && !last.finished)
+  if (crumb_triangles > 0 && course.survey.model.islands.size() > 1 && !last.finished)
     last = afterWaiting(crumb_triangles, std::move(last), course);
   return last;
 }

@@ -8,6 +8,7 @@
 #include "repair/junction_rings.h"
 #include "repair/region_parts.h"
 #include "repair/ring_filling.h"
+#include "run/stage_clock.h"
 
 #include <algorithm>
 #include <set>
@@ -36,62 +37,135 @@ holeOf(const RingPolygon& ring)
   return hole;
 }
 
-bool
-join(const BoundaryLoop& first,
-     const BoundaryLoop& second,
-     const Course& whole,
-     GrowingSurface& surface)
+/** Two boundaries that are to be joined. */
+struct Ring {
+  const BoundaryLoop* first;
+  const BoundaryLoop* second;
+  RegionMemory::Key key;
+};
+
+RegionMemory::Key
+keyOf(const BoundaryLoop& first, const BoundaryLoop& second)
 {
-  ccaa::RunControl control(whole.context.control,
-                           workFor(first.vertices.size() + second.vertices.size()));
-  const ccaa::LoopContext context{1, &control};
-  const Course course = within(whole, context);
+  RegionMemory::Key key;
+  for (const BoundaryLoop* loop : {&first, &second}) {
+    key.numbers.push_back(loop->vertices.size());
+    for (const Position& point : loop->curve.points)
+      key.points.push_back({point.x(), point.y(), point.z()});
+  }
+  return key;
+}
+
+ccaa::Box
+boxAround(const Ring& ring)
+{
   ccaa::Box box;
-  for (const BoundaryLoop* loop : {&first, &second})
+  for (const BoundaryLoop* loop : {ring.first, ring.second})
     for (const Position& point : loop->curve.points)
       box.extend(point);
-  box = ccaa::widened(box, 0.5 * box.diagonal().norm());
+  return ccaa::widened(box, 0.5 * box.diagonal().norm());
+}
+
+bool
+join(const Ring& ring, const Course& whole, GrowingSurface& surface)
+{
+  ccaa::RunControl control(
+      whole.context.control,
+      workFor(ring.first->vertices.size() + ring.second->vertices.size()));
+  const ccaa::LoopContext context{1, &control};
+  const Course course = within(whole, context);
+  const ccaa::Box box = boxAround(ring);
   const ModelPart part = surface.part(surface.near(box, &control), &control);
   const std::vector<bool> none_open;
   const RingPlace place{part, none_open, part, box};
-  for (const std::vector<RingPolygon>& rings : cutsOf(first, second, {})) {
+  for (const std::vector<RingPolygon>& cut : cutsOf(*ring.first, *ring.second, {})) {
     if (control.cancelled())
       return false;
-    if (!closeRings(rings, place, course.report.holes.size(), course, surface))
+    if (!closeRings(cut, place, course.report.holes.size(), course, surface))
       continue;
     HoleOutcome outcome;
     outcome.filling = MinimumWeightFilling().name();
-    course.log.add(holeOf(rings.front()), outcome);
+    course.log.add(holeOf(cut.front()), outcome);
     return true;
   }
   return false;
 }
 
+/** \return NONE where a vertex is at no boundary */
+std::size_t
+loopAt(pcl::index_t vertex, const std::vector<BoundaryLoop>& loops)
+{
+  const auto found =
+      std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+        return std::find(loop.vertices.begin(), loop.vertices.end(), vertex) !=
+               loop.vertices.end();
+      });
+  return found == loops.end() ? NONE : static_cast<std::size_t>(found - loops.begin());
+}
+
+/** Those that may be closed and have not failed before. */
+std::vector<Ring>
+ringsFor(const ClosedHoles& pass, const Course& course)
+{
+  const std::vector<BoundaryLoop>& loops = course.survey.loops;
+  std::vector<Ring> rings;
+  for (const auto& [at_first, at_second] : pass.failed_pairs) {
+    const std::size_t first = loopAt(at_first, loops);
+    const std::size_t second = loopAt(at_second, loops);
+    if (first == NONE || second == NONE || first == second ||
+        !hasFailed(loops[first], pass.failed) ||
+        !hasFailed(loops[second], pass.failed) ||
+        lookTheSameWay(loops[first].curve, loops[second].curve))
+      continue;
+    Ring ring{&loops[first], &loops[second], keyOf(loops[first], loops[second])};
+    if (course.memory.find(ring.key) == nullptr)
+      rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
 } // namespace
 
-bool
-joinRings(const Failures& failed, const Course& course)
+std::vector<VertexPair>
+failedPairs(const ModelSurvey& survey, const Failures& failed)
 {
-  ModelSurvey& survey = course.survey;
+  std::vector<VertexPair> pairs;
+  for (const auto& [first, second] : bridgedPairs(survey.joined)) {
+    const BoundaryLoop& one = survey.loops[first];
+    const BoundaryLoop& other = survey.loops[second];
+    if (hasFailed(one, failed) && hasFailed(other, failed))
+      pairs.emplace_back(one.vertices.front(), other.vertices.front());
+  }
+  return pairs;
+}
+
+bool
+joinRings(const ClosedHoles& pass, const Course& course)
+{
+  const ccaa::StageClock clock;
+  const std::vector<Ring> rings = ringsFor(pass, course);
+  if (rings.empty())
+    return false;
+  const ModelSurvey& survey = course.survey;
   std::size_t edges = 0;
   for (const BoundaryLoop& loop : survey.loops)
     edges += loop.vertices.size();
   ccaa::RunControl control(course.context.control, workFor(edges)); // of all rings
   const ccaa::LoopContext context{1, &control};
   GrowingSurface surface(survey.model, course.report.hole_of, &control);
-  std::set<std::size_t> closed;
-  for (const auto& [first, second] : bridgedPairs(survey.joined)) {
-    const BoundaryLoop& one = survey.loops[first];
-    const BoundaryLoop& other = survey.loops[second];
-    if (closed.count(first) + closed.count(second) == 0 &&
-        !lookTheSameWay(one.curve, other.curve) && hasFailed(one, failed) &&
-        hasFailed(other, failed) && !control.cancelled() &&
-        join(one, other, within(course, context), surface))
-      closed.insert({first, second});
+  std::set<const BoundaryLoop*> closed;
+  for (const Ring& ring : rings) {
+    if (closed.count(ring.first) + closed.count(ring.second) > 0 || control.cancelled())
+      continue;
+    if (join(ring, within(course, context), surface))
+      closed.insert({ring.first, ring.second});
+    else
+      course.memory.remember(ring.key, boxAround(ring), {});
   }
   const bool has_joined = !closed.empty();
   if (has_joined)
     takeOver(std::move(surface), course);
+  course.log.countSeconds("rings", clock.seconds());
   return has_joined;
 }
 

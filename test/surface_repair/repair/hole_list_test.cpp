@@ -146,6 +146,25 @@ TEST(HoleList, LeavesRimsOpenThatNothingJoins)
   EXPECT_EQ(2U, list.islands);
 }
 
+/** A body, and a ring of less area than what would cap the body. */
+Shape
+bodyAndRing()
+{
+  return without(ellipsoid(4, 2.0), [](const Position& p) {
+    return p.z() > 1.3 || (p.z() > 0.8 && p.z() < 1.0);
+  });
+}
+
+TEST(HoleList, ABoundaryThatIsJoinedStaysOpenAlsoWhereNoBridgeIsLeft)
+{
+  ModelSurvey found = survey(bodyAndRing());
+  const std::size_t joined = countOpen(listHoles(found, {}), OpenReason::NOT_JOINED);
+  ASSERT_FALSE(found.joined.bridges.empty());
+  found.joined.bridges.clear();
+  found.joined.holes = {};
+  EXPECT_EQ(joined + 2, countOpen(listHoles(found, {}), OpenReason::NOT_JOINED));
+}
+
 TEST(HoleList, JoinedIslandsAreOne) { EXPECT_EQ(1U, listed(twoCaps()).islands); }
 
 TEST(HoleList, BridgesConnectHolesToOneRegion)

@@ -183,6 +183,18 @@ TEST(RightTopology, StumpsOfALimbAreJoinedAndNotCapped)
   }
 }
 
+/** A bent limb. \param[in] is_lost of the straight one */
+Shape
+bentLimb(double length,
+         double bend,
+         const std::function<bool(const Position&)>& is_lost)
+{
+  Shape limb = without(ellipsoid(3, length), is_lost);
+  for (Position& p : limb.vertices)
+    p.x() += bend * p.z() * p.z();
+  return withoutFreeVertices(limb);
+}
+
 /** A bent limb of which a slanting slice is lost. */
 Shape
 cutLimb(std::uint64_t seed)
@@ -193,12 +205,25 @@ cutLimb(std::uint64_t seed)
   const double tilt = random.uniform(0.0, 1.5);
   const double gap = random.uniform(0.5, 2.5);
   const double height = length * random.uniform(0.2, 0.6);
-  const auto bent = [bend](const Position& p) { return bend * p.z() * p.z(); };
-  Shape limb = ellipsoid(3, length);
-  for (Position& p : limb.vertices)
-    p.x() += bent(p);
-  return without(limb, [=](const Position& p) {
-    return std::abs(p.z() - height + tilt * (p.x() - bent(p))) < 0.5 * gap;
+  return bentLimb(length, bend, [=](const Position& p) {
+    return std::abs(p.z() - height + tilt * p.x()) < 0.5 * gap;
+  });
+}
+
+/** A bent limb of which a long slanting slice is lost, and a place beside its end. */
+Shape
+cutLimbWithHole(std::uint64_t seed)
+{
+  RandomSource random(seed);
+  const double length = random.uniform(4.0, 10.0);
+  const double bend = random.uniform(0.0, 1.0) / length;
+  const double tilt = random.uniform(0.0, 1.5);
+  const double gap = random.uniform(2.0, 6.0);
+  const double height = length * random.uniform(-0.2, 0.4);
+  const double hole = length * random.uniform(0.7, 0.95);
+  return bentLimb(length, bend, [=](const Position& p) {
+    return std::abs(p.z() - height + tilt * p.x()) < 0.5 * gap ||
+           (std::abs(p.z() + hole) < 0.05 * length && p.y() > 0.0);
   });
 }
 
@@ -211,6 +236,18 @@ TEST(RightTopology, LimbsAreJoinedAllAroundWherePartsOfTheGapCannotBeFilled)
     expectNothingLost(result);
     EXPECT_EQ(1U, topologyOf(result.triangles()).components);
     EXPECT_EQ(0U, topologyOf(result.triangles()).borders);
+  }
+}
+
+/** The first pass fails there and closes the hole; the next one finds less evidence. */
+TEST(RightTopology, LimbsThatFailedAreJoinedBeforeAnotherPassPartsThem)
+{
+  for (const std::uint64_t seed : {310, 311, 312}) {
+    SCOPED_TRACE(seed);
+    const Repaired result = repaired(cutLimbWithHole(seed));
+    expectNothingLost(result);
+    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
   }
 }
 
