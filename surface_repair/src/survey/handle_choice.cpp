@@ -4,6 +4,7 @@
 
 #include "survey/handle_choice.h"
 
+#include "boundary/loop_evidence.h"
 #include "mesh/disjoint_sets.h"
 #include "survey/wanted_lines.h"
 
@@ -25,6 +26,9 @@ constexpr double CARRYING_ODDS = 3.6;
 /** Bridges of a strip that carries no handle, however straight its junction, unless it
  * leads all around or its junction is that likely. */
 constexpr std::size_t ISTHMUS = 2;
+/** Gap in the extent of the smaller boundary over which a mouth tells nothing of where
+ * its tube goes on. */
+constexpr double WIDEST_GAP = 1.0;
 /** Junctions that are tried for each handle. */
 constexpr std::size_t MOST_TRIES = 64;
 /** Times in all that contours are extracted anew. */
@@ -206,6 +210,28 @@ narrowStrips(const ModelSurvey& survey,
   return narrow;
 }
 
+/** Whether without some bridges a mouth would be capped over which a tube goes on: they
+ * are all that it has, and more than a narrow strip. */
+bool
+wouldCapMouth(const Bridges& bridges,
+              const Junction& junction,
+              const ModelSurvey& survey,
+              const SurveyedBridges& joined)
+{
+  const auto isOnlyAt = [&](std::size_t curve) {
+    return static_cast<std::size_t>(std::count_if(
+               joined.bridges.begin(), joined.bridges.end(), [&](const Bridge& bridge) {
+                 return bridge.begin.curve == curve || bridge.end.curve == curve;
+               })) == bridges.size();
+  };
+  return bridges.size() > ISTHMUS && junction.evidence.gap_share <= WIDEST_GAP &&
+         std::any_of(
+             junction.curves.begin(), junction.curves.end(), [&](std::size_t curve) {
+               return isMouth(survey.classes[joined.loops[curve]].evidence) &&
+                      isOnlyAt(curve);
+             });
+}
+
 /** Bridges that may be given up together: of each junction single strips, so that most
  * can stay, then all.
  * \param[in] of_sure_ones of junctions that may make a handle, the least likely ones
@@ -229,17 +255,21 @@ candidatesOf(const ModelSurvey& survey,
   std::vector<Bridges> candidates;
   if (!of_sure_ones)
     candidates = narrowStrips(survey, joined, strips);
+  const auto add = [&](Bridges bridges, const Junction& junction) {
+    if (!wouldCapMouth(bridges, junction, survey, joined))
+      candidates.push_back(std::move(bridges));
+  };
   for (const Junction* junction : junctions) {
     const std::vector<Strip>& some = strips.at(junction->curves);
     for (const Strip& strip : some)
-      candidates.push_back(strip.bridges);
+      add(strip.bridges, *junction);
     if (some.size() == 1) // which is all
       continue;
     Bridges all;
     for (const Strip& strip : some)
       all.insert(all.end(), strip.bridges.begin(), strip.bridges.end());
     std::sort(all.begin(), all.end());
-    candidates.push_back(std::move(all));
+    add(std::move(all), *junction);
   }
   return candidates;
 }

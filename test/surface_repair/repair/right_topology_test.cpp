@@ -430,6 +430,19 @@ damaged(const Shape& shape, std::uint64_t seed)
   });
 }
 
+/** The junctions bend too much to be sure, but a mouth goes on somewhere. */
+TEST(RightTopology, NoMouthIsCappedToGiveUpAHandle)
+{
+  for (const std::uint64_t seed : {5, 67, 115}) {
+    SCOPED_TRACE(seed);
+    const Repaired result =
+        repaired(withoutFreeVertices(damaged(torus(80, 20, 1.0, 0.22), seed)));
+    expectNothingLost(result);
+    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(0, topologyOf(result.triangles()).characteristic);
+  }
+}
+
 /** The mouths of a tube stay open, and are reported so. */
 bool
 isTube(const Repaired& result)
