@@ -35,6 +35,18 @@ for name in islands lines slice; do
   cp "build/demo/pieces/$name.png" "$images/inspect_bunny_$name.png"
 done
 
+# A knotted tube in pieces, the force lines between them, and what becomes of it.
+scripts/make_shape.sh knot >build/demo/knot.xyz
+"$bin/pcl_ccaa_reconstruct" build/demo/knot.xyz build/demo/knot.ply --repair --quiet
+"$bin/pcl_damage_cloud" build/demo/knot.ply build/demo/knot_cut.ply --slabs 2 --slab-size 0.08 \
+  --patches 5 --patch-size 0.012 --spheres 2 --sphere-size 0.05 --seed 4 --quiet
+"$bin/pcl_repair_holes" build/demo/knot_cut.ply build/demo/knot_whole.ply --quiet || (($? == 2))
+"$bin/pcl_repair_holes" build/demo/knot_cut.ply --inspect build/demo/knot --size 640x560 --quiet
+"$render" build/demo/knot_cut.ply "$images/decision_islands.png" --color-by component --size 480x440
+cp build/demo/knot/lines.png "$images/decision_lines.png"
+"$render" build/demo/knot_whole.ply "$images/decision_result.png" --new-since build/demo/knot_cut.ply \
+  --size 480x440
+
 # Real scans, where there are any: they are no part of the repository.
 data=${PSR_SHARED_DATA:-../shared/data}
 scan=$data/range_maps/lato000.ply
