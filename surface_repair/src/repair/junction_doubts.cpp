@@ -8,6 +8,7 @@
 #include "boundary/boundary_loop.h"
 #include "junction/junction.h"
 #include "mesh/contacts.h"
+#include "survey/handle_choice.h"
 
 #include <algorithm>
 #include <map>
@@ -30,6 +31,15 @@ isWeak(const JunctionEvidence& evidence, const JunctionParameters& parameters)
 {
   const double margin = evidence.has_sight ? SEEN_MARGIN : MARGIN;
   return evidence.logOdds() < oddsThatJoin(evidence, parameters) + margin;
+}
+
+/** Whether a junction may have made a handle that it does not carry. */
+bool
+mayBeFalseHandle(const RepairJunction& junction, const RepairReport& report)
+{
+  return report.after.genus.value_or(0) > 0 &&
+         junction.islands[0] == junction.islands[1] &&
+         !carriesHandle(junction.evidence);
 }
 
 } // namespace
@@ -55,7 +65,9 @@ weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
   for (const RepairJunction& junction : report.junctions) {
     const PointPair points = inOrder(junction.points[0], junction.points[1]);
     if (parameters.junction.judge && junction.verdict == JunctionVerdict::JOINED &&
-        isWeak(junction.evidence, parameters.junction) && wanted.count(points) == 0)
+        (isWeak(junction.evidence, parameters.junction) ||
+         mayBeFalseHandle(junction, report)) &&
+        wanted.count(points) == 0)
       gaps[points] = junction.evidence.gap_share;
   }
   std::vector<RepairDoubt> weak;

@@ -30,7 +30,8 @@ std::set<PointPair>
 decidedLoops(const Decisions* decisions, bool join);
 
 /** \brief Junctions that are joined on evidence that hardly decides, or only because
- * there is no better one: by their points, ascending. */
+ * there is no better one, or that join an island to itself and do not carry a handle,
+ * where the result has some: by their points, ascending. */
 std::vector<RepairDoubt>
 weakJunctions(const RepairReport& report, const SurveyParameters& parameters);
 

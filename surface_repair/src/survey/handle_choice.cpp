@@ -48,9 +48,9 @@ curvesOf(const Bridge& bridge)
 }
 
 double
-bendOf(const Junction& junction)
+bendOf(const JunctionEvidence& evidence)
 {
-  return junction.evidence.turn + junction.evidence.fold;
+  return evidence.turn + evidence.fold;
 }
 
 /** Bridges and contours without some bridges. */
@@ -111,12 +111,6 @@ private:
   std::size_t contours_;
   std::vector<std::array<std::size_t, 2>> sides_;
 };
-
-bool
-mayMakeHandle(const Junction& junction)
-{
-  return bendOf(junction) <= MOST_BENT || junction.evidence.logOdds() >= CARRYING_ODDS;
-}
 
 using Bridges = std::vector<std::size_t>; // ascending
 
@@ -246,9 +240,12 @@ candidatesOf(const ModelSurvey& survey,
       survey,
       joined,
       strips,
-      [&](const Junction& junction) { return mayMakeHandle(junction) == of_sure_ones; },
+      [&](const Junction& junction) {
+        return carriesHandle(junction.evidence) == of_sure_ones;
+      },
       [&](const Junction* a, const Junction* b) {
-        return of_sure_ones ? isLessLikely(a, b) : bendOf(*a) > bendOf(*b);
+        return of_sure_ones ? isLessLikely(a, b)
+                            : bendOf(a->evidence) > bendOf(b->evidence);
       });
   if (junctions.size() > MOST_TRIES)
     junctions.resize(MOST_TRIES);
@@ -329,6 +326,12 @@ private:
 };
 
 } // namespace
+
+bool
+carriesHandle(const JunctionEvidence& evidence)
+{
+  return bendOf(evidence) <= MOST_BENT || evidence.logOdds() >= CARRYING_ODDS;
+}
 
 BridgedTopology
 bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined)

@@ -25,6 +25,11 @@ struct BridgedTopology {
 BridgedTopology
 bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined);
 
+/** \brief Whether a junction may make a handle on its own evidence: it is straight, or
+ * sure. */
+bool
+carriesHandle(const JunctionEvidence& evidence);
+
 /** \brief Give up bridges that make a handle, those of narrow strips and then of the
  * most bent junction first, until none is left that evidence does not carry: at a true
  * handle that was cut through the surfaces go on straight. A handle that lies in one

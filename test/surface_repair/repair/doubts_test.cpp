@@ -248,6 +248,26 @@ TEST(Doubts, AJunctionNeedsMoreOddsWhereSensorsAreKnown)
   EXPECT_EQ(1U, weakJunctions(report, parameters).size());
 }
 
+TEST(Doubts, AnIslandJoinedToItselfAroundABendIsOneWhereThereAreHandles)
+{
+  RepairReport report;
+  report.after.genus = 1;
+  report.junctions.resize(1);
+  RepairJunction& junction = report.junctions.front();
+  junction.verdict = JunctionVerdict::JOINED;
+  junction.evidence.turn = junction.evidence.fold = 1.2;
+  junction.evidence.gap_edges = 8.0;
+  SurveyParameters parameters;
+  parameters.junction.joined_from = junction.evidence.logOdds() - 1.0;
+  ASSERT_LT(junction.evidence.logOdds(), 3.6);
+  EXPECT_EQ(1U, weakJunctions(report, parameters).size());
+  report.after.genus = 0;
+  EXPECT_TRUE(weakJunctions(report, parameters).empty());
+  report.after.genus = 1;
+  junction.islands = {0, 1};
+  EXPECT_TRUE(weakJunctions(report, parameters).empty());
+}
+
 TEST(Doubts, AJunctionWithOddsToSpareIsNone)
 {
   EXPECT_TRUE(joinedBy(2.0).report.complete());
