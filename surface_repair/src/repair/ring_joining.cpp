@@ -6,6 +6,7 @@
 #include "boundary/opposed_loops.h"
 #include "filling/minimum_weight_filling.h"
 #include "repair/junction_rings.h"
+#include "repair/opening.h"
 #include "repair/region_parts.h"
 #include "repair/ring_filling.h"
 #include "run/stage_clock.h"
@@ -44,15 +45,18 @@ struct Ring {
   RegionMemory::Key key;
 };
 
+/** Says that a key is of a ring, not of two holes. */
+constexpr std::size_t IS_RING = 1;
+
 RegionMemory::Key
-keyOf(const BoundaryLoop& first, const BoundaryLoop& second)
+keyOf(const BoundaryLoop& first,
+      const BoundaryLoop& second,
+      const IncompleteModel& model)
 {
-  RegionMemory::Key key;
-  for (const BoundaryLoop* loop : {&first, &second}) {
-    key.numbers.push_back(loop->vertices.size());
-    for (const Position& point : loop->curve.points)
-      key.points.push_back({point.x(), point.y(), point.z()});
-  }
+  Region both;
+  both.holes = {polygonOf(first), polygonOf(second)};
+  RegionMemory::Key key = RegionMemory::keyOf(both, model);
+  key.numbers.push_back(IS_RING);
   return key;
 }
 
@@ -91,33 +95,20 @@ join(const Ring& ring, const Course& whole, GrowingSurface& surface)
   return false;
 }
 
-/** \return NONE where a vertex is at no boundary */
-std::size_t
-loopAt(pcl::index_t vertex, const std::vector<BoundaryLoop>& loops)
-{
-  const auto found =
-      std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
-        return std::find(loop.vertices.begin(), loop.vertices.end(), vertex) !=
-               loop.vertices.end();
-      });
-  return found == loops.end() ? NONE : static_cast<std::size_t>(found - loops.begin());
-}
-
 /** Those that may be closed and have not failed before. */
 std::vector<Ring>
 ringsFor(const ClosedHoles& pass, const Course& course)
 {
-  const std::vector<BoundaryLoop>& loops = course.survey.loops;
+  const ModelSurvey& survey = course.survey;
   std::vector<Ring> rings;
   for (const auto& [at_first, at_second] : pass.failed_pairs) {
-    const std::size_t first = loopAt(at_first, loops);
-    const std::size_t second = loopAt(at_second, loops);
-    if (first == NONE || second == NONE || first == second ||
-        !hasFailed(loops[first], pass.failed) ||
-        !hasFailed(loops[second], pass.failed) ||
-        lookTheSameWay(loops[first].curve, loops[second].curve))
+    const BoundaryLoop* first = loopAt(survey.loops, at_first);
+    const BoundaryLoop* second = loopAt(survey.loops, at_second);
+    if (first == nullptr || second == nullptr || first == second ||
+        !hasFailed(*first, pass.failed) || !hasFailed(*second, pass.failed) ||
+        lookTheSameWay(first->curve, second->curve))
       continue;
-    Ring ring{&loops[first], &loops[second], keyOf(loops[first], loops[second])};
+    Ring ring{first, second, keyOf(*first, *second, survey.model)};
     if (course.memory.find(ring.key) == nullptr)
       rings.push_back(std::move(ring));
   }

@@ -6,11 +6,11 @@
 
 #include "boundary/loop_evidence.h"
 #include "mesh/disjoint_sets.h"
+#include "survey/bridge_strips.h"
 #include "survey/wanted_lines.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 namespace pcl::repair {
@@ -23,9 +23,6 @@ namespace {
  * to 3.5; a coarse torus has 120 with odds of 3.9. */
 constexpr double MOST_BENT = 2.1;
 constexpr double CARRYING_ODDS = 3.6;
-/** Bridges of a strip that carries no handle, however straight its junction, unless it
- * leads all around or its junction is that likely. */
-constexpr std::size_t ISTHMUS = 2;
 /** Gap in the extent of the smaller boundary over which a mouth tells nothing of where
  * its tube goes on. */
 constexpr double WIDEST_GAP = 1.0;
@@ -37,15 +34,6 @@ constexpr std::size_t MOST_EXTRACTIONS = 1024;
  * extract contours anew. */
 constexpr std::uint64_t TRIAL_WORK = 5;
 constexpr std::uint64_t EXTRACTION_WORK = 200;
-
-using CurvePair = std::array<std::size_t, 2>;
-
-CurvePair
-curvesOf(const Bridge& bridge)
-{
-  const auto [low, high] = std::minmax(bridge.begin.curve, bridge.end.curve);
-  return {low, high};
-}
 
 double
 bendOf(const JunctionEvidence& evidence)
@@ -111,53 +99,6 @@ private:
   std::size_t contours_;
   std::vector<std::array<std::size_t, 2>> sides_;
 };
-
-using Bridges = std::vector<std::size_t>; // ascending
-
-/** Bridges of the same two boundaries with nothing but them between each two
- * neighbours.
- */
-struct Strip {
-  Bridges bridges;
-  std::size_t contours = 0; /**< between two each: as many where it leads all around */
-
-  bool
-  isNarrow() const
-  {
-    return contours < bridges.size() && bridges.size() <= ISTHMUS;
-  }
-};
-
-/** Of each pair of boundaries the narrowest strips come first. */
-using Strips = std::map<CurvePair, std::vector<Strip>>;
-
-Strips
-stripsOf(const SurveyedBridges& joined)
-{
-  ccaa::DisjointSets sets(joined.bridges.size());
-  std::vector<std::size_t> between;
-  for (const HoleContour& contour : joined.holes.contours)
-    if (const auto& steps = contour.steps;
-        steps.size() == 2 && steps[0].bridge != NONE && steps[1].bridge != NONE &&
-        curvesOf(joined.bridges[steps[0].bridge]) ==
-            curvesOf(joined.bridges[steps[1].bridge])) {
-      sets.join(steps[0].bridge, steps[1].bridge);
-      between.push_back(steps[0].bridge);
-    }
-  std::map<std::size_t, Strip> strip_of;
-  for (std::size_t b = 0; b < joined.bridges.size(); ++b)
-    strip_of[sets.find(b)].bridges.push_back(b);
-  for (const std::size_t b : between)
-    ++strip_of[sets.find(b)].contours;
-  Strips strips;
-  for (auto& [root, strip] : strip_of)
-    strips[curvesOf(joined.bridges[root])].push_back(std::move(strip));
-  for (auto& [curves, some] : strips)
-    std::stable_sort(some.begin(), some.end(), [](const Strip& a, const Strip& b) {
-      return a.bridges.size() < b.bridges.size();
-    });
-  return strips;
-}
 
 /** Those that have bridges and that nobody wants, as far as a rule takes them, where no
  * mouth looks at the other boundary; the least one first. */

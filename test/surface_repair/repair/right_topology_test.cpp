@@ -29,6 +29,15 @@ expectNothingLost(const Repaired& result)
   EXPECT_TRUE(hasConsistentReport(result));
 }
 
+/** One piece, and nothing that was given is lost. */
+void
+expectOnePiece(const Repaired& result, long characteristic)
+{
+  expectNothingLost(result);
+  EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+  EXPECT_EQ(characteristic, topologyOf(result.triangles()).characteristic);
+}
+
 /** Whole, and nothing that was given is lost. */
 void
 expectWhole(const Repaired& result, std::size_t pieces, long characteristic)
@@ -245,9 +254,7 @@ TEST(RightTopology, LimbsThatFailedAreJoinedBeforeAnotherPassPartsThem)
   for (const std::uint64_t seed : {310, 311, 312}) {
     SCOPED_TRACE(seed);
     const Repaired result = repaired(cutLimbWithHole(seed));
-    expectNothingLost(result);
-    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
-    EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+    expectOnePiece(result, 2);
   }
 }
 
@@ -266,9 +273,7 @@ TEST(RightTopology, LoneStumpsAreJoinedOverALongGapAndThatIsTold)
   for (const double gap : {5.0, 5.5}) {
     SCOPED_TRACE(gap);
     const Repaired result = repaired(gappedLimb(gap));
-    expectNothingLost(result);
-    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
-    EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+    expectOnePiece(result, 2);
     ASSERT_FALSE(result.report.complete());
     EXPECT_EQ(DoubtReason::LONG_GAP, result.report.doubts.front().reason);
   }
@@ -437,9 +442,7 @@ TEST(RightTopology, NoMouthIsCappedToGiveUpAHandle)
     SCOPED_TRACE(seed);
     const Repaired result =
         repaired(withoutFreeVertices(damaged(torus(80, 20, 1.0, 0.22), seed)));
-    expectNothingLost(result);
-    EXPECT_EQ(1U, topologyOf(result.triangles()).components);
-    EXPECT_EQ(0, topologyOf(result.triangles()).characteristic);
+    expectOnePiece(result, 0);
   }
 }
 
