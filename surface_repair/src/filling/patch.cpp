@@ -3,7 +3,17 @@
 
 #include "filling/patch.h"
 
+#include "mesh/surface_topology.h"
+
 namespace pcl::repair {
+
+ccaa::SurfaceTopology
+surfaceKindOf(const Patch& patch)
+{
+  ccaa::TriangleAdjacency adjacency;
+  adjacency.build(patch.triangles, patch.positions.size());
+  return ccaa::topologyOf(patch.triangles, adjacency);
+}
 
 Patch
 keepTriangles(const Patch& patch, const std::vector<bool>& is_kept)

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <pcl/surface_ccaa/surface_topology.h>
+
 #include "icadm/incomplete_model.h"
 
 #include <algorithm>
@@ -56,6 +58,10 @@ struct Patch {
     on_crease[a] = on_crease[b] = 1;
   }
 };
+
+/** \brief What kind of surface a patch is by itself. Cost: linear. */
+ccaa::SurfaceTopology
+surfaceKindOf(const Patch& patch);
 
 /** \brief The patch without some of its triangles, and without the vertices that only
  * these have; what is left keeps its order. \param[in] is_kept of each triangle */

@@ -224,14 +224,18 @@ mendPatch(const ClosingPlace& place,
 {
   // The surroundings are looked for in the whole model: not for nothing.
   ccaa::RunControl* const control = context.control;
-  if (obstructedTriangles(patch, obstacle, control).size() > mostObstructed(patch))
-    return false;
+  const std::size_t obstructed = obstructedTriangles(patch, obstacle, control).size();
+  if (obstructed == 0 || obstructed > mostObstructed(patch))
+    return obstructed == 0;
   if (!ccaa::spend(control, place.model.triangles.size() / TRIANGLES_AT_ONCE))
     return false;
   PatchMending mending(place, obstacle, context, patch);
   if (!mending.run())
     return false;
-  patch = mending.patch();
+  Patch mended = mending.patch();
+  if (surfaceKindOf(mended).genus != surfaceKindOf(patch).genus)
+    return false;
+  patch = std::move(mended);
   return true;
 }
 

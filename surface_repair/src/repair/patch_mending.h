@@ -14,7 +14,8 @@ namespace pcl::repair {
  * alone leave no way around. \param[in] place of the patch; it is not mended within it
  * \param[in,out] patch without free points as vertices; what is filled anew is of the
  * hole in which it runs into something
- * \return whether it is free now; else it stays as it is */
+ * \return whether it is free now, with as many handles as before; else it
+ * stays as it is */
 bool
 mendPatch(const ClosingPlace& place,
           const SurfaceObstacle& obstacle,

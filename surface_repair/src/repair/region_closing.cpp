@@ -3,14 +3,13 @@
 
 #include "repair/region_closing.h"
 
-#include "fairing/sample_growth.h"
 #include "filling/completion_filling.h"
 #include "icadm/model_assembly.h"
 #include "junction/depth_jump.h"
 #include "repair/patch_fairing.h"
+#include "repair/patch_growth.h"
 #include "repair/patch_mending.h"
 #include "repair/region_parts.h"
-#include "repair/sample_shares.h"
 
 #include <algorithm>
 #include <set>
@@ -185,15 +184,9 @@ RegionClosing::assemble()
     if (fills[p] != NONE)
       closed.push_back(parts_.parts[p]);
   result_.patch = assemblePatch(closed, place_.model.positions.size(), region_.creases);
-  if (!grows)
+  if (!grows || result_.patch.triangles.empty())
     return;
-  const auto is_obstructed = [&](const ccaa::Corners& corners) {
-    return obstacle_.meets(corners, context_.control);
-  };
-  growOver(
-      place_.model, region_.samples, is_obstructed, result_.patch, context_.control);
-  are_strays_ =
-      !samplesDescribe(place_.model.free_points, region_.samples, result_.patch);
+  are_strays_ = !growPatch(place_, region_.samples, obstacle_, context_, result_.patch);
   grown_ = result_.patch;
   grown_fills_ = std::move(fills);
 }

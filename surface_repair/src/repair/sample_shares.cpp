@@ -29,19 +29,8 @@ constexpr double LONGEST_HOP = 3.0;
 constexpr double FIRST_HOP = 0.75;
 /** A free point so close over the given surface tells nothing new, in spacings. */
 constexpr double CLOSE = 0.5;
-// What samples have to be like: webs over the stray points of depth jumps made up 11 to
-// 18 % of the area of range maps before.
-
 /** Samples that tell a surface. */
 constexpr std::size_t FEWEST = 4;
-/** Longest edge between samples of one surface, in their median spacing. */
-constexpr double LONGEST_EDGE = 3.0;
-/** Share of the area at samples that longer edges may have. */
-constexpr double MOST_EMPTY = 0.2;
-/** Spacing of the sparsest tenth of such samples, in that of the densest tenth. */
-constexpr double MOST_UNEVEN = 4.0;
-/** Share of a rim that they come close to. */
-constexpr double LEAST_NEAR = 0.5;
 /** Hops between the samples of two regions that make these one, both ways counted. */
 constexpr std::size_t FEWEST_MEETINGS = 8;
 
@@ -260,81 +249,6 @@ regionsThatSamplesLink(const IncompleteModel& model,
       linked.emplace_back(r, other);
   }
   return linked;
-}
-
-namespace {
-
-/** Distances of samples to their third neighbours among them, ascending. */
-std::vector<double>
-spacingsOf(const Positions& samples, const FloatTree& tree)
-{
-  std::vector<double> spacings;
-  for (const Position& sample : samples) {
-    const auto nearest = tree.nearest(sample, SPACING_NEIGHBOUR + 1);
-    spacings.push_back(
-        (samples[static_cast<std::size_t>(nearest.back())] - sample).norm());
-  }
-  std::sort(spacings.begin(), spacings.end());
-  return spacings;
-}
-
-/** Share of the area at samples that triangles with longer edges have. */
-double
-emptyShare(const Patch& patch, double longest)
-{
-  double area = 0.0, empty = 0.0;
-  for (const Triangle& triangle : patch.triangles) {
-    if (std::none_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
-          return patch.free_point[static_cast<std::size_t>(corner)] != NONE;
-        }))
-      continue;
-    const ccaa::Corners corners = ccaa::cornersOf(triangle, patch.positions);
-    const double own = ccaa::areaNormal(corners).norm();
-    area += own;
-    if ((corners[1] - corners[0]).norm() > longest ||
-        (corners[2] - corners[1]).norm() > longest ||
-        (corners[0] - corners[2]).norm() > longest)
-      empty += own;
-  }
-  return area > 0.0 ? empty / area : 0.0;
-}
-
-/** Share of the vertices of the rim that have a sample so near. */
-double
-nearShare(const Patch& patch,
-          const Positions& samples,
-          const FloatTree& tree,
-          double near)
-{
-  const auto count = std::count_if(
-      patch.positions.begin(),
-      patch.positions.begin() + static_cast<std::ptrdiff_t>(patch.rim.size()),
-      [&](const Position& vertex) {
-        const auto nearest = static_cast<std::size_t>(tree.nearest(vertex, 1).front());
-        return (samples[nearest] - vertex).norm() <= near;
-      });
-  return static_cast<double>(count) / static_cast<double>(patch.rim.size());
-}
-
-} // namespace
-
-bool
-samplesDescribe(const Positions& free_points,
-                const std::vector<std::size_t>& places,
-                const Patch& patch)
-{
-  Positions samples;
-  for (const std::size_t place : places)
-    samples.push_back(free_points[place]);
-  const FloatTree tree(samples);
-  const std::vector<double> spacings = spacingsOf(samples, tree);
-  const double longest = LONGEST_EDGE * spacings[spacings.size() / 2];
-  if (emptyShare(patch, longest) <= MOST_EMPTY)
-    return true;
-  const double sparse = spacings[spacings.size() * 9 / 10];
-  const double dense = spacings[spacings.size() / 10];
-  return sparse <= MOST_UNEVEN * dense &&
-         nearShare(patch, samples, tree, longest) >= LEAST_NEAR;
 }
 
 } // namespace pcl::repair

@@ -34,19 +34,4 @@ regionsThatSamplesLink(const IncompleteModel& model,
                        const FreePointField& free_points,
                        const std::vector<Region>& regions);
 
-/** \brief Whether samples tell the surface of the patch that has grown over them,
- * rather than being stray points, as depth jumps leave them.
- *
- * Samples of a surface cover it, lie evenly on it, and begin at its rim. So triangles
- * at samples that have edges of more than three spacings (the median distance to the
- * third neighbour) take a fifth of the area at most, or else the spacing of a tenth of
- * them is at most four times that of another tenth, and half of the rim has one within
- * three spacings (doc/concepts/repair.md: samples of a lost part). Cost: log-linear in
- * the samples, linear in the patch. \param[in] free_points of the model \param[in]
- * places of the samples, four at least */
-bool
-samplesDescribe(const Positions& free_points,
-                const std::vector<std::size_t>& places,
-                const Patch& patch);
-
 } // namespace pcl::repair

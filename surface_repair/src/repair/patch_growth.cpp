@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the coarse patch of a region grows over its samples.
+
+#include "repair/patch_growth.h"
+
+#include "fairing/crossing_flips.h"
+#include "fairing/sample_growth.h"
+#include "repair/patch_mending.h"
+#include "repair/sample_evidence.h"
+
+namespace pcl::repair {
+
+bool
+growPatch(const ClosingPlace& place,
+          const std::vector<std::size_t>& samples,
+          const SurfaceObstacle& obstacle,
+          const ccaa::LoopContext& context,
+          Patch& patch)
+{
+  const auto is_obstructed = [&](const ccaa::Corners& corners) {
+    return obstacle.meets(corners, context.control);
+  };
+  // A patch with a handle is wrong as a whole, and mending knows no creases.
+  if (place.mends && patch.creases.empty() && surfaceKindOf(patch).genus == 0) {
+    flipCrossings(place.model,
+                  obstructedTriangles(patch, obstacle, context.control),
+                  is_obstructed,
+                  patch,
+                  context.control);
+    mendPatch(place, obstacle, context, patch);
+  }
+  growOver(place.model, samples, is_obstructed, patch, context.control);
+  return samplesDescribe(place.model.free_points, samples, patch);
+}
+
+} // namespace pcl::repair
