@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <X11/Xlib.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
@@ -103,6 +104,25 @@ waitForEvents(void* display, int milliseconds)
   if (XPending(opened) == 0)
     poll(&wait, 1, milliseconds);
   return XPending(opened) > 0;
+}
+
+bool
+isAwaited(void* display)
+{
+  bool found = false;
+  const auto look = [](::Display* /*display*/, XEvent* event, XPointer result) -> Bool {
+    const std::array<int, 4> answered = {
+        KeyPress, ButtonPress, ConfigureNotify, ClientMessage};
+    if (std::find(answered.begin(), answered.end(), event->type) != answered.end())
+      *reinterpret_cast<bool*>(result) = true;
+    return False; // it stays in the queue
+  };
+  XEvent none;
+  XCheckIfEvent(static_cast<::Display*>(display),
+                &none,
+                look,
+                reinterpret_cast<XPointer>(&found));
+  return found;
 }
 
 bool

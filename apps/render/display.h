@@ -34,6 +34,12 @@ private:
 bool
 waitForEvents(void* display, int milliseconds);
 
+/** \brief Whether a key or a button waits to be answered, or the window to be closed or
+ * laid out anew: more than a mouse that moves. \param[in] display see waitForEvents()
+ */
+bool
+isAwaited(void* display);
+
 /** \brief Whether $DISPLAY names a display that answers, for a window that somebody is
  * to see. */
 bool

@@ -3,10 +3,17 @@
 #include "viewer/light_drawing.h"
 
 #include <vtkBinnedDecimation.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkMaskPoints.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <vtkRenderWindow.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -15,6 +22,9 @@ namespace {
 /** Triangles or dots that a computer without a graphics card draws several times a
  * second. */
 constexpr vtkIdType LIGHT_CELLS = 100000;
+
+/** Triangles or dots that are drawn without a look at what has happened. */
+constexpr vtkIdType SLICE_CELLS = 250000;
 
 vtkSmartPointer<vtkPolyData>
 coarseFaces(vtkPolyData& part)
@@ -54,6 +64,78 @@ mapperLike(vtkMapper& mapper, vtkPolyData* part)
   return light;
 }
 
+/** Some cells of a part that has only polygons or only dots. */
+vtkSmartPointer<vtkPolyData>
+sliceOf(vtkPolyData& part, vtkIdType begin, vtkIdType end)
+{
+  const bool is_surface = part.GetNumberOfPolys() > 0;
+  vtkCellArray& all = is_surface ? *part.GetPolys() : *part.GetVerts();
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->Use32BitStorage();
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  for (vtkIdType cell = begin; cell < end; ++cell) {
+    all.GetCellAtId(cell, size, corners);
+    cells->InsertNextCell(size, corners);
+  }
+  cells->Squeeze();
+  auto slice = vtkSmartPointer<vtkPolyData>::New();
+  slice->SetPoints(part.GetPoints());
+  slice->GetPointData()->ShallowCopy(part.GetPointData());
+  is_surface ? slice->SetPolys(cells) : slice->SetVerts(cells);
+  slice->GetCellData()->CopyAllocate(part.GetCellData(), end - begin);
+  for (vtkIdType cell = begin; cell < end; ++cell)
+    slice->GetCellData()->CopyData(part.GetCellData(), cell, cell - begin);
+  return slice;
+}
+
+/** \brief Draws a part slice by slice, and stops in between when the window says so. */
+class SlicedMapper : public vtkPolyDataMapper {
+public:
+  static SlicedMapper*
+  New();
+
+  /** \brief Draw this, as another mapper does. */
+  void
+  slice(vtkPolyData& part, vtkMapper& like)
+  {
+    SetInputData(&part);
+    ScalarVisibilityOff();
+    const vtkIdType count = part.GetNumberOfCells();
+    for (vtkIdType begin = 0; begin < count; begin += SLICE_CELLS)
+      slices_.push_back(
+          mapperLike(like, sliceOf(part, begin, std::min(count, begin + SLICE_CELLS))));
+  }
+
+  void
+  Render(vtkRenderer* renderer, vtkActor* actor) override
+  {
+    vtkRenderWindow& window = *renderer->GetRenderWindow();
+    for (const auto& slice : slices_) {
+      slice->Render(renderer, actor);
+      window.WaitForCompletion();
+      if (window.CheckAbortStatus() != 0)
+        return;
+    }
+  }
+
+  void
+  RenderPiece(vtkRenderer* /*renderer*/, vtkActor* /*actor*/) override
+  {}
+
+  void
+  ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    for (const auto& slice : slices_)
+      slice->ReleaseGraphicsResources(window);
+  }
+
+private:
+  std::vector<vtkSmartPointer<vtkMapper>> slices_;
+};
+
+vtkStandardNewMacro(SlicedMapper);
+
 } // namespace
 
 bool
@@ -63,22 +145,26 @@ LightDrawing::lighten(vtkActor& actor)
   if (part == nullptr || part->GetNumberOfCells() <= LIGHT_CELLS ||
       part->GetNumberOfLines() > 0)
     return false;
-  MapperPtr& coarse = coarse_[part];
-  if (!coarse)
-    coarse =
+  Mappers& mappers = mappers_[part];
+  if (!mappers.coarse) {
+    mappers.coarse =
         mapperLike(*actor.GetMapper(),
                    part->GetNumberOfPolys() > 0 ? coarseFaces(*part) : someDots(*part));
-  full_.emplace_back(&actor, actor.GetMapper());
-  actor.SetMapper(coarse);
+    const auto sliced = vtkSmartPointer<SlicedMapper>::New();
+    sliced->slice(*part, *actor.GetMapper());
+    mappers.sliced = sliced;
+  }
+  sliced_.emplace_back(&actor, mappers.sliced);
+  actor.SetMapper(mappers.coarse);
   return true;
 }
 
 void
 LightDrawing::restore()
 {
-  for (const auto& [actor, mapper] : full_)
+  for (const auto& [actor, mapper] : sliced_)
     actor->SetMapper(mapper);
-  full_.clear();
+  sliced_.clear();
 }
 
 } // namespace app

@@ -13,7 +13,8 @@
 namespace app {
 
 /** \brief Draws surfaces and dots coarsely that are too many to be drawn many times a
- * second. Coarse ones are made when they are needed first, and kept. */
+ * second, and else in slices, between which drawing can stop (VTK's AbortCheckEvent).
+ * Both are made when they are needed first, and kept: some 20 bytes a triangle. */
 class LightDrawing {
 public:
   /** \brief Draw an actor coarsely from now on, if it is large. Cost, the first time:
@@ -21,15 +22,20 @@ public:
   bool
   lighten(vtkActor& actor);
 
-  /** \brief Draw all actors as they are again. */
+  /** \brief Draw all actors in full again. */
   void
   restore();
 
 private:
   using MapperPtr = vtkSmartPointer<vtkMapper>;
 
-  std::map<vtkDataObject*, MapperPtr> coarse_;        /**< of what is drawn */
-  std::vector<std::pair<vtkActor*, MapperPtr>> full_; /**< of actors drawn coarsely */
+  struct Mappers {
+    MapperPtr coarse;
+    MapperPtr sliced;
+  };
+
+  std::map<vtkDataObject*, Mappers> mappers_;           /**< of what is drawn */
+  std::vector<std::pair<vtkActor*, MapperPtr>> sliced_; /**< of actors drawn coarsely */
 };
 
 } // namespace app

@@ -129,6 +129,10 @@ ViewerWindow::ViewerWindow(StageView& view,
   observe(*window_->GetInteractor(), vtkCommand::ExitEvent, [this] {
     act({Command::QUIT, 0, Layer::SURFACE});
   });
+  observe(*window_, vtkCommand::AbortCheckEvent, [this] {
+    if (may_stop_ && isAwaited(window_->GetGenericDisplayId()))
+      window_->SetAbortRender(1);
+  });
   viewer_->setSize(width, height);
   viewer_->setWindowName(title);
   view_.fit(width, height);
@@ -137,6 +141,7 @@ ViewerWindow::ViewerWindow(StageView& view,
 
 ViewerWindow::~ViewerWindow()
 {
+  desk_ = nullptr; // keys that still wait decide nothing
   // Window and interactor hold each other, and an interactor that was not ended is
   // asked for events by those of later windows.
   const vtkSmartPointer<vtkRenderWindowInteractor> interactor(window_->GetInteractor());
@@ -231,6 +236,12 @@ ViewerWindow::rest()
   view_.drawWell();
   setQuick(false);
   window_->Render();
+  if (window_->GetAbortRender() == 0)
+    return;
+  // The window shows still what was drawn quickly.
+  view_.drawQuickly(state_);
+  setQuick(true);
+  changed_ = Clock::now();
 }
 
 /** Put the stage and its legend in the window: at first quickly, where that makes a
@@ -293,8 +304,11 @@ ViewerWindow::update()
     window_->GetInteractor()->ProcessEvents();
   if (state_.quits())
     return false;
-  if (changed_ < Clock::now() - REST)
+  if (changed_ < Clock::now() - REST) {
+    may_stop_ = true;
     rest();
+    may_stop_ = false;
+  }
   const int* const size = window_->GetSize();
   if (size[0] != width_ || size[1] != height_)
     show();

@@ -116,6 +116,7 @@ private:
   Command asked_ = Command::NONE; /**< that would lose decisions, if it comes again */
   bool wants_file_ = false;
   bool is_quick_ = false;     /**< the stage is drawn quickly rather than well */
+  bool may_stop_ = false;     /**< drawing, when there is something to answer */
   Clock::time_point changed_; /**< when the last change was drawn */
   int width_ = 0;
   int height_ = 0;

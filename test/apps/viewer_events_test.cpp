@@ -7,6 +7,7 @@
 #include <vtkCommand.h>
 #include <vtkMapper.h>
 #include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
 
 #include "inspect/inspection_colors.h"
 #include "pictures.h"
@@ -26,6 +27,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace app_test {
@@ -263,6 +265,28 @@ TEST_F(RenderLargeViewer, KeysThatFollowEachOtherDoNotWaitForAFullPicture)
   EXPECT_EQ(5U, drawn_.size());
   EXPECT_LT(*std::max_element(drawn_.begin(), drawn_.end()), ALL / 2);
   EXPECT_TRUE(isDrawnInFull()) << "also after a key without a meaning";
+}
+
+TEST_F(RenderLargeViewer, AKeyStopsAFullPictureThatHasBegun)
+{
+  ASSERT_TRUE(isDrawnInFull());
+  window_->press("period");
+  bool has_come = false;
+  vtkRenderWindow& drawn = *view_->model().GetRenderWindow();
+  const auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+  command->SetClientData(&has_come);
+  command->SetCallback([](vtkObject*, unsigned long, void* come, void*) {
+    if (!std::exchange(*static_cast<bool*>(come), true))
+      runInShell("xdotool search --name '^caps$' mousemove --window %1 400 300 key x");
+  });
+  constexpr float FIRST = 1.0F;
+  const auto tag = drawn.AddObserver(vtkCommand::AbortCheckEvent, command, FIRST);
+  while (!has_come)
+    window_->update();
+  drawn.RemoveObserver(tag);
+  EXPECT_LT(triangles(), ALL / 2);
+  drawn_.clear();
+  EXPECT_TRUE(isDrawnInFull());
 }
 
 TEST_F(RenderLargeViewer, APictureForAFileIsAFullOne)

@@ -24,9 +24,11 @@
 #include "viewer/viewer_run.h"
 #include "viewer/viewer_window.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
 
 namespace {
 
@@ -105,6 +107,30 @@ private:
   vtkRenderWindowInteractor& interactor_;
 };
 
+/** Seconds from a key of an X server, sent while a full picture is being drawn, until
+ * it is answered. */
+double
+answerWhileDrawing(app::ViewerWindow& window, const app::DecisionDesk& desk)
+{
+  using Clock = std::chrono::steady_clock;
+  window.press("period"); // the full picture follows
+  const std::size_t before = desk.editor().chosen();
+  Clock::time_point sent = Clock::time_point::max();
+  std::thread sender([&sent] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    sent = Clock::now();
+    if (std::system("xdotool search --name '^bench_viewer$' key --window %1 period") !=
+        0)
+      std::printf("no key was sent: is there xdotool?\n");
+  });
+  const auto end = Clock::now() + std::chrono::seconds(20);
+  while (desk.editor().chosen() == before && Clock::now() < end)
+    window.update();
+  const auto answered = Clock::now();
+  sender.join();
+  return std::chrono::duration<double>(answered - sent).count();
+}
+
 void
 measure(double millions, int frames)
 {
@@ -148,6 +174,8 @@ measure(double millions, int frames)
   window.picture();
   std::printf("its result             %8.3f s\n",
               bench::secondsOf([&] { window.press("v"); }));
+  window.picture();
+  std::printf("a key meanwhile        %8.3f s\n", answerWhileDrawing(window, desk));
   window.picture();
   std::printf("another stage          %8.3f s\n",
               bench::secondsOf([&] { window.goTo(0); }));
