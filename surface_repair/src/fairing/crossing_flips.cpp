@@ -4,13 +4,10 @@
 
 #include "fairing/crossing_flips.h"
 
-#include "fairing/patch_bending.h"
-#include "mesh/box_tree.h"
-#include "mesh/intersection.h"
+#include "fairing/coarse_patch.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <limits>
 
 namespace pcl::repair {
 
@@ -20,117 +17,46 @@ namespace {
 constexpr int MOST_ROUNDS = 10;
 /** Of a length: what bends less by that is as good. */
 constexpr double SAME_BENDING = 1e-9;
-/** Boxes that are looked at in an operation. */
-constexpr std::size_t LOOKED_AT_ONCE = 4;
-
-class CrossingFlips {
-public:
-  CrossingFlips(const IncompleteModel& model,
-                std::vector<std::size_t> crossing,
-                const std::function<bool(const ccaa::Corners&)>& obstructed,
-                Patch& patch,
-                ccaa::RunControl* control)
-  : crossing_(std::move(crossing))
-  , obstructed_(obstructed)
-  , patch_(patch)
-  , control_(control)
-  , edges_(model, patch)
-  , bending_(model, patch, edges_)
-  {
-    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-      bending_.note(t);
-      boxes_.push_back(ccaa::boxOf(cornersAt(t)));
-    }
-  }
-
-  void
-  run()
-  {
-    for (int round = 0; round < MOST_ROUNDS && flipOnce(); ++round) {
-      std::sort(crossing_.begin(), crossing_.end());
-      crossing_.erase(std::unique(crossing_.begin(), crossing_.end()), crossing_.end());
-    }
-  }
-
-private:
-  bool
-  flipOnce();
-  bool
-  isBetterFlipped(std::size_t side) const;
-  std::size_t
-  meetings(const ccaa::Corners& corners, const std::array<std::size_t, 2>& old) const;
-
-  ccaa::Corners
-  cornersAt(std::size_t triangle) const
-  {
-    return ccaa::cornersOf(patch_.triangles[triangle], patch_.positions);
-  }
-
-  std::vector<std::size_t> crossing_; /**< triangles that may run into something */
-  const std::function<bool(const ccaa::Corners&)>& obstructed_;
-  Patch& patch_;
-  ccaa::RunControl* control_;
-  PatchEdges edges_;
-  PatchBending bending_;
-  std::vector<ccaa::Box> boxes_; /**< of the triangles */
-};
-
-/** \return whether anything was flipped */
-bool
-CrossingFlips::flipOnce()
-{
-  bool has_flipped = false;
-  for (std::size_t i = 0; i < crossing_.size(); ++i)
-    for (std::size_t side = 3 * crossing_[i]; side < 3 * crossing_[i] + 3; ++side) {
-      if (!edges_.isInner(side) || !isBetterFlipped(side))
-        continue;
-      const std::size_t beyond = edges_.across(side) / 3;
-      edges_.flip(side);
-      for (const std::size_t triangle : {side / 3, beyond}) {
-        bending_.note(triangle);
-        boxes_[triangle] = ccaa::boxOf(cornersAt(triangle));
-      }
-      crossing_.push_back(beyond);
-      has_flipped = true;
-    }
-  return has_flipped;
-}
+/** More triangles than one can run into. */
+constexpr std::size_t ALL_OF_THEM = std::numeric_limits<std::size_t>::max();
 
 bool
-CrossingFlips::isBetterFlipped(std::size_t side) const
+isBetterFlipped(const CoarsePatch& coarse, std::size_t side)
 {
-  const auto [a, b, c, d] = edges_.pairAt(side);
-  const auto at = [&](std::size_t vertex) { return patch_.positions[vertex]; };
-  const ccaa::Corners one = {at(d), at(c), at(b)};
-  const ccaa::Corners other = {at(c), at(d), at(a)};
-  if (c == d || edges_.areJoined(c, d) || edges_.areJoinedInModel(c, d) ||
-      ccaa::isCollinear(one) || ccaa::isCollinear(other))
+  if (!coarse.canFlip(side))
     return false;
-  const std::array<std::size_t, 2> pair = {side / 3, edges_.across(side) / 3};
+  const std::vector<std::size_t> pair = {side / 3, coarse.edges.across(side) / 3};
+  const auto meetings = [&](const ccaa::Corners& corners) {
+    return coarse.meetings(corners, pair, ALL_OF_THEM);
+  };
   const std::size_t now =
-      meetings(cornersAt(pair[0]), pair) + meetings(cornersAt(pair[1]), pair);
+      meetings(coarse.cornersAt(pair[0])) + meetings(coarse.cornersAt(pair[1]));
   if (now == 0)
     return false;
-  const std::size_t then = meetings(one, pair) + meetings(other, pair);
+  const auto [a, b, c, d] = coarse.edges.pairAt(side);
+  const std::size_t then = meetings({coarse.at(d), coarse.at(c), coarse.at(b)}) +
+                           meetings({coarse.at(c), coarse.at(d), coarse.at(a)});
   return then < now ||
-         (then == now && bending_.ofFlipped(side) <
-                             bending_.of({pair[0], pair[1]}) * (1.0 - SAME_BENDING));
+         (then == now && coarse.bending.ofFlipped(side) <
+                             coarse.bending.of(pair) * (1.0 - SAME_BENDING));
 }
 
-/** Triangles that one runs into, those that it replaces left out; the model is one. */
-std::size_t
-CrossingFlips::meetings(const ccaa::Corners& corners,
-                        const std::array<std::size_t, 2>& old) const
+/** \param[in,out] crossing triangles that may run into something
+ * \return whether anything was flipped */
+bool
+flipOnce(CoarsePatch& coarse, std::vector<std::size_t>& crossing)
 {
-  if (!ccaa::spend(control_, boxes_.size() / LOOKED_AT_ONCE))
-    return 0;
-  const ccaa::Box box = ccaa::boxOf(corners);
-  std::size_t count = obstructed_(corners) ? 1 : 0;
-  for (std::size_t t = 0; t < boxes_.size(); ++t)
-    if (boxes_[t].intersects(box) && t != old[0] && t != old[1] &&
-        ccaa::trianglesMeet(corners, cornersAt(t)))
-      ++count;
-  return count;
+  bool has_flipped = false;
+  for (std::size_t i = 0; i < crossing.size() && !ccaa::isCancelled(coarse.control);
+       ++i)
+    for (std::size_t side = 3 * crossing[i]; side < 3 * crossing[i] + 3; ++side)
+      if (coarse.edges.isInner(side) && isBetterFlipped(coarse, side)) {
+        crossing.push_back(coarse.flip(side));
+        has_flipped = true;
+      }
+  std::sort(crossing.begin(), crossing.end());
+  crossing.erase(std::unique(crossing.begin(), crossing.end()), crossing.end());
+  return has_flipped;
 }
 
 } // namespace
@@ -142,8 +68,11 @@ flipCrossings(const IncompleteModel& model,
               Patch& patch,
               ccaa::RunControl* control)
 {
-  if (!crossing.empty())
-    CrossingFlips(model, std::move(crossing), obstructed, patch, control).run();
+  if (crossing.empty())
+    return;
+  CoarsePatch coarse(model, obstructed, patch, control);
+  for (int round = 0; round < MOST_ROUNDS && flipOnce(coarse, crossing);)
+    ++round;
 }
 
 } // namespace pcl::repair

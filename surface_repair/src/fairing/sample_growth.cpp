@@ -3,10 +3,8 @@
 
 #include "fairing/sample_growth.h"
 
-#include "fairing/patch_bending.h"
+#include "fairing/coarse_patch.h"
 #include "fairing/triangle_search.h"
-#include "mesh/box_tree.h"
-#include "mesh/intersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,26 +24,14 @@ constexpr std::size_t MOST_OPENED = 40;
 constexpr std::size_t MOST_FLIPS = 200;
 /** Of a length: what bends less by that is as good. */
 constexpr double LEAST_GAIN = 1e-9;
-/** Operations for a sample besides, and boxes that are looked at in one. */
+/** Operations for a sample besides. */
 constexpr std::size_t TAKING_WORK = 5000;
-constexpr std::size_t BOXES_AT_ONCE = 4;
 
 class SampleGrowth {
 public:
-  SampleGrowth(const IncompleteModel& model,
-               const std::function<bool(const ccaa::Corners&)>& obstructed,
-               Patch& patch,
-               ccaa::RunControl* control)
-  : points_(model.free_points)
-  , obstructed_(obstructed)
-  , patch_(patch)
-  , control_(control)
-  , edges_(model, patch)
-  , bending_(model, patch, edges_)
-  {
-    for (std::size_t triangle = 0; triangle < patch.triangles.size(); ++triangle)
-      note(triangle);
-  }
+  SampleGrowth(const Positions& points, CoarsePatch& coarse)
+  : points_(points), coarse_(coarse), edges_(coarse.edges), bending_(coarse.bending)
+  {}
 
   /** What finds no room waits until others are in. */
   void
@@ -66,8 +52,6 @@ private:
     double bending = 0.0; /**< that would come in */
   };
 
-  void
-  note(std::size_t triangle);
   bool
   take(std::size_t sample);
   std::vector<std::size_t>
@@ -92,40 +76,17 @@ private:
           const Position& apex,
           const std::vector<std::size_t>& old) const;
 
-  const Position&
-  at(std::size_t vertex) const
-  {
-    return patch_.positions[vertex];
-  }
-  ccaa::Corners
-  cornersAt(std::size_t triangle) const
-  {
-    return ccaa::cornersOf(patch_.triangles[triangle], patch_.positions);
-  }
-
   const Positions& points_;
-  const std::function<bool(const ccaa::Corners&)>& obstructed_;
-  Patch& patch_;
-  ccaa::RunControl* control_;
-  PatchEdges edges_;
-  PatchBending bending_;
-  std::vector<ccaa::Box> boxes_; /**< of the triangles */
+  CoarsePatch& coarse_;
+  PatchEdges& edges_;
+  PatchBending& bending_;
 };
-
-/** A triangle that has changed, or come at the end. */
-void
-SampleGrowth::note(std::size_t triangle)
-{
-  boxes_.resize(std::max(boxes_.size(), triangle + 1));
-  boxes_[triangle] = ccaa::boxOf(cornersAt(triangle));
-  bending_.note(triangle);
-}
 
 /** \return whether the sample is a vertex now */
 bool
 SampleGrowth::take(std::size_t sample)
 {
-  if (!ccaa::spend(control_, TAKING_WORK + boxes_.size()))
+  if (!ccaa::spend(coarse_.control, TAKING_WORK + coarse_.boxes.size()))
     return false;
   const Position& point = points_[sample];
   std::vector<Disc> discs;
@@ -146,11 +107,12 @@ SampleGrowth::take(std::size_t sample)
   if (disc == discs.end())
     return false;
   std::vector<std::size_t> changed = disc->triangles;
-  patch_.free_point[edges_.star(disc->triangles, point)] = sample;
-  for (std::size_t born = boxes_.size(); born < patch_.triangles.size(); ++born)
+  coarse_.patch.free_point[edges_.star(disc->triangles, point)] = sample;
+  for (std::size_t born = coarse_.boxes.size(); born < coarse_.patch.triangles.size();
+       ++born)
     changed.push_back(born);
   for (const std::size_t triangle : changed)
-    note(triangle);
+    coarse_.note(triangle);
   flipAround(std::move(changed));
   return true;
 }
@@ -160,12 +122,13 @@ std::vector<std::size_t>
 SampleGrowth::nearestTo(const Position& point) const
 {
   std::vector<std::pair<double, std::size_t>> found; // ascending
-  for (std::size_t t = 0; t < boxes_.size(); ++t) {
+  const std::vector<ccaa::Box>& boxes = coarse_.boxes;
+  for (std::size_t t = 0; t < boxes.size(); ++t) {
     const bool is_full = found.size() == NEAREST;
-    if (is_full && boxes_[t].exteriorDistance(point) > found.back().first)
+    if (is_full && boxes[t].exteriorDistance(point) > found.back().first)
       continue;
     const std::pair<double, std::size_t> place(
-        nearestPlace(point, cornersAt(t)).distance, t);
+        nearestPlace(point, coarse_.cornersAt(t)).distance, t);
     if (is_full && !(place < found.back()))
       continue;
     if (is_full)
@@ -220,7 +183,7 @@ SampleGrowth::mayJoin(std::size_t side,
     return false;
   const std::size_t beyond = edges_.across(side), next = beyond / 3;
   const std::size_t apex = edges_.from(3 * next + (beyond + 2) % 3);
-  return patch_.hole[next] == patch_.hole[disc.front()] &&
+  return coarse_.patch.hole[next] == coarse_.patch.hole[disc.front()] &&
          std::none_of(border.begin(), border.end(), [&](std::size_t other) {
            return edges_.from(other) == apex;
          });
@@ -253,13 +216,9 @@ SampleGrowth::flipAround(std::vector<std::size_t> triangles)
     for (std::size_t side = 3 * triangles[i]; side < 3 * triangles[i] + 3; ++side) {
       if (left == 0 || !edges_.isInner(side) || !mayFlip(side))
         continue;
-      const std::size_t one = side / 3, other = edges_.across(side) / 3;
-      edges_.flip(side);
+      triangles.push_back(side / 3);
+      triangles.push_back(coarse_.flip(side));
       --left;
-      for (const std::size_t triangle : {one, other}) {
-        note(triangle);
-        triangles.push_back(triangle);
-      }
     }
 }
 
@@ -267,12 +226,12 @@ SampleGrowth::flipAround(std::vector<std::size_t> triangles)
 bool
 SampleGrowth::mayFlip(std::size_t side) const
 {
-  const auto [a, b, c, d] = edges_.pairAt(side);
-  if (c == d || edges_.areJoined(c, d) || edges_.areJoinedInModel(c, d))
+  if (!coarse_.canFlip(side))
     return false;
+  const auto [a, b, c, d] = edges_.pairAt(side);
   const std::vector<std::size_t> pair = {side / 3, edges_.across(side) / 3};
   return bending_.ofFlipped(side) < bending_.of(pair) * (1.0 - LEAST_GAIN) &&
-         hasRoom(d, c, at(a), pair) && hasRoom(d, c, at(b), pair);
+         hasRoom(d, c, coarse_.at(a), pair) && hasRoom(d, c, coarse_.at(b), pair);
 }
 
 /** Whether a triangle runs into nothing, those that it replaces left out. */
@@ -282,18 +241,8 @@ SampleGrowth::hasRoom(std::size_t from,
                       const Position& apex,
                       const std::vector<std::size_t>& old) const
 {
-  const ccaa::Corners corners = {at(from), at(to), apex};
-  if (ccaa::isCollinear(corners))
-    return false;
-  if (!ccaa::spend(control_, boxes_.size() / BOXES_AT_ONCE))
-    return false;
-  const ccaa::Box box = ccaa::boxOf(corners);
-  for (std::size_t t = 0; t < boxes_.size(); ++t)
-    if (boxes_[t].intersects(box) &&
-        std::find(old.begin(), old.end(), t) == old.end() &&
-        ccaa::trianglesMeet(corners, cornersAt(t)))
-      return false;
-  return !obstructed_(corners);
+  const ccaa::Corners corners = {coarse_.at(from), coarse_.at(to), apex};
+  return !ccaa::isCollinear(corners) && coarse_.meetings(corners, old, 1) == 0;
 }
 
 } // namespace
@@ -309,8 +258,10 @@ growOver(const IncompleteModel& model,
   std::vector<std::size_t> taken;
   for (std::size_t i = 0; i < samples.size(); i += step)
     taken.push_back(samples[i]);
-  if (!patch.triangles.empty() && !taken.empty())
-    SampleGrowth(model, obstructed, patch, control).run(std::move(taken));
+  if (patch.triangles.empty() || taken.empty())
+    return;
+  CoarsePatch coarse(model, obstructed, patch, control);
+  SampleGrowth(model.free_points, coarse).run(std::move(taken));
 }
 
 } // namespace pcl::repair
