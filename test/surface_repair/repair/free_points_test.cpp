@@ -151,6 +151,21 @@ TEST(FreePoints, BetweenTwoStumpsMakeThemOneLimb)
   }
 }
 
+/** But for a strip that winds around a limb all of it is lost: chords across what is
+ * missing run through each other, and nothing grows on them. */
+TEST(FreePoints, BringBackALimbBesideAWindingStrip)
+{
+  const Shape whole = ellipsoid(4, 6.0);
+  const IsLost is_lost = [](const Position& p) {
+    return std::abs(p.z()) < 4.0 &&
+           std::cos(std::atan2(p.y(), p.x()) - 3.0 * p.z()) > -0.8;
+  };
+  const Positions few = samples(whole, is_lost, 20);
+  const Repaired result = repaired(toPolygonMesh(remainder(whole, is_lost)), few);
+  expectWholeBody(result);
+  EXPECT_LE(distanceOf(few, result), 0.15 * SPACING);
+}
+
 TEST(FreePoints, AreMetWithinTheirNoise)
 {
   const double deviation = 0.3 * SPACING;
