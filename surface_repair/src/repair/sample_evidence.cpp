@@ -25,7 +25,7 @@ constexpr double LONGEST_AT_SAMPLES = 3.0;
 /** Share of the area at samples that longer edges may have. */
 constexpr double MOST_EMPTY = 0.2;
 /** Share of the length of edges at samples that may be sharper than a right angle: 0.09
- * at most on 80 lost limbs, hands and noise among them, 0.12 at least on most strays.
+ * at most on 66 lost limbs, hands and noise among them, 0.12 at least on most strays.
  */
 constexpr double MOST_FOLDED = 0.1;
 /** Spacing of the sparsest tenth of samples, in that of the densest tenth. */
