@@ -13,7 +13,7 @@ namespace pcl::repair {
 
 namespace {
 
-/** Rounds over what runs into something. Five were the most that flipped anything. */
+/** Rounds over what runs into something. Three were the most that flipped anything. */
 constexpr int MOST_ROUNDS = 10;
 /** Of a length: what bends less by that is as good. */
 constexpr double SAME_BENDING = 1e-9;

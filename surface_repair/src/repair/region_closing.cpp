@@ -39,13 +39,13 @@ public:
 
   ClosedRegion
   run();
-  /** Whether what was taken for samples describes no surface, or none that could be
-   * made with reasonable work. \param[in] whole that this is a part of */
+  /** Whether what was taken for samples describes no surface, or none that has room or
+   * could be made with reasonable work. \param[in] whole that this is a part of */
   bool
   areStrays(const ccaa::LoopContext& whole) const
   {
-    return are_strays_ ||
-           (!region_.samples.empty() && context_.cancelled() && !whole.cancelled());
+    return are_strays_ || (!region_.samples.empty() && !whole.cancelled() &&
+                           (context_.cancelled() || is_in_vain_));
   }
 
 private:
@@ -82,6 +82,7 @@ private:
   Patch grown_;                          /**< over samples */
   std::vector<std::size_t> grown_fills_; /**< it is made of: of each part */
   bool are_strays_ = false;
+  bool is_in_vain_ = false; /**< the only hole is not closed, for what is in the way */
   RegionParts parts_;
   ClosedRegion result_;
   std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
@@ -307,6 +308,9 @@ RegionClosing::run()
     mend();
   if (context_.cancelled())
     leaveCostly(is_settled);
+  is_in_vain_ =
+      region_.holes.size() == 1 && // else each is tried alone in the next pass
+      result_.holes.front().open == OpenReason::INTERSECTION;
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)
       hole.filling.clear();
