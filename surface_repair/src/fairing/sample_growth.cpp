@@ -231,7 +231,9 @@ SampleGrowth::mayFlip(std::size_t side) const
   const auto [a, b, c, d] = edges_.pairAt(side);
   const std::vector<std::size_t> pair = {side / 3, edges_.across(side) / 3};
   return bending_.ofFlipped(side) < bending_.of(pair) * (1.0 - LEAST_GAIN) &&
-         hasRoom(d, c, coarse_.at(a), pair) && hasRoom(d, c, coarse_.at(b), pair);
+         coarse_.meetings({coarse_.at(d), coarse_.at(c), coarse_.at(a)}, pair, 1) ==
+             0 &&
+         coarse_.meetings({coarse_.at(d), coarse_.at(c), coarse_.at(b)}, pair, 1) == 0;
 }
 
 /** Whether a triangle runs into nothing, those that it replaces left out. */

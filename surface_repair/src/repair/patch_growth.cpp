@@ -8,6 +8,8 @@
 #include "repair/patch_mending.h"
 #include "repair/sample_evidence.h"
 
+#include <utility>
+
 namespace pcl::repair {
 
 bool
@@ -20,13 +22,13 @@ growPatch(const ClosingPlace& place,
   const auto is_obstructed = [&](const ccaa::Corners& corners) {
     return obstacle.meets(corners, context.control);
   };
-  // A patch with a handle is wrong as a whole, and mending knows no creases.
-  if (place.mends && patch.creases.empty() && surfaceKindOf(patch).genus == 0) {
-    flipCrossings(place.model,
-                  obstructedTriangles(patch, obstacle, context.control),
-                  is_obstructed,
-                  patch,
-                  context.control);
+  std::vector<std::size_t> crossing;
+  if (place.mends && patch.creases.empty()) // which mending does not know
+    crossing = obstructedTriangles(patch, obstacle, context.control);
+  // A patch with a handle is wrong as a whole.
+  if (!crossing.empty() && surfaceKindOf(patch).genus == 0) {
+    flipCrossings(
+        place.model, std::move(crossing), is_obstructed, patch, context.control);
     mendPatch(place, obstacle, context, patch);
   }
   growOver(place.model, samples, is_obstructed, patch, context.control);

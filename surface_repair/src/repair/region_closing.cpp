@@ -40,12 +40,16 @@ public:
   ClosedRegion
   run();
   /** Whether what was taken for samples describes no surface, or none that has room or
-   * could be made with reasonable work. \param[in] whole that this is a part of */
+   * could be made with reasonable work. \param[in] closed what run() has made
+   * \param[in] whole that this is a part of */
   bool
-  areStrays(const ccaa::LoopContext& whole) const
+  areStrays(const ClosedRegion& closed, const ccaa::LoopContext& whole) const
   {
-    return are_strays_ || (!region_.samples.empty() && !whole.cancelled() &&
-                           (context_.cancelled() || is_in_vain_));
+    if (are_strays_ || region_.samples.empty() || whole.cancelled())
+      return are_strays_;
+    // Of several holes each is tried alone in the next pass.
+    return context_.cancelled() || (closed.holes.size() == 1 &&
+                                    closed.holes[0].open == OpenReason::INTERSECTION);
   }
 
 private:
@@ -82,7 +86,6 @@ private:
   Patch grown_;                          /**< over samples */
   std::vector<std::size_t> grown_fills_; /**< it is made of: of each part */
   bool are_strays_ = false;
-  bool is_in_vain_ = false; /**< the only hole is not closed, for what is in the way */
   RegionParts parts_;
   ClosedRegion result_;
   std::vector<Patch> obstructed_patches_; /**< of a single hole, as far as tried */
@@ -308,9 +311,6 @@ RegionClosing::run()
     mend();
   if (context_.cancelled())
     leaveCostly(is_settled);
-  is_in_vain_ =
-      region_.holes.size() == 1 && // else each is tried alone in the next pass
-      result_.holes.front().open == OpenReason::INTERSECTION;
   for (HoleOutcome& hole : result_.holes)
     if (hole.open != OpenReason::NONE)
       hole.filling.clear();
@@ -336,7 +336,7 @@ closeRegion(const ClosingPlace& place,
 {
   RegionClosing closing(place, region, obstacle, context);
   ClosedRegion closed = closing.run();
-  if (!closing.areStrays(context))
+  if (!closing.areStrays(closed, context))
     return closed;
   Region plain = region;
   plain.samples.clear();

@@ -14,9 +14,6 @@ namespace pcl::repair {
 
 namespace {
 
-/** The distance to the so many-th neighbour is the spacing at a sample. */
-constexpr std::size_t EVENNESS_NEIGHBOUR = 3;
-
 // What samples have to be like: webs over the stray points of depth jumps made up 11 to
 // 18 % of the area of range maps before.
 
@@ -45,7 +42,7 @@ spacingsOf(const Positions& samples, const FloatTree& tree)
 {
   std::vector<double> spacings;
   for (const Position& sample : samples) {
-    const auto nearest = tree.nearest(sample, EVENNESS_NEIGHBOUR + 1);
+    const auto nearest = tree.nearest(sample, SPACING_NEIGHBOUR + 1);
     spacings.push_back(
         (samples[static_cast<std::size_t>(nearest.back())] - sample).norm());
   }
@@ -53,18 +50,18 @@ spacingsOf(const Positions& samples, const FloatTree& tree)
 }
 
 /** Share of the area at samples that triangles with longer edges have.
- * \param[in] spacings of the samples; of those of a triangle the largest counts */
+ * \param[in] spacing_at a sample; of those of a triangle the largest counts */
+template <typename SpacingAt>
 double
-emptyShare(const Patch& patch, const std::map<std::size_t, double>& spacings)
+emptyShare(const Patch& patch, const SpacingAt& spacing_at)
 {
   double area = 0.0, empty = 0.0;
   for (const Triangle& triangle : patch.triangles) {
     double spacing = 0.0;
     for (const pcl::index_t corner : triangle)
-      if (const auto sample =
-              spacings.find(patch.free_point[static_cast<std::size_t>(corner)]);
-          sample != spacings.end())
-        spacing = std::max(spacing, sample->second);
+      if (const std::size_t sample = patch.free_point[static_cast<std::size_t>(corner)];
+          sample != NONE)
+        spacing = std::max(spacing, spacing_at(sample));
     if (spacing == 0.0)
       continue;
     const ccaa::Corners corners = ccaa::cornersOf(triangle, patch.positions);
@@ -135,19 +132,19 @@ samplesDescribe(const Positions& free_points,
     samples.push_back(free_points[place]);
   const FloatTree tree(samples);
   std::vector<double> spacings = spacingsOf(samples, tree);
-  std::map<std::size_t, double> own, same; // of free points
+  std::map<std::size_t, double> own; // of a free point
   for (std::size_t i = 0; i < places.size(); ++i)
     own[places[i]] = spacings[i];
   std::sort(spacings.begin(), spacings.end());
   const double median = spacings[spacings.size() / 2];
-  for (const std::size_t place : places)
-    same[place] = median;
-  if (emptyShare(patch, same) <= MOST_EMPTY)
+  if (emptyShare(patch, [median](std::size_t) { return median; }) <= MOST_EMPTY)
     return true;
   const double sparse = spacings[spacings.size() * 9 / 10];
   const double dense = spacings[spacings.size() / 10];
-  const double most_uneven =
-      emptyShare(patch, own) <= MOST_EMPTY_OF_OWN ? MOST_UNEVEN_COVERED : MOST_UNEVEN;
+  const auto own_spacing = [&own](std::size_t sample) { return own.at(sample); };
+  const double most_uneven = emptyShare(patch, own_spacing) <= MOST_EMPTY_OF_OWN
+                                 ? MOST_UNEVEN_COVERED
+                                 : MOST_UNEVEN;
   return sparse <= most_uneven * dense && foldedShare(patch) <= MOST_FOLDED &&
          nearShare(patch, samples, tree, LONGEST_AT_SAMPLES * median) >= LEAST_NEAR;
 }

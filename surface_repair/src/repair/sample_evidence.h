@@ -10,6 +10,9 @@
 
 namespace pcl::repair {
 
+/** \brief The distance to the so many-th neighbour is the spacing at a free point. */
+constexpr std::size_t SPACING_NEIGHBOUR = 3;
+
 /** \brief Whether samples tell the surface of the patch that has grown over them,
  * rather than being stray points, as depth jumps leave them.
  *

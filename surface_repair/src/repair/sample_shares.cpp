@@ -7,6 +7,7 @@
 #include "field/float_tree.h"
 #include "mesh/box_tree.h"
 #include "mesh/corners.h"
+#include "repair/sample_evidence.h"
 
 #include <algorithm>
 #include <functional>
@@ -21,8 +22,6 @@ namespace {
 
 /** Neighbours that a hop may lead to. */
 constexpr std::size_t NEIGHBOURS = 8;
-/** The distance to the so many-th neighbour is the spacing at a free point. */
-constexpr std::size_t SPACING_NEIGHBOUR = 3;
 /** Longest hop, in spacings of the denser end. */
 constexpr double LONGEST_HOP = 3.0;
 /** Longest hop from a rim, in diagonals of the box around it. */
