@@ -3,7 +3,7 @@
 
 #include "repair/decision_proposal.h"
 
-#include "repair/hole_list.h"
+#include "listing/hole_list.h"
 
 #include <algorithm>
 #include <map>

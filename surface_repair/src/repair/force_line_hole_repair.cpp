@@ -11,11 +11,11 @@
 #include "repair/decision_proposal.h"
 #include "repair/new_vertices.h"
 #include "repair/repair_method.h"
-#include "repair/repaired_model.h"
 #include "repair/whole_progress.h"
 #include "run/stage_clock.h"
 #include "run/threads.h"
 #include "survey/survey_stages.h"
+#include "verification/repaired_model.h"
 
 #include <new>
 #include <utility>

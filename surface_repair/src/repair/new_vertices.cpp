@@ -7,8 +7,8 @@
 #include <pcl/memory.h>
 #include <pcl/point_types.h>
 
+#include "icadm/pinched_points.h"
 #include "mesh/sort_unique.h"
-#include "repair/pinched_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "mesh/cloud_access.h"
-#include "repair/repaired_model.h"
+#include "verification/repaired_model.h"
 
 #include <vector>
 

@@ -3,15 +3,15 @@
 
 #include "repair/repair_method.h"
 
-#include "repair/crumbs.h"
-#include "repair/doubts.h"
-#include "repair/hole_reopening.h"
-#include "repair/last_check.h"
-#include "repair/loop_reasons.h"
-#include "repair/passes.h"
-#include "repair/sampled_rings.h"
+#include "crumb/crumbs.h"
+#include "listing/loop_reasons.h"
+#include "listing/sampled_rings.h"
+#include "pass/hole_reopening.h"
+#include "pass/passes.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
+#include "verification/doubts.h"
+#include "verification/last_check.h"
 
 #include <algorithm>
 #include <set>

@@ -6,8 +6,8 @@
 #include <pcl/surface_repair/repair_parameters.h>
 #include <pcl/surface_repair/repair_report.h>
 
-#include "repair/repaired_model.h"
 #include "survey/model_survey.h"
+#include "verification/repaired_model.h"
 
 namespace pcl::repair {
 

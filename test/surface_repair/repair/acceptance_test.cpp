@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: tests of damaged surfaces that must come out right.
 
 #include "mesh/surface_topology.h"
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 
 namespace pcl::repair {
 namespace {

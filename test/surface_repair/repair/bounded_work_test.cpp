@@ -4,7 +4,7 @@
 
 #include "repair/repair_method.h"
 #include "repair/whole_progress.h"
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 #include "survey/survey_stages.h"
 
 #include <cmath>

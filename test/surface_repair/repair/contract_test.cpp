@@ -7,8 +7,8 @@
 #include <pcl/point_types.h>
 
 #include "mesh/surface_topology.h"
-#include "repair_fixture.h"
 #include "support/random_source.h"
+#include "support/repair_fixture.h"
 
 #include <atomic>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "mesh/surface_topology.h"
 #include "repair/decision_proposal.h"
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 
 #include <cmath>
 #include <memory>

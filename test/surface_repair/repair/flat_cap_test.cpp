@@ -3,7 +3,7 @@
 
 #include <pcl/surface_repair/decisions.h>
 
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 #include "survey/model_survey.h"
 
 #include <cmath>

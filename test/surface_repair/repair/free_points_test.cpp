@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "fairing/triangle_search.h"
-#include "repair_fixture.h"
 #include "support/random_source.h"
+#include "support/repair_fixture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "mesh/surface_topology.h"
 #include "repair/decision_proposal.h"
-#include "repair_fixture.h"
 #include "support/random_source.h"
+#include "support/repair_fixture.h"
 
 #include <memory>
 

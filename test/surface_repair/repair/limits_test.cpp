@@ -2,7 +2,7 @@
 // Part of PclSurfaceRepair: tests of what users allow a repair to close and to join.
 
 #include "mesh/surface_topology.h"
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 
 #include <cmath>
 

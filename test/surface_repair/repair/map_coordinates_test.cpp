@@ -6,8 +6,8 @@
 #include <pcl/surface_repair/boundary_classifier.h>
 #include <pcl/conversions.h>
 
-#include "repair_fixture.h"
 #include "support/clouds.h"
+#include "support/repair_fixture.h"
 
 namespace pcl::repair::test {
 namespace {

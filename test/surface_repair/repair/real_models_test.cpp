@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of the repair of real scans.
 
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 #include "support/shared_data.h"
 
 #include <cctype>

@@ -6,7 +6,7 @@
 #include <pcl/search/organized.h>
 #include <pcl/point_types.h>
 
-#include "repair_fixture.h"
+#include "support/repair_fixture.h"
 
 #include <cmath>
 #include <string>

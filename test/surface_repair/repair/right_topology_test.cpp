@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "repair_fixture.h"
 #include "support/random_source.h"
+#include "support/repair_fixture.h"
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: tests of plates that are cut in two and whose rims come
 // back.
 
-#include "repair_fixture.h"
 #include "support/completion_shapes.h"
+#include "support/repair_fixture.h"
 #include "surface_repair/boundary/boundary_models.h"
 
 #include <algorithm>

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: lays a crumb into the patch that covers it.
+
+#include "crumb/crumb_laying.h"
+
+#include "boundary/classification.h"
+#include "boundary/extraction.h"
+#include "crumb/crumb_shadow.h"
+#include "pass/ring_filling.h"
+#include "patch/opening.h"
+#include "region/region_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace pcl::repair {
+
+namespace {
+
+/** Rings around the shadow of a crumb that are opened, one try after the other. */
+constexpr std::array<int, 4> OPENED_RINGS = {1, 2, 4, 0};
+/** A patch covers a crumb that is nearer than so many of its extents, one try after the
+ * other. */
+constexpr std::array<double, 2> REACHES = {1.0, 6.0};
+/** The same of crumbs that are no fins: single triangles lie far above wide patches.
+ * Then so many more rings are opened as it is edges away. */
+constexpr double FARTHEST = 24.0;
+/** Depth of the surface that is missing in a hole, at most, in lengths of its boundary:
+ * at all, and in a body of what is no wider than the hole. Tips of fingers lie up to
+ * 0.42 beyond their stumps. */
+constexpr double DEEPEST = 0.3, DEEPEST_OF_TIPS = 0.6;
+/** Cosine to the normal of a patch from which a crumb lies in front of it. */
+constexpr double AHEAD = 0.5;
+/** Edges of an opening that is closed around a crumb. */
+constexpr std::size_t LONGEST_BORDER = 128;
+/** Operations for a triangle around a crumb each time that some are opened. */
+constexpr std::uint64_t OPENING_WORK = 5;
+/** What is looked at around a crumb, in the reach. */
+constexpr double ROOM = 4.0;
+
+/** Lays one crumb. */
+class CrumbLaying {
+public:
+  CrumbLaying(const std::vector<std::size_t>& crumb,
+              const Course& course,
+              GrowingSurface& surface)
+  : crumb_(crumb)
+  , control_(course.context.control, workFor(crumb.size()))
+  , context_{1, &control_}
+  , course_(within(course, context_))
+  , surface_(surface)
+  {}
+
+  /** \return whether it is part of a patch now */
+  bool
+  run();
+
+private:
+  void
+  lookAround(const ccaa::Box& crumb);
+  bool
+  tryWithin(double reach);
+  double
+  deepest(const CrumbShadow& shadow, double extent, double length) const;
+  bool
+  touchesInput() const;
+  bool
+  isKnown(const Opening& opening);
+  bool
+  layInto(const CrumbShadow& shadow, int rings);
+  bool
+  close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
+  pcl::index_t
+  rimVertex() const;
+  ccaa::Box
+  boxAt(std::size_t t) const
+  {
+    return ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
+  }
+  void
+  turnCrumb()
+  {
+    for (const std::size_t t : crumb_)
+      std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
+  }
+  std::size_t
+  holeOf(const Opening& opening) const;
+
+  const std::vector<std::size_t>& crumb_;
+  ccaa::RunControl control_;
+  const ccaa::LoopContext context_;
+  const Course course_;
+  GrowingSurface& surface_;
+  double reach_ = 0.0;
+  ccaa::Box around_;
+  ccaa::Box place_;               /**< of what is opened and the crumb */
+  std::vector<std::size_t> near_; /**< triangles all around the crumb */
+  ModelPart part_;                /**< the same as a model */
+  /** Side of the crumb and what was opened, and their place. */
+  std::set<std::pair<std::vector<std::size_t>, std::array<double, 6>>> tried_;
+};
+
+bool
+CrumbLaying::run()
+{
+  for (const double reach : REACHES)
+    if (tryWithin(reach))
+      return true;
+  return !touchesInput() && tryWithin(FARTHEST);
+}
+
+/** Whether a point of it is one of other triangles of the input: it is a fin. */
+bool
+CrumbLaying::touchesInput() const
+{
+  std::set<pcl::index_t> points;
+  for (const std::size_t t : crumb_)
+    for (const pcl::index_t corner : surface_.triangles[t])
+      points.insert(surface_.pointOf(corner));
+  return std::any_of(near_.begin(), near_.end(), [&](std::size_t t) {
+    const Triangle& triangle = surface_.triangles[t];
+    return surface_.hole[t] == NONE &&
+           !std::binary_search(crumb_.begin(), crumb_.end(), t) &&
+           std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+             return points.count(surface_.pointOf(corner)) > 0;
+           });
+  });
+}
+
+/** Triangles of a patch within reach may be larger than the crumb: they and their
+ * neighbours are near, too. */
+void
+CrumbLaying::lookAround(const ccaa::Box& crumb)
+{
+  around_ = ccaa::widened(crumb, ROOM * reach_);
+  const ccaa::Box within = ccaa::widened(crumb, reach_);
+  for (const std::size_t t : surface_.near(within, &control_))
+    if (surface_.hole[t] != NONE)
+      around_.extend(ccaa::widened(boxAt(t), boxAt(t).diagonal().norm()));
+  near_ = surface_.near(around_, &control_);
+}
+
+/** \param[in] length of the boundary of the hole */
+double
+CrumbLaying::deepest(const CrumbShadow& shadow, double extent, double length) const
+{
+  const bool is_tip = M_PI * extent < length && shadow.ahead > AHEAD &&
+                      isSeenFromAllSides(course_.survey.facing);
+  return length * (is_tip ? DEEPEST_OF_TIPS : DEEPEST);
+}
+
+/** \param[in] reach in extents of the crumb */
+bool
+CrumbLaying::tryWithin(double reach)
+{
+  ccaa::Box box;
+  for (const std::size_t t : crumb_)
+    box.extend(boxAt(t));
+  const double extent = box.diagonal().norm();
+  reach_ = reach * extent;
+  if (!surface_.hasPatchIn(ccaa::widened(box, reach_), &control_))
+    return false;
+  lookAround(box);
+  part_ = {};
+  for (const CrumbShadow& shadow : shadowsOf(crumb_, near_, reach_, surface_)) {
+    const std::size_t hole = surface_.hole[near_[shadow.nearest]];
+    if (shadow.distance > deepest(shadow, extent, course_.report.holes[hole].length))
+      continue;
+    if (shadow.turned)
+      turnCrumb();
+    if (part_.triangles.empty()) // of the crumb only the places count
+      part_ = surface_.part(near_, &control_);
+    for (const int rings : OPENED_RINGS)
+      if (control_.spend(OPENING_WORK * part_.triangles.size()) &&
+          layInto(shadow, reach < FARTHEST ? rings : rings * shadow.slopes))
+        return true;
+    if (shadow.turned)
+      turnCrumb();
+  }
+  return false;
+}
+
+/** In the numbers of the whole. */
+BoundaryLoop
+inWhole(BoundaryLoop loop, const ModelPart& part)
+{
+  for (pcl::index_t& vertex : loop.vertices)
+    vertex = part.vertices[static_cast<std::size_t>(vertex)];
+  return loop;
+}
+
+/** The lowest one on the rim of the crumb. */
+pcl::index_t
+CrumbLaying::rimVertex() const
+{
+  std::set<std::pair<pcl::index_t, pcl::index_t>> sides;
+  for (const std::size_t t : crumb_)
+    for (std::size_t c = 0; c < 3; ++c)
+      sides.emplace(surface_.triangles[t][c], surface_.triangles[t][(c + 1) % 3]);
+  pcl::index_t lowest = std::numeric_limits<pcl::index_t>::max();
+  for (const auto& [from, to] : sides)
+    if (sides.count({to, from}) == 0)
+      lowest = std::min(lowest, from);
+  return lowest;
+}
+
+/** Of one opening and all that is around it the same comes each time. */
+bool
+CrumbLaying::isKnown(const Opening& opening)
+{
+  const Triangle& side = surface_.triangles[crumb_.front()];
+  std::vector<std::size_t> numbers(side.begin(), side.end());
+  for (std::size_t i = 0; i < near_.size(); ++i)
+    if (opening.is_open[i])
+      numbers.push_back(near_[i]);
+  std::array<double, 6> place;
+  Eigen::Map<Eigen::Vector3d>(place.data()) = place_.min();
+  Eigen::Map<Eigen::Vector3d>(place.data() + 3) = place_.max();
+  return !tried_.emplace(std::move(numbers), place).second;
+}
+
+bool
+CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
+{
+  const Opening opening =
+      openFrom(part_, shadow.nearest, ringsAround(part_, shadow.triangles, rings));
+  if (opening.border.empty() || !isWithin(around_, part_, opening) ||
+      opening.border.size() > LONGEST_BORDER)
+    return false;
+  place_ = placeOf(part_, opening);
+  for (const std::size_t t : crumb_)
+    place_.extend(boxAt(t));
+  place_ = place_.intersection(around_); // beyond that nothing is known
+  if (isKnown(opening))
+    return false;
+  const ModelPart left =
+      surface_.part(trianglesLeft(part_, opening, place_), &control_);
+  if (control_.cancelled())
+    return false;
+  const std::vector<std::size_t> meeting = surface_.meeting(crumb_, &control_);
+  if (std::any_of(meeting.begin(), meeting.end(), [&](std::size_t t) {
+        return std::binary_search(left.triangles.begin(), left.triangles.end(), t);
+      }))
+    return false; // what is not opened runs through the crumb
+  const BoundaryLoops loops = extractBoundaries(left.model);
+  const BoundaryLoop* outer = loopOf(opening, part_, left, loops);
+  const BoundaryLoop* inner = loopAt(loops, left.number_of.at(rimVertex()));
+  return outer != nullptr && inner != nullptr && outer != inner &&
+         close(opening, inWhole(*outer, left), inWhole(*inner, left));
+}
+
+/** Close the ring between an opening and the crumb. */
+bool
+CrumbLaying::close(const Opening& opening,
+                   const BoundaryLoop& outer,
+                   const BoundaryLoop& inner)
+{
+  const std::vector<LoopPlaces> touching = touchingPlaces(surface_, outer, inner);
+  std::map<pcl::index_t, pcl::index_t> welded;
+  for (const auto& [o, i] : touching)
+    welded.emplace(inner.vertices[i], outer.vertices[o]);
+  std::vector<std::vector<RingPolygon>> cuts = cutsOf(outer, inner, touching);
+  surface_.weld(crumb_, welded);
+  for (auto& rings : cuts)
+    for (RingPolygon& ring : rings)
+      for (pcl::index_t& vertex : ring.vertices)
+        vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
+  const ModelPart left =
+      surface_.part(trianglesLeft(part_, opening, place_), &control_);
+  const RingPlace place{part_, opening.is_open, left, place_};
+  const std::size_t hole = holeOf(opening);
+  const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
+    return !control_.cancelled() && closeRings(rings, place, hole, course_, surface_);
+  });
+  if (!is_closed) {
+    std::map<pcl::index_t, pcl::index_t> back;
+    for (const auto& [vertex, kept] : welded)
+      back.emplace(kept, vertex);
+    surface_.weld(crumb_, back);
+  }
+  return is_closed;
+}
+
+/** The hole of what was opened that was closed first. */
+std::size_t
+CrumbLaying::holeOf(const Opening& opening) const
+{
+  std::size_t hole = NONE;
+  for (std::size_t i = 0; i < opening.is_open.size(); ++i)
+    if (opening.is_open[i])
+      hole = std::min(hole, surface_.hole[part_.triangles[i]]);
+  return hole;
+}
+
+} // namespace
+
+bool
+layCrumb(const std::vector<std::size_t>& crumb,
+         const Course& course,
+         GrowingSurface& surface)
+{
+  return CrumbLaying(crumb, course, surface).run();
+}
+
+} // namespace pcl::repair

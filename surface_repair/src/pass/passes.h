@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: classify, bridge and close, and look again.
+
+#pragma once
+
+#include "pass/hole_closing.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl::repair {
+
+/** \brief One pass: the holes that were listed, and what came of it. */
+struct Pass {
+  HoleList holes;
+  ClosedHoles closed;
+  bool finished = false; /**< nothing is left that should be closed */
+  const RepairParameters* parameters = nullptr; /**< that it went by */
+};
+
+/** \brief What a repair works on, and what it goes by. */
+struct Course {
+  const RepairParameters& parameters;
+  const std::vector<RepairParameters>& rounds;
+  const CloudFrame& frame;
+  const ccaa::LoopContext& context;
+  ModelSurvey& survey;
+  RegionMemory& memory;
+  RepairLog& log;
+  RepairReport& report;
+  std::size_t& input_vertices;
+};
+
+/** \brief The same of which something takes no more than a part of the work. */
+Course
+within(const Course& course, const ccaa::LoopContext& context);
+
+/** \brief What is done first, and, where all is to be closed, what once nothing more
+ * can be joined: then each boundary is closed by itself. \param[in] diagonal of the
+ * input, in shares of which lengths are wanted */
+std::vector<RepairParameters>
+roundsFor(const RepairParameters& wanted, double diagonal);
+
+/** \brief Gap over which islands may be joined at all. \param[in] parameters of a
+ * round, with lengths in units of the cloud */
+double
+longestJoin(const RepairParameters& parameters);
+
+/** \brief All boundaries, and which of them are to be closed. \param[in] over_samples
+ * loops that samples link are one hole */
+HoleList
+holesOf(const ModelSurvey& survey,
+        const RepairParameters& parameters,
+        bool over_samples = false);
+
+/** \brief The model with what a pass closed, in order for the next look. */
+void
+takeClosed(Pass& pass, const Course& course);
+
+/** \brief The passes of one round, or of two where all is to be closed. \return the
+ * last pass */
+Pass
+closeRounds(const Course& course, bool over_samples = false);
+
+} // namespace pcl::repair

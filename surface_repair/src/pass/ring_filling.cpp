@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the ring between an opening and what lies within it.
+
+#include "pass/ring_filling.h"
+
+#include "fairing/refinement.h"
+#include "fairing/relaxation.h"
+#include "filling/minimum_weight_filling.h"
+#include "icadm/model_assembly.h"
+#include "mesh/intersection.h"
+#include "mesh/sort_unique.h"
+#include "patch/opening.h"
+#include "patch/patch_assembly.h"
+#include "patch/relaxation_rollback.h"
+#include "region/patch_mending.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pcl::repair {
+
+std::vector<LoopPlaces>
+touchingPlaces(const GrowingSurface& surface,
+               const BoundaryLoop& outer,
+               const BoundaryLoop& inner)
+{
+  std::vector<LoopPlaces> touching;
+  const auto point_of = [&](const BoundaryLoop& loop, std::size_t place) {
+    return surface.pointOf(loop.vertices[place]);
+  };
+  for (std::size_t o = 0; o < outer.vertices.size(); ++o)
+    for (std::size_t i = 0; i < inner.vertices.size(); ++i)
+      if (point_of(outer, o) != pcl::UNAVAILABLE &&
+          point_of(outer, o) == point_of(inner, i))
+        touching.emplace_back(o, i);
+  return touching;
+}
+
+namespace {
+
+/** Triangles that run into something of a ring that is worth mending. */
+constexpr std::size_t MOST_MENDED = 8;
+/** Rings around what runs into something that are not relaxed. */
+constexpr std::array<std::size_t, 3> UNRELAXED_RINGS = {0, 2, 8};
+
+/** \param[in] part that has their vertices \param[in] obstacle to be avoided, or null
+ * \return without triangles where one of them cannot be filled */
+Patch
+fillRings(const std::vector<RingPolygon>& rings,
+          const ModelPart& part,
+          const SurfaceObstacle* obstacle,
+          ccaa::RunControl* control)
+{
+  Patch patch;
+  Triangles triangles; // of vertices of the part
+  for (const RingPolygon& ring : rings) {
+    if (std::any_of(ring.vertices.begin(), ring.vertices.end(), [&](pcl::index_t v) {
+          return part.number_of.count(v) == 0;
+        }))
+      return {}; // nothing is left around it
+    const auto in_part = [&](std::size_t k) {
+      return part.number_of.at(ring.vertices[k]);
+    };
+    FillingTask task;
+    task.control = control;
+    task.polygon = ring.curve;
+    task.vertices = ring.vertices;
+    const std::size_t last = ring.vertices.size() - 1;
+    task.joined = [&](std::size_t a, std::size_t b) {
+      const std::pair<pcl::index_t, pcl::index_t> edge =
+          std::minmax(in_part(a), in_part(b));
+      return edge.first == edge.second ||
+             edge == std::pair<pcl::index_t, pcl::index_t>(
+                         std::minmax(in_part(0), in_part(last))) ||
+             areJoined(part.model, edge.first, edge.second);
+    };
+    if (obstacle != nullptr)
+      avoid(*obstacle, task);
+    task.obstructed = [meets = task.obstructed](const ccaa::Corners& corners) {
+      return ccaa::isCollinear(corners) || (meets && meets(corners));
+    };
+    if (last < 2) // an edge of both loops
+      continue;
+    const Filling filling = MinimumWeightFilling().close(task);
+    if (!filling.closed() || ccaa::isCancelled(control))
+      return {};
+    for (const Triangle& triangle : filling.triangles) {
+      triangles.push_back({in_part(static_cast<std::size_t>(triangle[0])),
+                           in_part(static_cast<std::size_t>(triangle[1])),
+                           in_part(static_cast<std::size_t>(triangle[2]))});
+      patch.rim.insert(
+          patch.rim.end(), triangles.back().begin(), triangles.back().end());
+    }
+  }
+  ccaa::sortUnique(patch.rim);
+  for (Triangle& triangle : triangles)
+    for (pcl::index_t& corner : triangle)
+      corner = static_cast<pcl::index_t>(
+          std::lower_bound(patch.rim.begin(), patch.rim.end(), corner) -
+          patch.rim.begin());
+  for (const pcl::index_t vertex : patch.rim)
+    patch.positions.push_back(part.model.positions[static_cast<std::size_t>(vertex)]);
+  patch.free_point.assign(patch.rim.size(), NONE);
+  patch.hole.assign(triangles.size(), 0);
+  patch.triangles = std::move(triangles);
+  return patch;
+}
+
+/** Whether the surface crosses an edge of the loops: what is filled there meets it. */
+bool
+isPierced(const std::vector<RingPolygon>& rings,
+          const ModelPart& part,
+          const SurfaceObstacle& obstacle,
+          ccaa::RunControl* control)
+{
+  return std::any_of(rings.begin(), rings.end(), [&](const RingPolygon& ring) {
+    const auto is_given = [&](std::size_t from, std::size_t to) {
+      const auto a = part.number_of.find(ring.vertices[from]);
+      const auto b = part.number_of.find(ring.vertices[to]);
+      return a != part.number_of.end() && b != part.number_of.end() &&
+             areJoined(part.model, a->second, b->second);
+    };
+    return crossedEdges(ring.curve, is_given, obstacle, control) == OpenReason::PIERCED;
+  });
+}
+
+/** Where it runs into something, it is not relaxed. */
+void
+fair(const IncompleteModel& model,
+     const SurfaceObstacle& obstacle,
+     const RepairParameters& parameters,
+     ccaa::RunControl* control,
+     Patch& patch)
+{
+  if (!parameters.refine)
+    return;
+  refinePatch(model, parameters.refinement, patch, false, control);
+  if (!parameters.relax)
+    return;
+  const Positions before = patch.positions;
+  RelaxationParameters relaxation = parameters.relaxation;
+  relaxation.trust = 0.0;
+  relaxPatch(model, {}, relaxation, patch, control);
+  for (const std::size_t rings : UNRELAXED_RINGS) {
+    const std::vector<std::size_t> obstructed =
+        obstructedTriangles(patch, obstacle, control);
+    if (obstructed.empty() || ccaa::isCancelled(control))
+      return;
+    rollBackRelaxation(before, obstructed, rings, patch);
+  }
+}
+
+} // namespace
+
+bool
+closeRings(const std::vector<RingPolygon>& rings,
+           const RingPlace& place,
+           std::size_t of_hole,
+           const Course& course,
+           GrowingSurface& surface)
+{
+  const IncompleteModel& model = place.left.model;
+  ccaa::RunControl* const control = course.context.control;
+  const SurfaceObstacle obstacle(model, {place.box}, 1, control);
+  if (isPierced(rings, place.left, obstacle, control))
+    return false;
+  const ClosingPlace here = withinPart(model, course.parameters, course.frame);
+  const auto take = [&](const Patch& patch) {
+    if (!isFree(patch, place.box, obstacle, control) || ccaa::isCancelled(control) ||
+        !fitsModel(model, patch))
+      return false;
+    surface.replace(place.part, place.is_open, place.left, patch, of_hole);
+    return true;
+  };
+  std::vector<Patch> refined;
+  for (const bool avoids : {false, true}) {
+    const Patch bare =
+        fillRings(rings, place.left, avoids ? &obstacle : nullptr, control);
+    if (bare.triangles.empty() || !fitsModel(model, bare))
+      continue;
+    for (const bool is_refined : {true, false}) {
+      Patch patch = bare;
+      if (is_refined)
+        fair(model, obstacle, course.parameters, control, patch);
+      if (course.frame.float_positions)
+        roundToFloats(course.frame.origin, patch);
+      if (is_refined)
+        refined.push_back(patch);
+      if (take(patch))
+        return true;
+    }
+  }
+  for (Patch& patch : refined)
+    if (obstructedTriangles(patch, obstacle, control).size() <= MOST_MENDED &&
+        mendPatch(here, obstacle, course.context, patch) && take(patch))
+      return true;
+  return false;
+}
+
+} // namespace pcl::repair

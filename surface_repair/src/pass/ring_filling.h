@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: the ring between an opening and what lies within it.
+
+#pragma once
+
+#include "filling/patch.h"
+#include "listing/ring_polygons.h"
+#include "pass/passes.h"
+#include "patch/growing_surface.h"
+#include "patch/surface_obstacle.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl::repair {
+
+/** \brief Where two loops have a point of the cloud in common, by ascending outer
+ * places.
+ */
+std::vector<LoopPlaces>
+touchingPlaces(const GrowingSurface& surface,
+               const BoundaryLoop& outer,
+               const BoundaryLoop& inner);
+
+/** \brief Where rings are closed. */
+struct RingPlace {
+  const ModelPart& part;            /**< what is known around it */
+  const std::vector<bool>& is_open; /**< of the part's triangles: they go */
+  const ModelPart& left;            /**< what stays of it, with the rings' vertices */
+  ccaa::Box box;
+};
+
+/** \brief Fill polygons by minimum weight, refine and relax them, and let the surface
+ * have them where they run into nothing.
+ * \param[in] of_hole that they close \return whether it has them */
+bool
+closeRings(const std::vector<RingPolygon>& rings,
+           const RingPlace& place,
+           std::size_t of_hole,
+           const Course& course,
+           GrowingSurface& surface);
+
+} // namespace pcl::repair

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: what junctions, and pieces without one, leave in doubt.
+
+#pragma once
+
+#include <pcl/surface_repair/repair_parameters.h>
+#include <pcl/surface_repair/repair_report.h>
+
+#include "verification/repaired_model.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
+
+namespace pcl::repair {
+
+/** \brief Lowest points of two loops, ascending. */
+using PointPair = std::array<pcl::index_t, 2>;
+
+inline PointPair
+inOrder(pcl::index_t one, pcl::index_t other)
+{
+  return {std::min(one, other), std::max(one, other)};
+}
+
+/** \brief The loops of which the user says that they are to be joined, or are not.
+ * \param[in] decisions or null */
+std::set<PointPair>
+decidedLoops(const Decisions* decisions, bool join);
+
+/** \brief Junctions that are joined on evidence that hardly decides, or only because
+ * there is no better one, or that join an island to itself and do not carry a handle,
+ * where the result has some: by their points, ascending. */
+std::vector<RepairDoubt>
+weakJunctions(const RepairReport& report, const SurveyParameters& parameters);
+
+/** \brief Junctions of two mouths of tubes, none of which is joined to any other loop,
+ * that lack little to be joined: by their points, ascending. */
+std::vector<RepairDoubt>
+unjoinedMouths(const RepairReport& report, const SurveyParameters& parameters);
+
+/** \brief Junctions that are joined by what they are, but not in the model: by their
+ * points, ascending. \param[in] model as it is written */
+std::vector<RepairDoubt>
+partedJunctions(const IncompleteModel& model,
+                const RepairReport& report,
+                const SurveyParameters& parameters);
+
+/** \brief Closed pieces that touch each other (ccaa::pieceContacts()), one of them
+ * partly new: by points of both. */
+std::vector<RepairDoubt>
+touchingPieces(const RepairedModel& repaired, const RepairReport& report);
+
+} // namespace pcl::repair

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of discs of new triangles that are opened.
+
+#include <gtest/gtest.h>
+
+#include "boundary/extraction.h"
+#include "patch/opening.h"
+#include "support/repair_fixture.h"
+#include "surface_repair/boundary/boundary_models.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl::repair::test {
+namespace {
+
+/** A model all of which is new. */
+GrowingSurface
+newSurface(const Shape& shape)
+{
+  return {modelOf(shape), std::vector<std::size_t>(shape.triangles.size(), 0)};
+}
+
+ModelPart
+wholeOf(const GrowingSurface& surface)
+{
+  std::vector<std::size_t> all(surface.triangles.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return surface.part(all);
+}
+
+TEST(Opening, GrowsADiscOverWhatMayBeOpened)
+{
+  const GrowingSurface surface = newSurface(icosphere(2));
+  const ModelPart part = wholeOf(surface);
+  std::vector<bool> first(part.triangles.size(), false);
+  first[0] = true;
+  const Opening opening = openFrom(part, 0, ringsAround(part, first, 1));
+  const auto opened = static_cast<std::size_t>(
+      std::count(opening.is_open.begin(), opening.is_open.end(), true));
+  EXPECT_GT(opened, 3U);
+  ASSERT_FALSE(opening.border.empty());
+  const std::size_t rim = opening.border.size();
+  EXPECT_LE(rim, opened + 2); // equal where no vertex is within
+}
+
+TEST(Opening, OfAllThatThereIsHasNoLoopInWhatIsLeft)
+{
+  const GrowingSurface surface = newSurface(grid(2, 2));
+  const ModelPart part = wholeOf(surface);
+  Opening opening = openFrom(part, 0, std::vector<bool>(part.triangles.size(), true));
+  std::fill(opening.is_open.begin(), opening.is_open.end(), true);
+  ASSERT_FALSE(opening.border.empty());
+  const ModelPart left = surface.part({});
+  EXPECT_EQ(nullptr, loopOf(opening, part, left, extractBoundaries(left.model)));
+}
+
+} // namespace
+} // namespace pcl::repair::test
