@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the surface around some holes as a mesh of its own,
-// repaired.
+// Part of PclSurfaceRepair: the surface around holes as a mesh of its own, repaired.
 #include "out_of_core/cluster_repair.h"
 
 #include <pcl/surface_repair/force_line_hole_repair.h>
@@ -28,9 +27,8 @@ std::array<double, 9>
 storedCorners(const pcl::ccaa::Corners& corners)
 {
   std::array<double, 9> stored{};
-  for (std::size_t i = 0; i < 3; ++i)
-    std::copy_n(
-        corners[i].data(), 3, stored.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    stored[i] = corners[i / 3][static_cast<pcl::index_t>(i % 3)];
   return stored;
 }
 

@@ -101,8 +101,11 @@ run(const std::string& program,
 } // namespace
 
 RunResult
-runApp(const std::string& program, const std::vector<std::string>& arguments)
+runApp(const std::string& program,
+       std::vector<std::string> arguments,
+       const std::vector<std::string>& more)
 {
+  arguments.insert(arguments.end(), more.begin(), more.end());
   return run(program, arguments, "/dev/null", -1);
 }
 

@@ -39,9 +39,11 @@ struct RunResult {
   std::string errors; /**< stderr */
 };
 
-/** \brief Run a program of ours with these arguments and wait for it. */
+/** \brief Run a program of ours with these arguments, and more, and wait for it. */
 RunResult
-runApp(const std::string& program, const std::vector<std::string>& arguments);
+runApp(const std::string& program,
+       std::vector<std::string> arguments,
+       const std::vector<std::string>& more = {});
 
 /** \brief The same with a file as standard input. */
 RunResult

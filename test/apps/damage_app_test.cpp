@@ -20,9 +20,8 @@ protected:
   RunResult
   damage(const std::string& output, const std::vector<std::string>& options)
   {
-    std::vector<std::string> arguments{folder_.path("in.ply"), folder_.path(output)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_damage_cloud", arguments);
+    return runApp(
+        "pcl_damage_cloud", {folder_.path("in.ply"), folder_.path(output)}, options);
   }
 
   /** Labels tell the points of the sphere apart: 1000003 times their number. */

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: coordinates with more digits than floats hold go through
-// all programs.
+// Part of PclSurfaceRepair: coordinates of more digits than floats have.
 #include <pcl/surface_ccaa/global_shift.h>
 
 #include "io/model_io.h"
@@ -48,12 +47,12 @@ class MapCoordinates : public RepairApp {
 protected:
   /** Run a program; \return what it has written to out.ply. */
   app::Model
-  outputOf(const std::string& program, std::vector<std::string> arguments)
+  outputOf(const std::string& program, const std::vector<std::string>& arguments)
   {
-    arguments.insert(
-        arguments.end(),
-        {folder_.path("out.ply"), "--report", folder_.path("report.json")});
-    const RunResult result = runApp(program, arguments);
+    const RunResult result =
+        runApp(program,
+               arguments,
+               {folder_.path("out.ply"), "--report", folder_.path("report.json")});
     EXPECT_EQ(0, result.exit_code) << result.errors;
     messages_ = result.errors;
     return loadMesh(folder_.path("out.ply"));
@@ -68,11 +67,10 @@ protected:
   }
 
   app::Model
-  repairedAt(const Position& place, const std::vector<std::string>& options = {})
+  repairedAt(const Position& place, std::vector<std::string> arguments = {})
   {
-    save(folder_.path("mesh.ply"), wavyMesh(place));
-    std::vector<std::string> arguments{folder_.path("mesh.ply")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.push_back(folder_.path("mesh.ply"));
+    save(arguments.back(), wavyMesh(place));
     return outputOf("pcl_repair_holes", arguments);
   }
 

@@ -19,10 +19,10 @@ protected:
   measure(const pcl::PolygonMesh& mesh, const std::vector<std::string>& options = {})
   {
     save(folder_.path("mesh.ply"), mesh);
-    std::vector<std::string> arguments{
-        folder_.path("mesh.ply"), "--report", folder_.path("report.json")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const RunResult result = runApp("pcl_mesh_quality", arguments);
+    const RunResult result =
+        runApp("pcl_mesh_quality",
+               {folder_.path("mesh.ply"), "--report", folder_.path("report.json")},
+               options);
     EXPECT_EQ(0, result.exit_code) << result.errors;
     EXPECT_EQ("", result.errors);
     return nlohmann::json::parse(readFile(folder_.path("report.json")));

@@ -23,9 +23,8 @@ protected:
               const std::string& output,
               const std::vector<std::string>& options = {})
   {
-    std::vector<std::string> arguments{folder_.path(input), folder_.path(output)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_ccaa_reconstruct", arguments);
+    return runApp(
+        "pcl_ccaa_reconstruct", {folder_.path(input), folder_.path(output)}, options);
   }
 
   /** Done, with the message of what was not as the reason. */

@@ -26,10 +26,9 @@ protected:
   RunResult
   inspect(const std::string& input, const std::vector<std::string>& options = {})
   {
-    std::vector<std::string> arguments{
-        folder_.path(input), "--inspect", folder_.path("found")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_repair_holes", arguments);
+    return runApp("pcl_repair_holes",
+                  {folder_.path(input), "--inspect", folder_.path("found")},
+                  options);
   }
 
   /** Without pictures, which take longest. */

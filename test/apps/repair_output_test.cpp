@@ -20,9 +20,8 @@ protected:
          const std::string& output,
          const std::vector<std::string>& options = {})
   {
-    std::vector<std::string> arguments{folder_.path(input), folder_.path(output)};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_repair_holes", arguments);
+    return runApp(
+        "pcl_repair_holes", {folder_.path(input), folder_.path(output)}, options);
   }
 
   std::vector<std::string>
@@ -284,10 +283,9 @@ protected:
   RunResult
   reconstruct(const std::vector<std::string>& options)
   {
-    std::vector<std::string> arguments{folder_.path("caps.ply"),
-                                       folder_.path("out.ply")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_ccaa_reconstruct", arguments);
+    return runApp("pcl_ccaa_reconstruct",
+                  {folder_.path("caps.ply"), folder_.path("out.ply")},
+                  options);
   }
 };
 

@@ -121,9 +121,8 @@ TEST_F(Sides, PlacesThatAreNoneAreRefused)
        {std::vector<std::string>{"--viewpoint", "1,2"},
         {"--viewpoint", "1,2,inf"},
         {"--up", "0,0,0"}}) {
-    std::vector<std::string> arguments{input, folder_.path("out.ply")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const RunResult result = runApp("pcl_ccaa_reconstruct", arguments);
+    const RunResult result =
+        runApp("pcl_ccaa_reconstruct", {input, folder_.path("out.ply")}, options);
     EXPECT_EQ(1, result.exit_code) << options[1];
     EXPECT_TRUE(isOneLine(result.errors)) << result.errors;
   }

@@ -37,17 +37,14 @@ protected:
   RunResult
   repair(const std::string& input, const std::vector<std::string>& options)
   {
-    std::vector<std::string> arguments{folder_.path(input), folder_.path("out.ply")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_repair_holes", arguments);
+    return runApp(
+        "pcl_repair_holes", {folder_.path(input), folder_.path("out.ply")}, options);
   }
 
   RunResult
   dryRun(const std::string& input, const std::vector<std::string>& options)
   {
-    std::vector<std::string> arguments{folder_.path(input), "--dry-run"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return runApp("pcl_repair_holes", arguments);
+    return runApp("pcl_repair_holes", {folder_.path(input), "--dry-run"}, options);
   }
 
   void

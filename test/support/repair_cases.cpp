@@ -1,59 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the cases of repair_shapes.h.
-#include "random_source.h"
-#include "repair_shapes.h"
+#include "repair_case_making.h"
 
 #include <cmath>
 
 namespace pcl::ccaa::test {
 namespace {
 
-constexpr Topology SPHERE{1, 2, 0};
 constexpr Topology DISC{1, 1, 1};
 
 double
 angleFromPole(const Position& p)
 {
   return std::acos(p.z() / p.norm());
-}
-
-using MakeShape = std::function<Shape()>;
-
-Shape
-sphere()
-{
-  return icosphere(4);
-}
-
-DamagedModel
-damagedModel(Shape truth, const Topology& whole, const PieceOf& piece_of)
-{
-  DamagedModel model;
-  model.damaged = inPieces(truth, piece_of);
-  model.wound = model.damaged.triangles;
-  model.whole = whole;
-  model.truth = std::move(truth);
-  return model;
-}
-
-RepairCase
-makeCase(const std::string& name,
-         const MakeShape& make_shape,
-         const Topology& whole,
-         const PieceOf& piece_of)
-{
-  return {name, [=] { return damagedModel(make_shape(), whole, piece_of); }};
-}
-
-/** \brief The case, changed in some way when it is made. */
-RepairCase
-changed(const RepairCase& given, const std::function<void(DamagedModel&)>& change)
-{
-  return {given.name, [=] {
-            DamagedModel model = given.make();
-            change(model);
-            return model;
-          }};
 }
 
 /** \brief Winds some of the islands inward. */
@@ -68,12 +27,6 @@ flipped(const RepairCase& given, const std::vector<std::size_t>& islands)
         if (component[t] == island)
           std::swap(triangles[t][1], triangles[t][2]);
   });
-}
-
-std::string
-percent(double share)
-{
-  return std::to_string(std::lround(100.0 * share)) + "Percent";
 }
 
 /** \brief Both sides of a plane through the origin, `gap` apart. */
@@ -337,79 +290,6 @@ openCases(std::uint64_t seed)
               unclear));
   cases.push_back(makeCase("ClosedSphere", sphere, SPHERE, all));
   return cases;
-}
-
-std::vector<RepairCase>
-unusualCases(std::uint64_t seed)
-{
-  const PieceOf four = cells(4, 0.16, seed);
-  const auto moved = [&](const std::string& name, double scale, double shift) {
-    return changed(makeCase(name, sphere, SPHERE, four), [=](DamagedModel& model) {
-      for (Shape* shape : {&model.damaged, &model.truth})
-        *shape =
-            translated(scaled(*shape, scale), Position(shift, -shift, 0.5 * shift));
-    });
-  };
-  std::vector<RepairCase> cases{moved("TinySphereInFour", 1e-4, 0.0),
-                                moved("HugeSphereInFour", 1e6, 0.0),
-                                moved("FarSphereInFour", 100.0, 1e5)};
-  for (const double gap : {0.1, 0.3})
-    cases.push_back(makeCase(
-        "GradedSphereInFourGap" + percent(0.5 * gap),
-        [] { return gradedSphere(5, 20.0); },
-        SPHERE,
-        cells(4, gap, seed)));
-  cases.push_back(changed(makeCase("ShuffledSphereInFour", sphere, SPHERE, four),
-                          [seed](DamagedModel& model) {
-                            model.damaged = shuffled(model.damaged, seed);
-                            model.wound = model.damaged.triangles;
-                          }));
-  return cases;
-}
-
-std::vector<RepairCase>
-casesWithFreePoints(std::uint64_t seed)
-{
-  const PieceOf pieces = cells(4, 0.3, seed);
-  using Choose = std::function<Positions(const Positions&, RandomSource&)>;
-  const auto with = [&](const std::string& name, const Choose& choose) {
-    return changed(makeCase("FreePoints" + name, sphere, SPHERE, pieces),
-                   [=](DamagedModel& model) {
-                     Positions lost;
-                     for (const Position& p : model.truth.vertices)
-                       if (pieces(p) < 0)
-                         lost.push_back(p);
-                     RandomSource random(seed);
-                     model.free_points = choose(lost, random);
-                   });
-  };
-  const auto fifth = [](const std::function<Position(Position, RandomSource&)>& move) {
-    return [move](const Positions& lost, RandomSource& random) {
-      Positions chosen;
-      for (const Position& p : lost)
-        if (random.uniform() < 0.2)
-          chosen.push_back(move(p, random));
-      return chosen;
-    };
-  };
-  return {
-      with("OnTheSurface", fifth([](Position p, RandomSource&) { return p; })),
-      with("AllLostOnes", [](const Positions& lost, RandomSource&) { return lost; }),
-      with("Noisy", fifth([](Position p, RandomSource& random) -> Position {
-             return (1.0 + 0.02 * random.normal()) * p;
-           })),
-      with("FarAway", fifth([](Position p, RandomSource&) -> Position {
-             return 5.0 * p + Position(20.0, 0.0, 0.0);
-           })),
-      with("SingleOutlier",
-           [](const Positions& lost, RandomSource&) -> Positions {
-             return {1.4 * lost[lost.size() / 2]};
-           }),
-      changed(with("OnTheInput", fifth([](Position p, RandomSource&) { return p; })),
-              [](DamagedModel& model) {
-                model.free_points.assign(model.damaged.vertices.begin(),
-                                         model.damaged.vertices.begin() + 40);
-              })};
 }
 
 } // namespace pcl::ccaa::test

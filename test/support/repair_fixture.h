@@ -207,4 +207,37 @@ expectNothingWorse(const Repaired& result, const Triangles& wound)
   EXPECT_TRUE(hasConsistentReport(result));
 }
 
+/** As expectNothingWorse(), where islands may touch in points. */
+inline void
+expectNothingLost(const Repaired& result)
+{
+  EXPECT_TRUE(isIcadm(result.triangles(), pointsOf(result.output)));
+  EXPECT_TRUE(
+      isSubsetOf(toTriangles(result.input.polygons), trianglesOverPlaces(result)));
+  EXPECT_TRUE(keepsPoints(result));
+  EXPECT_TRUE(addsNoIntersection(result));
+  EXPECT_TRUE(hasConsistentReport(result));
+}
+
+/** One piece, and nothing that was given is lost. */
+inline void
+expectOnePiece(const Repaired& result, long characteristic)
+{
+  expectNothingLost(result);
+  EXPECT_EQ(1U, topologyOf(result.triangles()).components);
+  EXPECT_EQ(characteristic, topologyOf(result.triangles()).characteristic);
+}
+
+/** Whole, and nothing that was given is lost. */
+inline void
+expectWhole(const Repaired& result, std::size_t pieces, long characteristic)
+{
+  expectNothingLost(result);
+  const Topology after = topologyOf(result.triangles());
+  EXPECT_EQ(pieces, after.components);
+  EXPECT_EQ(characteristic, after.characteristic);
+  EXPECT_EQ(0U, after.borders);
+  EXPECT_TRUE(result.report.complete());
+}
+
 } // namespace pcl::repair::test

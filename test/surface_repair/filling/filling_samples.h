@@ -4,6 +4,8 @@
 #pragma once
 
 #include "filling/filling_method.h"
+#include "filling/minimum_weight_filling.h"
+#include "mesh/intersection.h"
 #include "support/random_source.h"
 #include "support/shapes.h"
 
@@ -85,6 +87,21 @@ areaOf(const FillingTask& task, const Filling& filling)
   for (const Triangle& t : filling.triangles)
     area += 0.5 * ccaa::areaNormal(ccaa::cornersOf(t, all)).norm();
   return area;
+}
+
+inline Filling
+fillingOf(const FillingTask& task)
+{
+  return MinimumWeightFilling().close(task);
+}
+
+/** \brief Pairs of triangles that meet. */
+inline std::size_t
+meetings(const FillingTask& task, const Filling& filling)
+{
+  ccaa::RunControl control;
+  return ccaa::findSelfIntersections(filling.triangles, task.polygon.points, 1, control)
+      .pairs.size();
 }
 
 } // namespace pcl::repair::test

@@ -3,91 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include "listing/hole_list.h"
-#include "pass/regions_closing.h"
-#include "patch/patch_assembly.h"
-#include "region/filling_choice.h"
-#include "region/region_closing.h"
 #include "region/region_parts.h"
-#include "support/mesh_asserts.h"
 #include "support/random_source.h"
-#include "support/shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
+#include "surface_repair/region/closing_site.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
+using test::expectSound;
+using test::Site;
 using test::without;
-
-/** A shape with all that its regions are closed by; things can be put in the way. */
-struct Site {
-  explicit Site(const Shape& shape, RepairParameters wanted = {})
-  : parameters(std::move(wanted))
-  {
-    parameters.survey.trace_in_holes = false;
-    parameters.survey.simple_edges = simpleEdges(parameters.filling);
-    survey = surveyModel(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(shape)),
-                         nullptr,
-                         parameters.survey,
-                         {});
-    obstacle = SurfaceObstacle(survey.model,
-                               {{Position::Constant(-99.0), Position::Constant(99.0)}});
-    const HoleList list = listHoles(survey, parameters.filling);
-    for (const std::vector<std::size_t>& holes : list.regions) {
-      regions.emplace_back();
-      regions.back().bridge_vertices = list.bridge_vertices;
-      for (const std::size_t hole : holes)
-        regions.back().holes.push_back(list.holes[hole].polygon);
-    }
-  }
-
-  /** A small upright triangle, wide across x. */
-  void
-  putSpike(const Position& middle, double height, double width = 0.01)
-  {
-    const Position up(0.0, 0.0, 0.5 * height), across(width, 0.0, 0.0);
-    obstacle.add({middle - up, middle + up, middle + up + across}, {{0, 1, 2}});
-  }
-
-  ClosedRegion
-  close(const Region& region, ccaa::RunControl* control = nullptr) const
-  {
-    const SurveyGuides none;
-    return closeRegion(
-        {survey.model, none, parameters, {}}, region, obstacle, {1, control});
-  }
-
-  ClosedRegion
-  close() const
-  {
-    return close(regions.at(0));
-  }
-
-  RepairParameters parameters;
-  ModelSurvey survey;
-  SurfaceObstacle obstacle{IncompleteModel(), {}};
-  std::vector<Region> regions;
-};
-
-/** What holds whatever was in the way. */
-void
-expectSound(const Site& site, const ClosedRegion& closed)
-{
-  EXPECT_TRUE(fitsModel(site.survey.model, closed.patch));
-  EXPECT_TRUE(obstructedTriangles(closed.patch, site.obstacle).empty());
-  const std::set<std::size_t> made(closed.patch.hole.begin(), closed.patch.hole.end());
-  for (std::size_t h = 0; h < closed.holes.size(); ++h) {
-    EXPECT_EQ(closed.holes[h].open == OpenReason::NONE, made.count(h) > 0);
-    EXPECT_EQ(closed.holes[h].open == OpenReason::NONE,
-              !closed.holes[h].filling.empty());
-  }
-}
 
 RepairParameters
 unrefined()
@@ -304,68 +235,6 @@ TEST(RegionClosing, EveryMethodAvoidsASpike)
     EXPECT_EQ(OpenReason::NONE, closed.holes[0].open) << static_cast<int>(choice);
     expectSound(site, closed);
   }
-}
-
-/** Small holes around the directions of the axes. */
-Site
-siteWithSixHoles()
-{
-  return Site(without(icosphere(4), [](const Position& p) {
-    return p.lpNorm<Eigen::Infinity>() > 0.97;
-  }));
-}
-
-std::vector<ClosedRegion>
-closedTogether(const Site& site, int threads, RegionMemory& memory)
-{
-  const SurveyGuides none;
-  const ClosingPlace place{site.survey.model, none, site.parameters, {}};
-  return closeRegions(
-      place, site.regions, ccaa::LoopContext{threads}, memory, [](double) {});
-}
-
-TEST(RegionClosing, RegionsSideBySideAreClosedAsAlone)
-{
-  const Site site = siteWithSixHoles();
-  ASSERT_EQ(6U, site.regions.size());
-  for (const int threads : {1, 2, 5}) {
-    RegionMemory memory;
-    const std::vector<ClosedRegion> closed = closedTogether(site, threads, memory);
-    for (std::size_t r = 0; r < closed.size(); ++r) {
-      const ClosedRegion alone = site.close(site.regions[r]);
-      EXPECT_EQ(alone.patch.positions, closed[r].patch.positions);
-      EXPECT_EQ(alone.patch.triangles, closed[r].patch.triangles);
-    }
-    EXPECT_TRUE(memory.empty());
-  }
-}
-
-TEST(RegionClosing, ARegionSeesThePatchesThatCameBeforeIt)
-{
-  Site site = siteWithSixHoles();
-  site.regions = {site.regions.front(), site.regions.front()};
-  RegionMemory memory;
-  const std::vector<ClosedRegion> closed = closedTogether(site, 2, memory);
-  EXPECT_EQ(OpenReason::NONE, closed[0].holes.front().open);
-  SurfaceObstacle first(site.survey.model, {});
-  first.add(closed[0].patch.positions, closed[0].patch.triangles);
-  EXPECT_TRUE(obstructedTriangles(closed[1].patch, first).empty());
-}
-
-TEST(RegionClosing, TellsTheShareThatIsDone)
-{
-  const Site site = siteWithSixHoles();
-  const SurveyGuides none;
-  RegionMemory memory;
-  std::vector<double> shares;
-  closeRegions({site.survey.model, none, site.parameters, {}},
-               site.regions,
-               ccaa::LoopContext(),
-               memory,
-               [&](double share) { shares.push_back(share); });
-  ASSERT_EQ(6U, shares.size());
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_DOUBLE_EQ(1.0, shares.back());
 }
 
 TEST(CloseRegion, LeavesOpenWhatWouldTakeTooMuchWork)

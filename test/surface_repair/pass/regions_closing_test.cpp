@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of closing regions side by side.
+
+#include <gtest/gtest.h>
+
+#include "pass/regions_closing.h"
+#include "surface_repair/boundary/boundary_models.h"
+#include "surface_repair/region/closing_site.h"
+
+#include <algorithm>
+
+namespace pcl::repair {
+namespace {
+
+using namespace ccaa::test;
+using test::Site;
+using test::without;
+
+/** Small holes around the directions of the axes. */
+Site
+siteWithSixHoles()
+{
+  return Site(without(icosphere(4), [](const Position& p) {
+    return p.lpNorm<Eigen::Infinity>() > 0.97;
+  }));
+}
+
+std::vector<ClosedRegion>
+closedTogether(const Site& site, int threads, RegionMemory& memory)
+{
+  const SurveyGuides none;
+  const ClosingPlace place{site.survey.model, none, site.parameters, {}};
+  return closeRegions(
+      place, site.regions, ccaa::LoopContext{threads}, memory, [](double) {});
+}
+
+TEST(RegionsClosing, RegionsSideBySideAreClosedAsAlone)
+{
+  const Site site = siteWithSixHoles();
+  ASSERT_EQ(6U, site.regions.size());
+  for (const int threads : {1, 2, 5}) {
+    RegionMemory memory;
+    const std::vector<ClosedRegion> closed = closedTogether(site, threads, memory);
+    for (std::size_t r = 0; r < closed.size(); ++r) {
+      const ClosedRegion alone = site.close(site.regions[r]);
+      EXPECT_EQ(alone.patch.positions, closed[r].patch.positions);
+      EXPECT_EQ(alone.patch.triangles, closed[r].patch.triangles);
+    }
+    EXPECT_TRUE(memory.empty());
+  }
+}
+
+TEST(RegionsClosing, ARegionSeesThePatchesThatCameBeforeIt)
+{
+  Site site = siteWithSixHoles();
+  site.regions = {site.regions.front(), site.regions.front()};
+  RegionMemory memory;
+  const std::vector<ClosedRegion> closed = closedTogether(site, 2, memory);
+  EXPECT_EQ(OpenReason::NONE, closed[0].holes.front().open);
+  SurfaceObstacle first(site.survey.model, {});
+  first.add(closed[0].patch.positions, closed[0].patch.triangles);
+  EXPECT_TRUE(obstructedTriangles(closed[1].patch, first).empty());
+}
+
+TEST(RegionsClosing, TellsTheShareThatIsDone)
+{
+  const Site site = siteWithSixHoles();
+  const SurveyGuides none;
+  RegionMemory memory;
+  std::vector<double> shares;
+  closeRegions({site.survey.model, none, site.parameters, {}},
+               site.regions,
+               ccaa::LoopContext(),
+               memory,
+               [&](double share) { shares.push_back(share); });
+  ASSERT_EQ(6U, shares.size());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_DOUBLE_EQ(1.0, shares.back());
+}
+
+} // namespace
+} // namespace pcl::repair
