@@ -45,18 +45,28 @@ def constants_of(path):
             yield name, value, " ".join(filter(None, [above, beside]))
 
 
+def constants_in(room):
+    """File, name, value and comment of each constant of a room."""
+    for path in sorted(glob.glob(f"{room}**/*.h", recursive=True) +
+                       glob.glob(f"{room}**/*.cpp", recursive=True)):
+        for constant in constants_of(path):
+            yield path, *constant
+
+
+def rooms():
+    return sorted(glob.glob("surface_*/src/*/"))
+
+
 def page():
     """The text of the page, and the constants that say nothing about themselves."""
     text, silent = HEAD, []
-    for room in sorted(glob.glob("surface_*/src/*/")):
+    for room in rooms():
         rows = []
-        for path in sorted(glob.glob(f"{room}**/*.h", recursive=True) +
-                           glob.glob(f"{room}**/*.cpp", recursive=True)):
-            for name, value, comment in constants_of(path):
-                if not comment:
-                    silent.append(f"{path}: {name} has no comment")
-                comment = re.sub(r"([|<>])", r"\\\1", comment)
-                rows.append(f"| `{name}` | {value} | {comment} | `{os.path.basename(path)}` |")
+        for path, name, value, comment in constants_in(room):
+            if not comment:
+                silent.append(f"{path}: {name} has no comment")
+            comment = re.sub(r"([|<>])", r"\\\1", comment)
+            rows.append(f"| `{name}` | {value} | {comment} | `{os.path.basename(path)}` |")
         if rows:
             text += f"\n## {room[:-1].replace('/src/', '/')}\n\n"
             text += "| constant | value | what it is | in |\n|---|---|---|---|\n"

@@ -131,9 +131,8 @@ SeamGathering::read()
 {
   std::vector<WideTriangle> candidates;
   for (const std::size_t part : parts_) {
-    for (const pcl::ccaa::BorderPoint& point : readBorderPoints(plan_, part))
-      if (plan_.tiling.tiles[part].owns(point.index))
-        addPoint(point);
+    for (const pcl::ccaa::BorderPoint& point : readOwnBorderPoints(plan_, part))
+      addPoint(point);
     const JoinedTile joined = readJoined(plan_, part);
     candidates.insert(
         candidates.end(), joined.triangles.begin(), joined.triangles.end());

@@ -73,6 +73,21 @@ public:
     return values;
   }
 
+  /** \brief Elements of an array from one up to but without another. */
+  template <typename T>
+  std::vector<T>
+  getPart(std::uint64_t begin, std::uint64_t end)
+  {
+    std::size_t count = 0;
+    const char* const all = skipAll<T>(count);
+    if (begin > end || end > count)
+      fail("is no file of such a step");
+    std::vector<T> values(static_cast<std::size_t>(end - begin));
+    if (!values.empty())
+      std::memcpy(values.data(), all + begin * sizeof(T), values.size() * sizeof(T));
+    return values;
+  }
+
   /** \brief Step over an array. \return where it begins in the file */
   template <typename T>
   const char*

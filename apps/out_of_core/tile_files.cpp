@@ -5,6 +5,8 @@
 #include "out_of_core/step_file.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace app {
 namespace {
@@ -27,6 +29,43 @@ struct StoredSums {
   std::uint64_t triangles;
   std::int64_t open_edges;
 };
+
+/** Between which of its border points a tile's own are. */
+struct OwnPlaces {
+  std::uint64_t begin, end;
+};
+
+/** Up to where of the triangles of a border those are that belong to a tile. */
+struct OwnerEnd {
+  std::uint64_t tile, end;
+};
+
+/** Brings triangles in the order of the tiles that they belong to. */
+std::vector<OwnerEnd>
+sortByOwner(const pcl::ccaa::Tiling& tiling, std::vector<WideTriangle>& triangles)
+{
+  std::map<std::uint64_t, std::vector<WideTriangle>> by_owner;
+  for (const WideTriangle& triangle : triangles)
+    by_owner[tiling.ownerOf(pcl::ccaa::cornersInOrder(triangle).front())].push_back(
+        triangle);
+  std::vector<OwnerEnd> ends;
+  triangles.clear();
+  for (const auto& [owner, owned] : by_owner) {
+    triangles.insert(triangles.end(), owned.begin(), owned.end());
+    ends.push_back({owner, std::uint64_t{triangles.size()}});
+  }
+  return ends;
+}
+
+pcl::ccaa::BorderPoints
+restored(const std::vector<StoredPoint>& stored)
+{
+  pcl::ccaa::BorderPoints points;
+  points.reserve(stored.size());
+  for (const StoredPoint& point : stored)
+    points.push_back({point.index, Eigen::Vector3d(point.position.data())});
+  return points;
+}
 
 StoredSums
 stored(const pcl::ccaa::SideSums& sums)
@@ -86,15 +125,26 @@ numberIn(const pcl::ccaa::Tile& own,
 }
 
 void
-writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh)
+writeMesh(const TilePlan& plan, std::size_t tile, TileMesh mesh)
 {
+  const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
+  const std::vector<OwnerEnd> ends = sortByOwner(plan.tiling, mesh.border.triangles);
   std::vector<StoredPoint> points;
   for (const pcl::ccaa::BorderPoint& point : mesh.border.points)
     points.push_back(
         {point.index, {point.position.x(), point.position.y(), point.position.z()}});
+  const auto place_of = [&points](WideIndex first) {
+    const auto found = std::lower_bound(
+        points.begin(), points.end(), first, [](const StoredPoint& point, WideIndex i) {
+          return point.index < i;
+        });
+    return static_cast<std::uint64_t>(found - points.begin());
+  };
   StepWriter file(plan.file(tile, MESH_STEP), plan.key);
   file.put(mesh.doubts);
+  file.put(OwnPlaces{place_of(own.first), place_of(own.first + own.count)});
   file.putAll(points);
+  file.putAll(ends);
   file.putAll(mesh.border.triangles);
   file.putAll(mesh.inner);
   file.commit();
@@ -105,22 +155,34 @@ readBorderPoints(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   file.get<pcl::ccaa::TopologyDoubts>();
-  const std::vector<StoredPoint> stored = file.getAll<StoredPoint>();
-  pcl::ccaa::BorderPoints points;
-  points.reserve(stored.size());
-  for (const StoredPoint& point : stored)
-    points.push_back({point.index, Eigen::Vector3d(point.position.data())});
-  return points;
+  file.get<OwnPlaces>();
+  return restored(file.getAll<StoredPoint>());
+}
+
+pcl::ccaa::BorderPoints
+readOwnBorderPoints(const TilePlan& plan, std::size_t tile)
+{
+  StepReader file(plan.file(tile, MESH_STEP), plan.key);
+  file.get<pcl::ccaa::TopologyDoubts>();
+  const auto own = file.get<OwnPlaces>();
+  return restored(file.getPart<StoredPoint>(own.begin, own.end));
 }
 
 std::vector<WideTriangle>
-readBorderTriangles(const TilePlan& plan, std::size_t tile)
+readBorderTriangles(const TilePlan& plan, std::size_t tile, std::size_t owner)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   std::size_t count = 0;
   file.get<pcl::ccaa::TopologyDoubts>();
+  file.get<OwnPlaces>();
   file.skipAll<StoredPoint>(count);
-  return file.getAll<WideTriangle>();
+  std::uint64_t begin = 0;
+  for (const OwnerEnd& group : file.getAll<OwnerEnd>()) {
+    if (group.tile == owner)
+      return file.getPart<WideTriangle>(begin, group.end);
+    begin = group.end;
+  }
+  return {};
 }
 
 TileMesh
@@ -130,7 +192,9 @@ readInner(const TilePlan& plan, std::size_t tile)
   std::size_t count = 0;
   TileMesh mesh;
   mesh.doubts = file.get<pcl::ccaa::TopologyDoubts>();
+  file.get<OwnPlaces>();
   file.skipAll<StoredPoint>(count);
+  file.skipAll<OwnerEnd>(count);
   file.skipAll<WideTriangle>(count);
   mesh.inner = file.getAll<CoreTriangle>();
   return mesh;

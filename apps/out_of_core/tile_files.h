@@ -33,11 +33,16 @@ struct TileMesh {
 };
 
 void
-writeMesh(const TilePlan& plan, std::size_t tile, const TileMesh& mesh);
+writeMesh(const TilePlan& plan, std::size_t tile, TileMesh mesh);
 pcl::ccaa::BorderPoints
 readBorderPoints(const TilePlan& plan, std::size_t tile);
+/** \brief Those that belong to the tile itself. */
+pcl::ccaa::BorderPoints
+readOwnBorderPoints(const TilePlan& plan, std::size_t tile);
+/** \brief Triangles of the border that belong to some tile: it has the lowest corner.
+ */
 std::vector<pcl::ccaa::WideTriangle>
-readBorderTriangles(const TilePlan& plan, std::size_t tile);
+readBorderTriangles(const TilePlan& plan, std::size_t tile, std::size_t owner);
 /** \brief The mesh without its border. */
 TileMesh
 readInner(const TilePlan& plan, std::size_t tile);

@@ -59,10 +59,10 @@ public:
              const pcl::ccaa::PointView& positions)
   : own_(plan.tiling.tiles[tile]), wide_(wide)
   {
-    const std::vector<std::size_t> neighbors = plan.tiling.neighborsOf(tile);
+    const auto others = pcl::ccaa::CellsAround::border(plan.tiling, tile);
     for (std::size_t i = 0; i < wide.size(); ++i) {
       const Position position = positions[i];
-      is_border_.push_back(plan.tiling.isNearOthers(position, tile, neighbors));
+      is_border_.push_back(others.isNear(position));
       is_seen_.push_back(own_.sees(position));
       if (is_border_.back())
         mesh.border.points.push_back({wide[i], position});
@@ -180,7 +180,7 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   sorter.mesh.doubts = {result.chain.doubtful_handles, result.chain.touching_pieces};
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
-  writeMesh(plan, tile, sorter.mesh);
+  writeMesh(plan, tile, std::move(sorter.mesh));
 }
 
 void
@@ -188,16 +188,11 @@ joinTile(const TilePlan& plan, std::size_t tile)
 {
   if (isDone(plan.file(tile, JOIN_STEP), plan.key))
     return;
-  const pcl::ccaa::Tile& cell = plan.tiling.tiles[tile];
   pcl::ccaa::BorderMesh own{readBorderPoints(plan, tile),
-                            readBorderTriangles(plan, tile)};
+                            readBorderTriangles(plan, tile, tile)};
   std::vector<std::vector<WideTriangle>> others;
-  for (const std::size_t neighbor : plan.tiling.neighborsOf(tile)) {
-    others.emplace_back();
-    for (const WideTriangle& triangle : readBorderTriangles(plan, neighbor))
-      if (cell.owns(cornersInOrder(triangle).front()))
-        others.back().push_back(triangle);
-  }
+  for (const std::size_t neighbor : plan.tiling.neighborsOf(tile))
+    others.push_back(readBorderTriangles(plan, neighbor, tile));
   pcl::ccaa::Agreed agreed = agree(plan.tiling, tile, own, others);
   JoinedTile joined;
   joined.triangles = std::move(agreed.triangles);

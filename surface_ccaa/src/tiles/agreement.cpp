@@ -9,17 +9,6 @@
 namespace pcl::ccaa {
 namespace {
 
-/** The corners that are border points. */
-Positions
-borderCorners(const WideTriangle& triangle, const BorderPoints& points)
-{
-  Positions corners;
-  for (const WideIndex corner : triangle)
-    if (const auto place = findPoint(points, corner); place != points.end())
-      corners.push_back(place->position);
-  return corners;
-}
-
 /** How many of the corners a tile sees. */
 std::size_t
 seenBy(const Tile& tile, const Positions& corners)
@@ -47,10 +36,15 @@ public:
           std::size_t tile,
           const BorderMesh& own,
           const std::vector<std::vector<WideTriangle>>& others)
-  : tiling_(tiling), tile_(tile), own_(own), neighbors_(tiling.neighborsOf(tile))
+  : tiling_(tiling), tile_(tile), own_(own)
   {
     for (const auto& other : others)
       others_.push_back(sortedCorners(other));
+    const CellsAround sight = CellsAround::sight(tiling, tile);
+    for (const BorderPoint& point : own.points) {
+      sight.forEachNear(point.position, [&](std::size_t i) { seers_.push_back(i); });
+      seers_end_.push_back(seers_.size());
+    }
   }
 
   Agreed
@@ -72,7 +66,7 @@ private:
   void
   judge(const WideTriangle& triangle)
   {
-    if (isAgreed(cornersInOrder(triangle), borderCorners(triangle, own_.points)))
+    if (isAgreed(cornersInOrder(triangle)))
       agreed_.triangles.push_back(triangle);
     else
       agreed_.refused.push_back(cornersInOrder(triangle));
@@ -81,17 +75,28 @@ private:
   /** A corner that is no border point is far from all others: with one that another
    * tile sees, it makes a triangle too long to be believed. */
   bool
-  isAgreed(const WideTriangle& triangle, const Positions& corners) const
+  isAgreed(const WideTriangle& triangle) const
   {
-    bool is_shared = false;
-    for (std::size_t i = 0; i < neighbors_.size(); ++i) {
-      const std::size_t seen = seenBy(tiling_.tiles[neighbors_[i]], corners);
-      is_shared = is_shared || seen > 0;
-      if (seen == 3 &&
-          !std::binary_search(others_[i].begin(), others_[i].end(), triangle))
-        return false;
+    Positions corners;
+    std::vector<std::size_t> seers; // once for each corner that they see
+    for (const WideIndex corner : triangle) {
+      const auto place = findPoint(own_.points, corner);
+      if (place == own_.points.end())
+        continue;
+      corners.push_back(place->position);
+      const auto p = static_cast<std::size_t>(place - own_.points.begin());
+      const auto all = seers_.begin();
+      seers.insert(seers.end(),
+                   all + static_cast<std::ptrdiff_t>(p == 0 ? 0 : seers_end_[p - 1]),
+                   all + static_cast<std::ptrdiff_t>(seers_end_[p]));
     }
-    if (!is_shared)
+    std::sort(seers.begin(), seers.end());
+    for (std::size_t i = 2; i < seers.size(); ++i)
+      if (const auto& other = others_[seers[i]];
+          seers[i - 2] == seers[i] &&
+          !std::binary_search(other.begin(), other.end(), triangle))
+        return false;
+    if (seers.empty())
       return true;
     return corners.size() == 3 &&
            std::all_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
@@ -104,8 +109,9 @@ private:
   const Tiling& tiling_;
   std::size_t tile_;
   const BorderMesh& own_;
-  std::vector<std::size_t> neighbors_;
   std::vector<std::vector<WideTriangle>> others_; /**< in order, by neighbor */
+  std::vector<std::size_t> seers_;     /**< neighbors that see a border point */
+  std::vector<std::size_t> seers_end_; /**< of each point, among these */
   Agreed agreed_;
 };
 

@@ -6,6 +6,14 @@
 
 namespace pcl::ccaa {
 
+namespace {
+
+/** What lies deeper in a cell than any limit is far from all others, whatever rounding
+ * does to coordinates up to 1e12 limits. */
+constexpr double ROUNDING = 1.001;
+
+} // namespace
+
 WideTriangle
 cornersInOrder(const WideTriangle& triangle)
 {
@@ -44,16 +52,34 @@ Tiling::neighborsOf(std::size_t tile) const
   return neighbors;
 }
 
-bool
-Tiling::isNearOthers(const Position& position,
-                     std::size_t tile,
-                     const std::vector<std::size_t>& neighbors) const
+template <typename Limit>
+CellsAround::CellsAround(const Tiling& tiling, std::size_t tile, const Limit& limit)
 {
-  return std::any_of(neighbors.begin(), neighbors.end(), [&](std::size_t i) {
-    const double halo = tiles[i].halo;
-    return tiles[i].cell.distance(position) <=
-           Tile::TRUSTED * halo + Tile::AROUND * std::max(halo, tiles[tile].halo);
-  });
+  double farthest = 0.0;
+  for (const std::size_t i : tiling.neighborsOf(tile)) {
+    boxes_.push_back(tiling.tiles[i].cell.box());
+    limits_.push_back(limit(tiling.tiles[i]));
+    farthest = std::max(farthest, limits_.back());
+  }
+  const Eigen::AlignedBox3d own = tiling.tiles[tile].cell.box();
+  const Position depth = Position::Constant(ROUNDING * farthest);
+  clear_ = {own.min() + depth, own.max() - depth};
+}
+
+CellsAround
+CellsAround::border(const Tiling& tiling, std::size_t tile)
+{
+  const double own = tiling.tiles[tile].halo;
+  return {tiling, tile, [own](const Tile& other) {
+            return Tile::TRUSTED * other.halo +
+                   Tile::AROUND * std::max(other.halo, own);
+          }};
+}
+
+CellsAround
+CellsAround::sight(const Tiling& tiling, std::size_t tile)
+{
+  return {tiling, tile, [](const Tile& other) { return Tile::TRUSTED * other.halo; }};
 }
 
 BorderPoints::const_iterator

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: the tiles of a cloud and what each of them sees.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "tiles/world_grid.h"
 
 #include <array>
@@ -79,14 +81,53 @@ struct Tiling {
    * it, ascending. */
   std::vector<std::size_t>
   neighborsOf(std::size_t tile) const;
+};
 
-  /** \brief Whether a position lies near a tile other than this one, so that it belongs
-   * to the border: of the wider halo, where they differ, as a dispute reaches as far as
-   * the halo of its own tile tells. \param[in] neighbors of the tile */
+/** \brief The cells around a tile, and which of them a position is near. Cost: for a
+ * position deep within the tile's own cell O(1), else O(cells). */
+class CellsAround {
+public:
+  /** \brief Those near which a position belongs to the border of a tile: of the wider
+   * halo, where they differ, as a dispute reaches as far as the halo of its own tile
+   * tells. */
+  static CellsAround
+  border(const Tiling& tiling, std::size_t tile);
+
+  /** \brief Those of the neighbors of a tile, in their order, which see a position
+   * (Tile::sees()). */
+  static CellsAround
+  sight(const Tiling& tiling, std::size_t tile);
+
+  /** \brief Calls \a use(cell) for all near a position, ascending. */
+  template <typename Use>
+  void
+  forEachNear(const Position& position, const Use& use) const
+  {
+    if ((position - clear_.min()).minCoeff() > 0.0 &&
+        (clear_.max() - position).minCoeff() > 0.0)
+      return;
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if ((boxes_[i].min() - position).maxCoeff() <= limits_[i] &&
+          (position - boxes_[i].max()).maxCoeff() <= limits_[i])
+        use(i);
+  }
+
+  /** \brief Whether it is near any. */
   bool
-  isNearOthers(const Position& position,
-               std::size_t tile,
-               const std::vector<std::size_t>& neighbors) const;
+  isNear(const Position& position) const
+  {
+    bool is_near = false;
+    forEachNear(position, [&](std::size_t) { is_near = true; });
+    return is_near;
+  }
+
+private:
+  template <typename Limit>
+  CellsAround(const Tiling& tiling, std::size_t tile, const Limit& limit);
+
+  Eigen::AlignedBox3d clear_; /**< of the tile's cell: far from all others */
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<double> limits_;
 };
 
 /** \brief A point at which tiles meet. */

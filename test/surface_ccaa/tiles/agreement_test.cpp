@@ -56,13 +56,12 @@ public:
   BorderMesh
   borderOf(std::size_t tile) const
   {
-    const auto neighbors = tiling.neighborsOf(tile);
+    const CellsAround others = CellsAround::border(tiling, tile);
     const Tile& own = tiling.tiles[tile];
     BorderMesh border;
     std::set<WideIndex> near;
     for (WideIndex i = 0; i < points.size(); ++i)
-      if (own.cell.distance(points[i]) <= own.halo &&
-          tiling.isNearOthers(points[i], tile, neighbors)) {
+      if (own.cell.distance(points[i]) <= own.halo && others.isNear(points[i])) {
         border.points.push_back({i, points[i]});
         near.insert(i);
       }
@@ -305,6 +304,38 @@ TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
   }
 }
 
+TEST(CellsAround, AreThoseWhoseDistanceIsWithinTheirLimit)
+{
+  std::size_t near = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Patchwork patchwork(seed, 0.05);
+    const Tiling& tiling = patchwork.tiling;
+    for (std::size_t tile = 0; tile < tiling.tiles.size(); ++tile) {
+      const std::vector<std::size_t> neighbors = tiling.neighborsOf(tile);
+      const double halo = tiling.tiles[tile].halo;
+      const CellsAround border = CellsAround::border(tiling, tile);
+      const CellsAround sight = CellsAround::sight(tiling, tile);
+      for (const Position& point : patchwork.points) {
+        std::vector<std::size_t> seers, expected;
+        sight.forEachNear(point, [&](std::size_t i) { seers.push_back(i); });
+        bool is_border = false;
+        for (std::size_t i = 0; i < neighbors.size(); ++i) {
+          const Tile& other = tiling.tiles[neighbors[i]];
+          if (other.sees(point))
+            expected.push_back(i);
+          is_border = is_border || other.cell.distance(point) <=
+                                       Tile::TRUSTED * other.halo +
+                                           Tile::AROUND * std::max(other.halo, halo);
+        }
+        ASSERT_EQ(expected, seers);
+        ASSERT_EQ(is_border, border.isNear(point));
+        near += expected.size();
+      }
+    }
+  }
+  EXPECT_GT(near, 1000U);
+}
+
 TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
 {
   std::size_t around = 0;
@@ -324,8 +355,7 @@ TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
           continue;
         ++around;
         const std::size_t owner = tiling.ownerOf(j);
-        EXPECT_TRUE(
-            tiling.isNearOthers(patchwork.points[j], owner, tiling.neighborsOf(owner)));
+        EXPECT_TRUE(CellsAround::border(tiling, owner).isNear(patchwork.points[j]));
       }
     }
   }
