@@ -122,14 +122,17 @@ TriangulationTable::avoid(const Triangles& obstructed)
 
 /** Of the triangle (i, m, j), with the best triangulations behind its other edges. */
 TriangulationTable::Weighed
-TriangulationTable::weigh(const Cell& cell,
-                          const ccaa::Corners& corners,
-                          const Cell& left,
-                          const Cell& right) const
+TriangulationTable::weigh(std::size_t i,
+                          std::size_t j,
+                          const Cell& cell,
+                          const Candidate& candidate) const
 {
+  const Cell& left = cells_[candidate.left];
+  const Cell& right = cells_[candidate.right];
   // The polygon runs i, m, j with the surface on the left, the triangle the other way.
+  const Position& from = polygon_.points[i];
   const Eigen::Vector3d doubled =
-      (corners[2] - corners[0]).cross(corners[1] - corners[0]);
+      (polygon_.points[j] - from).cross(polygon_.points[candidate.apex] - from);
   const double area = doubled.norm();
   const double longest = std::max({cell.length, left.length, right.length});
   Weighed result;
@@ -139,6 +142,9 @@ TriangulationTable::weigh(const Cell& cell,
   else
     result.weight += FLAT_WEIGHT * longest;
   result.weight += weighEdge(left, result.normal) + weighEdge(right, result.normal);
+  if (isClosing(i, j))
+    result.weight +=
+        cell.length * weights_.fold * foldBetween(result.normal, polygon_.normals[j]);
   return result;
 }
 
@@ -164,50 +170,46 @@ TriangulationTable::fillCell(std::size_t i, std::size_t j, Cell& cell)
       continue;
     const Cell& left = cells_[row];
     const Cell& right = cells_[entry->cell];
-    if (!(left.weight + right.weight < cell.weight))
-      continue;
-    Weighed weighed =
-        weigh(cell,
-              {polygon_.points[i], polygon_.points[m], polygon_.points[j]},
-              left,
-              right);
-    if (isClosing(i, j))
-      weighed.weight += cell.length * weights_.fold *
-                        foldBetween(weighed.normal, polygon_.normals[j]);
-    if (limits_.obstructed)
-      candidates_.push_back({weighed, m});
-    else if (weighed.weight < cell.weight)
-      accept({weighed, m}, cell);
+    const double weight =
+        left.weight + right.weight +
+        (left.length * weights_.length + right.length * weights_.length);
+    if (weight < std::numeric_limits<double>::infinity())
+      candidates_.push_back({weight, false, m, row, entry->cell});
   }
-  acceptClear(i, j, cell);
+  acceptLightest(i, j, cell);
 }
 
+/** The lightest candidate with nothing in its way. Few are weighed with their folds,
+ * and few are asked, as asking is dear; none where something is in the way of the
+ * diagonal that all of them have. */
 void
-TriangulationTable::accept(const Candidate& candidate, Cell& cell)
-{
-  cell.weight = candidate.weighed.weight;
-  cell.normal = candidate.weighed.normal;
-  cell.apex = candidate.apex;
-}
-
-/** The lightest candidate with nothing in its way: few are asked, as asking is dear,
- * and none where something is in the way of the diagonal that all of them have. */
-void
-TriangulationTable::acceptClear(std::size_t i, std::size_t j, Cell& cell)
+TriangulationTable::acceptLightest(std::size_t i, std::size_t j, Cell& cell)
 {
   const auto is_later = [](const Candidate& a, const Candidate& b) {
-    return std::tie(a.weighed.weight, a.apex) > std::tie(b.weighed.weight, b.apex);
+    return std::tie(a.weight, a.is_weighed, a.apex) >
+           std::tie(b.weight, b.is_weighed, b.apex);
   };
   std::make_heap(candidates_.begin(), candidates_.end(), is_later);
-  for (bool is_first = true; !candidates_.empty(); is_first = false) {
-    const Candidate& lightest = candidates_.front();
-    if (!limits_.obstructed(i, lightest.apex, j)) {
-      accept(lightest, cell);
+  bool is_first = true;
+  while (!candidates_.empty()) {
+    std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
+    Candidate& lightest = candidates_.back();
+    const Weighed weighed = weigh(i, j, cell, lightest);
+    if (!lightest.is_weighed) {
+      lightest.weight = weighed.weight;
+      lightest.is_weighed = true;
+      std::push_heap(candidates_.begin(), candidates_.end(), is_later);
+      continue;
+    }
+    if (!limits_.obstructed || !limits_.obstructed(i, lightest.apex, j)) {
+      cell.weight = weighed.weight;
+      cell.normal = weighed.normal;
+      cell.apex = lightest.apex;
       return;
     }
-    if (is_first && !isClosing(i, j) && limits_.crossed && limits_.crossed(i, j))
+    if (std::exchange(is_first, false) && !isClosing(i, j) && limits_.crossed &&
+        limits_.crossed(i, j))
       return;
-    std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
     candidates_.pop_back();
   }
 }
