@@ -130,7 +130,9 @@ isFlatInAnAxis(const Eigen::Vector3d& a,
   return false;
 }
 
-int
+/** Out of line like exactTurn(): its integers would give the filter before it a frame
+ * of a kilobyte. */
+[[gnu::noinline]] int
 exactSideOfPlane(const Position (&points)[4])
 {
   BitRange bits;
@@ -143,6 +145,21 @@ exactSideOfPlane(const Position (&points)[4])
                        ? planeSign<FixedInteger>(points, bits.low)
                        : planeSign<AnyInteger>(points, bits.low);
   return -sign;
+}
+
+[[gnu::noinline]] int
+exactTurn(const Position (&points)[3], int u, int v)
+{
+  BitRange bits;
+  for (const Position& point : points) {
+    bits.extend(point[u]);
+    bits.extend(point[v]);
+  }
+  if (bits.low > bits.high)
+    return 0;
+  return bits.high - bits.low <= FIXED_COORDINATE_BITS
+             ? turnSign<FixedInteger>(points, u, v, bits.low)
+             : turnSign<AnyInteger>(points, u, v, bits.low);
 }
 
 } // namespace
@@ -173,18 +190,7 @@ turnInPlane(const Position& a, const Position& b, const Position& c, int dropped
   const double right = (a[v] - c[v]) * (b[u] - c[u]);
   const int sign =
       filteredSign(left - right, std::abs(left) + std::abs(right), TURN_ERROR);
-  if (sign != UNDECIDED)
-    return sign;
-  BitRange bits;
-  for (const Position* point : {&a, &b, &c}) {
-    bits.extend((*point)[u]);
-    bits.extend((*point)[v]);
-  }
-  if (bits.low > bits.high)
-    return 0;
-  return bits.high - bits.low <= FIXED_COORDINATE_BITS
-             ? turnSign<FixedInteger>({a, b, c}, u, v, bits.low)
-             : turnSign<AnyInteger>({a, b, c}, u, v, bits.low);
+  return sign != UNDECIDED ? sign : exactTurn({a, b, c}, u, v);
 }
 
 int

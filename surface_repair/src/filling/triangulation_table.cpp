@@ -179,38 +179,52 @@ TriangulationTable::fillCell(std::size_t i, std::size_t j, Cell& cell)
   acceptLightest(i, j, cell);
 }
 
-/** The lightest candidate with nothing in its way. Few are weighed with their folds,
- * and few are asked, as asking is dear; none where something is in the way of the
- * diagonal that all of them have. */
+/** Of those that are left; null where none is. Only what its edges do not make too
+ * heavy is weighed with its folds. */
+TriangulationTable::Candidate*
+TriangulationTable::lightest(std::size_t i, std::size_t j, const Cell& cell)
+{
+  const auto is_lighter = [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.weight, a.apex) < std::tie(b.weight, b.apex);
+  };
+  const auto first =
+      std::min_element(candidates_.begin(), candidates_.end(), is_lighter);
+  if (first == candidates_.end() ||
+      first->weight == std::numeric_limits<double>::infinity())
+    return nullptr;
+  Candidate* best = nullptr;
+  const auto consider = [&](Candidate& candidate) {
+    if (best != nullptr && !is_lighter(candidate, *best))
+      return;
+    if (!std::exchange(candidate.is_weighed, true))
+      candidate.weight = weigh(i, j, cell, candidate).weight;
+    if (best == nullptr || is_lighter(candidate, *best))
+      best = &candidate;
+  };
+  consider(*first);
+  for (Candidate& candidate : candidates_)
+    consider(candidate);
+  return best;
+}
+
+/** The lightest candidate with nothing in its way: few are asked, as asking is dear,
+ * and none where something is in the way of the diagonal that all of them have. */
 void
 TriangulationTable::acceptLightest(std::size_t i, std::size_t j, Cell& cell)
 {
-  const auto is_later = [](const Candidate& a, const Candidate& b) {
-    return std::tie(a.weight, a.is_weighed, a.apex) >
-           std::tie(b.weight, b.is_weighed, b.apex);
-  };
-  std::make_heap(candidates_.begin(), candidates_.end(), is_later);
   bool is_first = true;
-  while (!candidates_.empty()) {
-    std::pop_heap(candidates_.begin(), candidates_.end(), is_later);
-    Candidate& lightest = candidates_.back();
-    const Weighed weighed = weigh(i, j, cell, lightest);
-    if (!lightest.is_weighed) {
-      lightest.weight = weighed.weight;
-      lightest.is_weighed = true;
-      std::push_heap(candidates_.begin(), candidates_.end(), is_later);
-      continue;
-    }
-    if (!limits_.obstructed || !limits_.obstructed(i, lightest.apex, j)) {
+  while (Candidate* const candidate = lightest(i, j, cell)) {
+    if (!limits_.obstructed || !limits_.obstructed(i, candidate->apex, j)) {
+      const Weighed weighed = weigh(i, j, cell, *candidate);
       cell.weight = weighed.weight;
       cell.normal = weighed.normal;
-      cell.apex = lightest.apex;
+      cell.apex = candidate->apex;
       return;
     }
     if (std::exchange(is_first, false) && !isClosing(i, j) && limits_.crossed &&
         limits_.crossed(i, j))
       return;
-    candidates_.pop_back();
+    candidate->weight = std::numeric_limits<double>::infinity();
   }
 }
 

@@ -104,6 +104,8 @@ private:
         const Candidate& candidate) const;
   double
   weighEdge(const Cell& cell, const Direction& normal) const;
+  Candidate*
+  lightest(std::size_t i, std::size_t j, const Cell& cell);
   void
   acceptLightest(std::size_t i, std::size_t j, Cell& cell);
   std::size_t
