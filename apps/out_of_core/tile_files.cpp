@@ -30,9 +30,10 @@ struct StoredSums {
   std::int64_t open_edges;
 };
 
-/** Between which of its border points a tile's own are. */
-struct OwnPlaces {
-  std::uint64_t begin, end;
+/** What comes first in the file of a tile's mesh. */
+struct MeshHead {
+  pcl::ccaa::TopologyDoubts doubts;
+  std::uint64_t own_begin, own_end; /**< among the border points, the tile's own */
 };
 
 /** Up to where of the triangles of a border those are that belong to a tile. */
@@ -141,8 +142,7 @@ writeMesh(const TilePlan& plan, std::size_t tile, TileMesh mesh)
     return static_cast<std::uint64_t>(found - points.begin());
   };
   StepWriter file(plan.file(tile, MESH_STEP), plan.key);
-  file.put(mesh.doubts);
-  file.put(OwnPlaces{place_of(own.first), place_of(own.first + own.count)});
+  file.put(MeshHead{mesh.doubts, place_of(own.first), place_of(own.first + own.count)});
   file.putAll(points);
   file.putAll(ends);
   file.putAll(mesh.border.triangles);
@@ -154,8 +154,7 @@ pcl::ccaa::BorderPoints
 readBorderPoints(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
-  file.get<pcl::ccaa::TopologyDoubts>();
-  file.get<OwnPlaces>();
+  file.get<MeshHead>();
   return restored(file.getAll<StoredPoint>());
 }
 
@@ -163,9 +162,8 @@ pcl::ccaa::BorderPoints
 readOwnBorderPoints(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
-  file.get<pcl::ccaa::TopologyDoubts>();
-  const auto own = file.get<OwnPlaces>();
-  return restored(file.getPart<StoredPoint>(own.begin, own.end));
+  const auto head = file.get<MeshHead>();
+  return restored(file.getPart<StoredPoint>(head.own_begin, head.own_end));
 }
 
 std::vector<WideTriangle>
@@ -173,8 +171,7 @@ readBorderTriangles(const TilePlan& plan, std::size_t tile, std::size_t owner)
 {
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   std::size_t count = 0;
-  file.get<pcl::ccaa::TopologyDoubts>();
-  file.get<OwnPlaces>();
+  file.get<MeshHead>();
   file.skipAll<StoredPoint>(count);
   std::uint64_t begin = 0;
   for (const OwnerEnd& group : file.getAll<OwnerEnd>()) {
@@ -191,8 +188,7 @@ readInner(const TilePlan& plan, std::size_t tile)
   StepReader file(plan.file(tile, MESH_STEP), plan.key);
   std::size_t count = 0;
   TileMesh mesh;
-  mesh.doubts = file.get<pcl::ccaa::TopologyDoubts>();
-  file.get<OwnPlaces>();
+  mesh.doubts = file.get<MeshHead>().doubts;
   file.skipAll<StoredPoint>(count);
   file.skipAll<OwnerEnd>(count);
   file.skipAll<WideTriangle>(count);

@@ -11,6 +11,7 @@ namespace {
 
 /** Bridges over which a ring is cut open, one try after the other. */
 constexpr std::size_t CUTS = 3;
+
 void
 add(const BoundaryLoop& loop, std::size_t place, RingPolygon& ring)
 {

@@ -14,9 +14,6 @@ namespace pcl::repair {
 
 namespace {
 
-/** Operations for a triangle that is looked at. */
-constexpr std::uint64_t LOOK_WORK = 1;
-
 template <typename T>
 void
 keepMarked(const std::vector<bool>& is_marked, std::vector<T>& list)
@@ -64,7 +61,7 @@ takeOver(GrowingSurface surface, const Course& course)
   ModelSurvey& survey = course.survey;
   RepairReport& report = course.report;
   IncompleteModel& model = survey.model;
-  ccaa::spend(context.control, LOOK_WORK * surface.triangles.size());
+  ccaa::spend(context.control, surface.triangles.size());
   keepMarked(surface.is_there, surface.triangles);
   keepMarked(surface.is_there, surface.hole);
   report.hole_of = std::move(surface.hole);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: tests of which tiles know what.
+
+#include <gtest/gtest.h>
+
+#include "patchwork.h"
+
+namespace pcl::ccaa::test {
+namespace {
+
+TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
+{
+  const Patchwork patchwork(40, 0.0);
+  const Tiling& tiling = patchwork.tiling;
+  ASSERT_EQ(tiling.tiles.size(), 9U);
+  for (WideIndex i = 0; i < patchwork.points.size(); ++i)
+    ASSERT_EQ(tiling.tiles[tiling.ownerOf(i)].cell.distance(patchwork.points[i]), 0.0);
+  for (std::size_t tile = 0; tile < 9; ++tile) {
+    std::vector<std::size_t> expected;
+    for (std::size_t other = 0; other < 9; ++other)
+      if (other != tile &&
+          tiling.tiles[tile].cell.distance(tiling.tiles[other].cell) <=
+              std::max(tiling.tiles[tile].halo, tiling.tiles[other].halo))
+        expected.push_back(other);
+    EXPECT_EQ(tiling.neighborsOf(tile), expected);
+    for (const std::size_t other : expected) {
+      const auto back = tiling.neighborsOf(other);
+      EXPECT_EQ(1, std::count(back.begin(), back.end(), tile));
+    }
+  }
+}
+
+TEST(CellsAround, AreThoseWhoseDistanceIsWithinTheirLimit)
+{
+  std::size_t near = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Patchwork patchwork(seed, 0.05);
+    const Tiling& tiling = patchwork.tiling;
+    for (std::size_t tile = 0; tile < tiling.tiles.size(); ++tile) {
+      const std::vector<std::size_t> neighbors = tiling.neighborsOf(tile);
+      const double halo = tiling.tiles[tile].halo;
+      const CellsAround border = CellsAround::border(tiling, tile);
+      const CellsAround sight = CellsAround::sight(tiling, tile);
+      for (const Position& point : patchwork.points) {
+        std::vector<std::size_t> seers, expected;
+        sight.forEachNear(point, [&](std::size_t i) { seers.push_back(i); });
+        bool is_border = false;
+        for (std::size_t i = 0; i < neighbors.size(); ++i) {
+          const Tile& other = tiling.tiles[neighbors[i]];
+          if (other.sees(point))
+            expected.push_back(i);
+          is_border = is_border || other.cell.distance(point) <=
+                                       Tile::TRUSTED * other.halo +
+                                           Tile::AROUND * std::max(other.halo, halo);
+        }
+        ASSERT_EQ(expected, seers);
+        ASSERT_EQ(is_border, border.isNear(point));
+        near += expected.size();
+      }
+    }
+  }
+  EXPECT_GT(near, 1000U);
+}
+
+TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
+{
+  std::size_t around = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Patchwork patchwork(seed, 0.0);
+    const Tiling& tiling = patchwork.tiling;
+    for (WideIndex i = 0; i < patchwork.points.size(); i += 7) {
+      const std::size_t tile = tiling.ownerOf(i);
+      const auto neighbors = tiling.neighborsOf(tile);
+      const double halo = tiling.tiles[tile].halo;
+      if (std::none_of(neighbors.begin(), neighbors.end(), [&](std::size_t other) {
+            return tiling.tiles[other].sees(patchwork.points[i]);
+          }))
+        continue;
+      for (WideIndex j = 0; j < patchwork.points.size(); ++j) {
+        if ((patchwork.points[i] - patchwork.points[j]).norm() > Tile::AROUND * halo)
+          continue;
+        ++around;
+        const std::size_t owner = tiling.ownerOf(j);
+        EXPECT_TRUE(CellsAround::border(tiling, owner).isNear(patchwork.points[j]));
+      }
+    }
+  }
+  EXPECT_GT(around, 1000U);
+}
+
+} // namespace
+} // namespace pcl::ccaa::test
