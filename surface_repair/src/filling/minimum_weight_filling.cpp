@@ -35,8 +35,13 @@ public:
   void
   forbid(const Triangles& triangles)
   {
-    for (const Triangle& triangle : triangles)
-      obstructed_[triangle] = true;
+    forbidden_.insert(triangles.begin(), triangles.end());
+  }
+
+  void
+  allowAll()
+  {
+    forbidden_.clear();
   }
 
   bool
@@ -57,14 +62,55 @@ public:
       limits.crossed = [this](std::size_t i, std::size_t j) { return isCrossed(i, j); };
     if (all)
       limits.obstructed = [this](std::size_t i, std::size_t m, std::size_t j) {
-        return isObstructed({static_cast<pcl::index_t>(i),
-                             static_cast<pcl::index_t>(m),
-                             static_cast<pcl::index_t>(j)});
+        const Triangle triangle{static_cast<pcl::index_t>(i),
+                                static_cast<pcl::index_t>(m),
+                                static_cast<pcl::index_t>(j)};
+        return forbidden_.count(triangle) > 0 || isObstructed(triangle);
       };
     return limits;
   }
 
+  /** \brief Whether no triangle with some edge of the polygon is free: then there is no
+   * triangulation. */
+  bool
+  leaveAnEdgeBare()
+  {
+    const std::size_t n = task_.polygon.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (!hasTriangle(i))
+        return true;
+    return false;
+  }
+
 private:
+  /** \param[in] from the first end of an edge; near points are asked for first */
+  bool
+  hasTriangle(std::size_t from)
+  {
+    const std::size_t n = task_.polygon.size();
+    const std::size_t to = (from + 1) % n;
+    for (std::size_t step = 0; step + 2 < n; ++step) {
+      const std::size_t away = step / 2 + 1;
+      const std::size_t apex = step % 2 == 0 ? (to + away) % n : (from + n - away) % n;
+      Triangle triangle{static_cast<pcl::index_t>(from),
+                        static_cast<pcl::index_t>(to),
+                        static_cast<pcl::index_t>(apex)};
+      std::sort(triangle.begin(), triangle.end());
+      if (!isTaken(from, apex) && !isTaken(to, apex) && !isObstructed(triangle))
+        return true;
+    }
+    return false;
+  }
+
+  bool
+  isTaken(std::size_t a, std::size_t b) const
+  {
+    const Diagonal edge = std::minmax(a, b);
+    const std::size_t between = edge.second - edge.first;
+    return between > 1 && between + 1 < task_.polygon.size() && task_.joined &&
+           task_.joined(edge.first, edge.second);
+  }
+
   bool
   isObstructed(const Triangle& ascending)
   {
@@ -89,6 +135,7 @@ private:
   }
 
   const FillingTask& task_;
+  std::set<Triangle> forbidden_;
   std::map<Triangle, bool> obstructed_;
   std::map<Diagonal, bool> crossed_;
 };
@@ -137,9 +184,14 @@ struct Best {
 /** Triangulate, forbid what meets other triangles, and so on.
  * \return whether other weights could lead to something better */
 bool
-search(const FillingTask& task, const FillingWeights& weights, Best& best)
+search(const FillingTask& task,
+       const FillingWeights& weights,
+       Obstructions& obstructions,
+       Best& best)
 {
-  Obstructions obstructions(task);
+  if (task.has_failed && obstructions.leaveAnEdgeBare())
+    return false;
+  obstructions.allowAll();
   bool obstructed = task.has_failed;
   Triangles forbidden; // in the round before
   FillingLimits limits;
@@ -154,6 +206,8 @@ search(const FillingTask& task, const FillingWeights& weights, Best& best)
     if (triangles.empty())
       return !forbidden.empty() || !areAllLookedAt(task.polygon.size());
     if (!obstructed && obstructions.any(triangles)) {
+      if (obstructions.leaveAnEdgeBare())
+        return false;
       obstructed = true;
       fill();
       continue;
@@ -202,6 +256,22 @@ repeatedDiagonals(const Triangles& triangles, const std::vector<pcl::index_t>& v
   return repeated;
 }
 
+Filling
+lightestFilling(const FillingTask& task, Obstructions& obstructions)
+{
+  Best best;
+  for (const FillingWeights& weights : TRIED_WEIGHTS)
+    if (!search(task, weights, obstructions, best))
+      break;
+  Filling filling;
+  filling.triangles = std::move(best.triangles);
+  if (filling.triangles.empty())
+    filling.problem =
+        "every triangulation runs through the surface or along edges that "
+        "are taken";
+  return filling;
+}
+
 /** With no edge twice: each time without those that came twice before. */
 Filling
 closeWithoutRepeating(FillingTask task)
@@ -212,9 +282,10 @@ closeWithoutRepeating(FillingTask task)
   task.joined = [&repeated, are_joined = task.joined](std::size_t a, std::size_t b) {
     return repeated.count(std::minmax(a, b)) > 0 || (are_joined && are_joined(a, b));
   };
+  Obstructions obstructions(task);
   Filling filling;
   for (int round = 0; round < REPEATING_ROUNDS; ++round) {
-    filling = MinimumWeightFilling().close(task);
+    filling = lightestFilling(task, obstructions);
     const std::vector<Diagonal> more = repeatedDiagonals(filling.triangles, vertices);
     if (more.empty())
       break;
@@ -228,23 +299,15 @@ closeWithoutRepeating(FillingTask task)
 Filling
 MinimumWeightFilling::close(const FillingTask& task) const
 {
-  if (!task.vertices.empty())
-    return closeWithoutRepeating(task);
-  Filling filling;
   if (task.polygon.size() < 3) {
+    Filling filling;
     filling.problem = "the hole has fewer than three edges";
     return filling;
   }
-  Best best;
-  for (const FillingWeights& weights : TRIED_WEIGHTS)
-    if (!search(task, weights, best))
-      break;
-  filling.triangles = std::move(best.triangles);
-  if (filling.triangles.empty())
-    filling.problem =
-        "every triangulation runs through the surface or along edges that "
-        "are taken";
-  return filling;
+  if (!task.vertices.empty())
+    return closeWithoutRepeating(task);
+  Obstructions obstructions(task);
+  return lightestFilling(task, obstructions);
 }
 
 } // namespace pcl::repair

@@ -179,6 +179,20 @@ TEST(MinimumWeightFilling, CrossedDiagonalsChangeNothingAndSpareQuestions)
   }
 }
 
+TEST(MinimumWeightFilling, AnEdgeWithoutAFreeTriangleIsFoundByFewQuestions)
+{
+  FillingTask task = holeIn({100});
+  const auto& points = task.polygon.points;
+  std::size_t asked = 0;
+  task.obstructed = [&](const ccaa::Corners& c) {
+    ++asked;
+    return std::count(c.begin(), c.end(), points[70]) > 0 &&
+           std::count(c.begin(), c.end(), points[71]) > 0;
+  };
+  EXPECT_FALSE(fillingOf(task).closed());
+  EXPECT_LT(asked, 400U); // there are 161 700 triangles
+}
+
 TEST(TriangulationTable, AvoidsMoreTrianglesAsIfTheyHadBeenObstructedFromTheStart)
 {
   const BoundaryCurve polygon = slitAlongTube(20).polygon;
