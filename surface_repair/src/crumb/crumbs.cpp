@@ -6,6 +6,7 @@
 #include "crumb/crumb_laying.h"
 #include "icadm/vertex_numbers.h"
 #include "pass/surface_takeover.h"
+#include "region/region_parts.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
@@ -183,6 +184,12 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
     if (are_crumbs[survey.model.island_of[t]])
       crumbs[survey.model.island_of[t]].push_back(t);
+  std::size_t size = 0;
+  for (const auto& [island, crumb] : crumbs)
+    size += crumb.size();
+  ccaa::RunControl control(course.context.control, workFor(size)); // of all crumbs
+  const ccaa::LoopContext context{1, &control};
+  const Course here = within(course, context);
   GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
   for (const auto& [island, crumb] : crumbs) {
     if (course.context.cancelled())
@@ -192,7 +199,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
         surface.is_there[triangle] = false;
       continue;
     }
-    if (survey.model.islands[island].is_fin || !layCrumb(crumb, course, surface))
+    if (survey.model.islands[island].is_fin || !layCrumb(crumb, here, surface))
       for (const std::size_t triangle : surface.meeting(crumb, course.context.control))
         surface.is_there[triangle] = false;
   }
