@@ -6,6 +6,7 @@
 #include "advancing_front/tuning.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl::ccaa {
 namespace {
@@ -24,6 +25,7 @@ TriangleTrial::TriangleTrial(const OpenSurface& open,
 , support_(support)
 , nearby_(nearby)
 , around_(open.positions.size())
+, asked_(open.positions.size(), 0)
 {}
 
 /** Length of an edge that the surface does not have yet, else 0. */
@@ -98,9 +100,10 @@ TriangleTrial::meets(const Corners& corners, const Box& box, pcl::index_t triang
 bool
 TriangleTrial::meetsAt(const Corners& corners, const Box& box, pcl::index_t vertex)
 {
-  bool found = false;
-  if (!around_[static_cast<std::size_t>(vertex)].intersects(box))
+  if (std::exchange(asked_[static_cast<std::size_t>(vertex)], call_) == call_ ||
+      !around_[static_cast<std::size_t>(vertex)].intersects(box))
     return false;
+  bool found = false;
   surface_.forTrianglesAt(
       vertex, [&](pcl::index_t t) { found = found || meets(corners, box, t); });
   return found;

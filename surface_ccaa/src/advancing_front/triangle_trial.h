@@ -87,9 +87,10 @@ private:
   const GrowingSurface& surface_;
   double support_;
   const NearbyTriangles* nearby_;
-  std::vector<Box> boxes_;          /**< of the triangles of the surface */
-  std::vector<Box> around_;         /**< of a vertex: around its triangles */
-  std::vector<std::uint32_t> seen_; /**< of a triangle: the last call that met it */
+  std::vector<Box> boxes_;           /**< of the triangles of the surface */
+  std::vector<Box> around_;          /**< of a vertex: around its triangles */
+  std::vector<std::uint32_t> seen_;  /**< of a triangle: the last call that met it */
+  std::vector<std::uint32_t> asked_; /**< of a vertex, likewise */
   std::uint32_t call_ = 0;
 };
 

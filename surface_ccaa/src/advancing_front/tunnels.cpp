@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace pcl::ccaa {
@@ -84,56 +85,156 @@ addRing(std::vector<std::uint8_t>& is_chosen, const Triangles& triangles)
       is_chosen[static_cast<std::size_t>(corner)] = 1;
 }
 
-/** The completion of a result as that of what the result was completed from.
- * \param[in] kept of that */
-void
-countFrom(const std::vector<pcl::index_t>& kept,
-          const CompletionReport& before,
-          CompletedMesh& after,
-          CompletionReport& report)
+/** Flags for some of those that are flagged: the middle one along the longest side of
+ * their box and the nearest to it. */
+std::vector<std::uint8_t>
+nearMiddle(const std::vector<std::uint8_t>& flags,
+           std::size_t count,
+           const PointView& points)
 {
-  std::vector<pcl::index_t> kept_after;
-  for (const pcl::index_t t : after.kept)
-    if (static_cast<std::size_t>(t) < kept.size())
-      kept_after.push_back(kept[static_cast<std::size_t>(t)]);
-  after.kept = std::move(kept_after);
-  report.given_triangles = before.given_triangles;
-  report.open_points = before.open_points;
-  report.kept_triangles = after.kept.size();
-  report.new_triangles = after.triangles.size() - after.kept.size();
+  using Entry = std::pair<double, pcl::index_t>;
+  Box box;
+  std::vector<Entry> order;
+  for (std::size_t v = 0; v < flags.size(); ++v)
+    if (flags[v] != 0) {
+      order.emplace_back(0.0, static_cast<pcl::index_t>(v));
+      box.extend(points[order.back().second]);
+    }
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const auto at = [&](std::size_t place) {
+    return order.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  for (Entry& entry : order)
+    entry.first = points[entry.second][axis];
+  std::nth_element(order.begin(), at(order.size() / 2), order.end());
+  const Position middle = points[at(order.size() / 2)->second];
+  for (Entry& entry : order)
+    entry.first = (points[entry.second] - middle).squaredNorm();
+  std::nth_element(order.begin(), at(count), order.end());
+  std::vector<std::uint8_t> chosen(flags.size(), 0);
+  for (std::size_t i = 0; i < count; ++i)
+    chosen[static_cast<std::size_t>(order[i].second)] = 1;
+  return chosen;
 }
 
-/** Takes what comes out without the surroundings of thin places, if it is better.
- * \param[in] is_thin flags of vertices of the result */
-void
-growThinPlacesAnew(PartialMesh mesh,
-                   std::vector<std::uint8_t> is_thin,
-                   const CompletionWithout& complete,
-                   std::uint64_t most_work,
-                   CompletedMesh& result,
-                   CompletionReport& report)
+/** What thin places have become. */
+struct Regrown {
+  CompletedMesh mesh;
+  CompletionReport report;
+  std::size_t flaws = 0;
+};
+
+/** Grows the surroundings of thin places of a completed mesh anew, and takes what comes
+ * out if it is better. */
+class ThinPlaces {
+public:
+  ThinPlaces(PartialMesh mesh,
+             std::vector<std::uint8_t> is_thin,
+             const CompletionWithout& complete,
+             std::uint64_t most_work,
+             CompletedMesh& result,
+             CompletionReport& report)
+  : mesh_(std::move(mesh))
+  , is_thin_(std::move(is_thin))
+  , complete_(complete)
+  , most_work_(most_work)
+  , result_(result)
+  , report_(report)
+  , kept_(result.kept)
+  , first_report_(report)
+  , flaws_(flawsOf(result, report))
+  {
+    mesh_.given = result.triangles;
+  }
+
+  /** Many places are tried in part first: in noise, which folds everywhere, most of
+   * what grows anew has more flaws. */
+  void
+  run()
+  {
+    const std::vector<int> all_rings = ringsFor(is_thin_);
+    if (countOf(is_thin_) <= tuning::MANY_THIN ||
+        !isNoise(regrow(nearMiddle(is_thin_, tuning::PROBED, mesh_.points),
+                        all_rings.front())))
+      growAll(all_rings);
+  }
+
+private:
+  std::optional<Regrown>
+  regrow(std::vector<std::uint8_t> is_chosen, int rings) const;
+  bool
+  isNoise(const std::optional<Regrown>& part) const;
+  void
+  growAll(const std::vector<int>& all_rings);
+  void
+  take(Regrown regrown);
+
+  PartialMesh mesh_; /**< that was given, with the triangles of the first result */
+  std::vector<std::uint8_t> is_thin_; /**< of a vertex */
+  const CompletionWithout& complete_;
+  std::uint64_t most_work_;
+  CompletedMesh& result_;
+  CompletionReport& report_;
+  std::vector<pcl::index_t> kept_; /**< in the first result */
+  CompletionReport first_report_;
+  std::size_t flaws_; /**< of the result */
+};
+
+/** \return nothing where that takes too much work */
+std::optional<Regrown>
+ThinPlaces::regrow(std::vector<std::uint8_t> is_chosen, int rings) const
 {
-  mesh.given = result.triangles;
-  const std::vector<pcl::index_t> kept = result.kept;
-  const CompletionReport first_report = report;
-  int ring = 1;
-  for (const int rings : ringsFor(is_thin)) {
-    for (; ring < rings; ++ring)
-      addRing(is_thin, mesh.given);
-    CompletionReport other_report;
-    CompletedMesh other =
-        complete(mesh, trianglesAt(is_thin, mesh.given), most_work, other_report);
-    const std::size_t before = flawsOf(result, report);
-    const std::size_t after = flawsOf(other, other_report);
-    if (other_report.cancelled || other.fault != PartialMeshFault::NONE ||
-        after >= before)
+  for (int ring = 1; ring < rings; ++ring)
+    addRing(is_chosen, mesh_.given);
+  Regrown regrown;
+  regrown.mesh =
+      complete_(mesh_, trianglesAt(is_chosen, mesh_.given), most_work_, regrown.report);
+  if (regrown.report.cancelled || regrown.mesh.fault != PartialMeshFault::NONE)
+    return {};
+  regrown.flaws = flawsOf(regrown.mesh, regrown.report);
+  return regrown;
+}
+
+/** \param[in] part of the thin places; nothing: in a plate a part may take more work
+ * than all, as tunnels are around it, too */
+bool
+ThinPlaces::isNoise(const std::optional<Regrown>& part) const
+{
+  return part && part->flaws + tuning::PROMISING > flaws_;
+}
+
+/** With more rings as long as that helps much. */
+void
+ThinPlaces::growAll(const std::vector<int>& all_rings)
+{
+  for (const int rings : all_rings) {
+    std::optional<Regrown> all = regrow(is_thin_, rings);
+    if (!all || all->flaws >= flaws_)
       return;
-    countFrom(kept, first_report, other, other_report);
-    result = std::move(other);
-    report = other_report;
-    if (2 * after > before || after == 0)
+    const bool helps_much = 2 * all->flaws <= flaws_ && all->flaws > 0;
+    take(std::move(*all));
+    if (!helps_much)
       return;
   }
+}
+
+/** As the completion of what the first result was completed from. */
+void
+ThinPlaces::take(Regrown regrown)
+{
+  flaws_ = regrown.flaws;
+  result_ = std::move(regrown.mesh);
+  report_ = regrown.report;
+  std::vector<pcl::index_t> kept;
+  for (const pcl::index_t t : result_.kept)
+    if (static_cast<std::size_t>(t) < kept_.size())
+      kept.push_back(kept_[static_cast<std::size_t>(t)]);
+  result_.kept = std::move(kept);
+  report_.given_triangles = first_report_.given_triangles;
+  report_.open_points = first_report_.open_points;
+  report_.kept_triangles = result_.kept.size();
+  report_.new_triangles = result_.triangles.size() - result_.kept.size();
 }
 
 } // namespace
@@ -155,8 +256,8 @@ openTunnels(PartialMesh mesh,
   const auto most_work =
       static_cast<std::uint64_t>(tuning::MOST_WORK_ANEW * static_cast<double>(work));
   if (has_thin)
-    growThinPlacesAnew(
-        std::move(mesh), std::move(is_thin), complete, most_work, result, report);
+    ThinPlaces(std::move(mesh), std::move(is_thin), complete, most_work, result, report)
+        .run();
   report.doubtful_handles =
       static_cast<std::size_t>(std::max(0L, result.topology.genus.value_or(0)));
 }

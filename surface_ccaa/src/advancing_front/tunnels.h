@@ -28,11 +28,12 @@ using CompletionWithout =
  *
  * What comes out is taken if it has fewer flaws: handles and more pieces than one (both
  * counted twice), openings and free points. So true handles stay, and where the
- * sampling does not tell the sides apart nothing changes. Cost: nothing for a result of
- * genus 0; else that of looking for thin places, some 0.3 us a triangle, and where
- * there are any of reading the surface again for each number of rings, some 1 us a
- * triangle, and of what grows around them, at most 1.5 times the work of the
- * completion.
+ * sampling does not tell the sides apart nothing changes. Of more than a thousand
+ * points at such edges 250 are tried first: in noise that leaves no fewer flaws, and
+ * the others are left alone. Cost: nothing for a result of genus 0; else that of
+ * looking for thin places, some 0.3 us a triangle, and where there are any of reading
+ * the surface again for each number of rings, some 1 us a triangle, and of what grows
+ * around them, at most 1.5 times the work of the completion.
  *
  * Handles that are left are in doubt (report.doubtful_handles) if the result, or what
  * was given, has thin places: no sampling tells there whether the two sides are
