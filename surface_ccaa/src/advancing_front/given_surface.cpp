@@ -124,7 +124,7 @@ contactsOf(const GivenSurface& given,
 
 GivenSurface
 readGiven(const PartialMesh& mesh,
-          const std::vector<pcl::index_t>& more_doubts,
+          const Reopening& reopening,
           bool keep_given,
           const LoopContext& context)
 {
@@ -146,20 +146,21 @@ readGiven(const PartialMesh& mesh,
   surface.doubts = doubtfulTriangles(
       mesh.given, surface.adjacency, surface.islands, mesh.points, context);
   std::vector<pcl::index_t>& doubts = surface.doubts.triangles;
-  if (keep_given)
-    doubts.clear();
+  if (keep_given || !reopening.triangles.empty())
+    doubts = reopening.triangles;
   doubts.insert(doubts.end(), disagreeing.begin(), disagreeing.end());
-  doubts.insert(doubts.end(), more_doubts.begin(), more_doubts.end());
   sortUnique(doubts);
   return surface;
 }
 
 std::vector<pcl::index_t>
-openVertices(const PartialMesh& mesh, const GivenSurface& given)
+openVertices(const PartialMesh& mesh, const GivenSurface& given, bool alone)
 {
   std::vector<std::uint8_t> is_open(mesh.points.size(), 0);
-  for (std::size_t v = 0; v < is_open.size(); ++v)
-    is_open[v] = given.adjacency.fan(static_cast<pcl::index_t>(v)) != Fan::CLOSED;
+  for (std::size_t v = 0; v < is_open.size(); ++v) {
+    const Fan fan = given.adjacency.fan(static_cast<pcl::index_t>(v));
+    is_open[v] = alone ? fan == Fan::NONE : fan != Fan::CLOSED;
+  }
   for (const pcl::index_t t : given.doubts.triangles)
     for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])
       is_open[static_cast<std::size_t>(corner)] = 1;

@@ -43,21 +43,28 @@ struct GivenSurface {
   Doubts doubts; /**< triangles that are to go */
 };
 
+/** \brief What of a completed mesh is to grow anew. */
+struct Reopening {
+  std::vector<pcl::index_t> triangles; /**< that are to go; if any, no others are
+                                            doubtful for their shape */
+  bool alone = false;                  /**< boundaries elsewhere stay as they are */
+};
+
 /** \brief Read the given triangles of a mesh. Doubtful are, where they need not all be
  * kept, those of doubtfulTriangles() and of islands in which neighbors are wound
  * differently: one-sided ones, which no object has, and those wound at random.
- * \param[in] more_doubts triangles that are to go besides
  * \return nothing of use after cancelling */
 GivenSurface
 readGiven(const PartialMesh& mesh,
-          const std::vector<pcl::index_t>& more_doubts,
+          const Reopening& reopening,
           bool keep_given,
           const LoopContext& context);
 
 /** \brief Boundary points, free points, and the corners of doubtful triangles,
- * ascending; none at a cut. */
+ * ascending; none at a cut. \param[in] alone without boundary points that are no such
+ * corners */
 std::vector<pcl::index_t>
-openVertices(const PartialMesh& mesh, const GivenSurface& given);
+openVertices(const PartialMesh& mesh, const GivenSurface& given, bool alone);
 
 /** \brief All that is known about the outer side. */
 OrientationHints

@@ -20,16 +20,15 @@ namespace {
 /** One run, stage by stage. */
 class Completion {
 public:
-  /** \param[in] more_doubts given triangles that are to go beside doubtful ones */
   Completion(PartialMesh& mesh,
-             const std::vector<pcl::index_t>& more_doubts,
+             const Reopening& reopening,
              const NeighborSearch& search,
              const CompletionParameters& parameters,
              int threads,
              RunControl& control,
              CompletionReport& report)
   : mesh_(mesh)
-  , more_doubts_(more_doubts)
+  , reopening_(reopening)
   , search_(search)
   , parameters_(parameters)
   , context_{threads, &control, "partial mesh"}
@@ -64,7 +63,7 @@ private:
   }
 
   PartialMesh& mesh_;
-  const std::vector<pcl::index_t>& more_doubts_;
+  const Reopening& reopening_;
   const NeighborSearch& search_;
   const CompletionParameters& parameters_;
   LoopContext context_;
@@ -103,7 +102,7 @@ Completion::read()
   report_.given_triangles = mesh_.given.size();
   if (mesh_.viewpoints.empty())
     takeOrigin(mesh_.sides, mesh_.points);
-  given_ = readGiven(mesh_, more_doubts_, parameters_.keep_given, context_);
+  given_ = readGiven(mesh_, reopening_, parameters_.keep_given, context_);
   result_.fault = given_.fault;
 }
 
@@ -111,7 +110,7 @@ Completion::read()
 void
 Completion::findOpenPoints()
 {
-  open_ = openVertices(mesh_, given_);
+  open_ = openVertices(mesh_, given_, reopening_.alone);
   report_.open_points = open_.size();
   if (control_.report("partial mesh", 0.9) &&
       search_(open_, parameters_.neighbors, table_) && !control_.cancelled())
@@ -245,13 +244,12 @@ completeSurface(PartialMesh mesh,
                 CompletionReport& report)
 {
   const auto complete = [&](PartialMesh part,
-                            const std::vector<pcl::index_t>& more_doubts,
+                            const Reopening& reopening,
                             std::uint64_t most_work,
                             CompletionReport& counts) {
     RunControl budget(&control, most_work);
     CompletedMesh completed =
-        Completion(part, more_doubts, search, parameters, threads, budget, counts)
-            .run();
+        Completion(part, reopening, search, parameters, threads, budget, counts).run();
     counts.cancelled = budget.cancelled();
     return completed;
   };

@@ -156,13 +156,14 @@ public:
     const std::vector<int> all_rings = ringsFor(is_thin_);
     if (countOf(is_thin_) <= tuning::MANY_THIN ||
         !isNoise(regrow(nearMiddle(is_thin_, tuning::PROBED, mesh_.points),
-                        all_rings.front())))
+                        all_rings.front(),
+                        true)))
       growAll(all_rings);
   }
 
 private:
   std::optional<Regrown>
-  regrow(std::vector<std::uint8_t> is_chosen, int rings) const;
+  regrow(std::vector<std::uint8_t> is_chosen, int rings, bool alone) const;
   bool
   isNoise(const std::optional<Regrown>& part) const;
   void
@@ -183,13 +184,13 @@ private:
 
 /** \return nothing where that takes too much work */
 std::optional<Regrown>
-ThinPlaces::regrow(std::vector<std::uint8_t> is_chosen, int rings) const
+ThinPlaces::regrow(std::vector<std::uint8_t> is_chosen, int rings, bool alone) const
 {
   for (int ring = 1; ring < rings; ++ring)
     addRing(is_chosen, mesh_.given);
   Regrown regrown;
-  regrown.mesh =
-      complete_(mesh_, trianglesAt(is_chosen, mesh_.given), most_work_, regrown.report);
+  regrown.mesh = complete_(
+      mesh_, {trianglesAt(is_chosen, mesh_.given), alone}, most_work_, regrown.report);
   if (regrown.report.cancelled || regrown.mesh.fault != PartialMeshFault::NONE)
     return {};
   regrown.flaws = flawsOf(regrown.mesh, regrown.report);
@@ -204,13 +205,14 @@ ThinPlaces::isNoise(const std::optional<Regrown>& part) const
   return part && part->flaws + tuning::PROMISING > flaws_;
 }
 
-/** With more rings as long as that helps much. */
+/** With more rings as long as that helps much. A handle is worse than openings. */
 void
 ThinPlaces::growAll(const std::vector<int>& all_rings)
 {
   for (const int rings : all_rings) {
-    std::optional<Regrown> all = regrow(is_thin_, rings);
-    if (!all || all->flaws >= flaws_)
+    std::optional<Regrown> all = regrow(is_thin_, rings, false);
+    if (!all || all->flaws >= flaws_ ||
+        all->mesh.topology.genus > result_.topology.genus)
       return;
     const bool helps_much = 2 * all->flaws <= flaws_ && all->flaws > 0;
     take(std::move(*all));

@@ -16,18 +16,18 @@ namespace pcl::ccaa {
 
 /** \brief Completes a mesh without some of its given triangles, unless that takes more
  * work than it may. \return nothing of use if it does, or after cancelling */
-using CompletionWithout =
-    std::function<CompletedMesh(PartialMesh mesh,
-                                const std::vector<pcl::index_t>& more_doubts,
-                                std::uint64_t most_work,
-                                CompletionReport& report)>;
+using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
+                                                      const Reopening& reopening,
+                                                      std::uint64_t most_work,
+                                                      CompletionReport& report)>;
 
 /** \brief Where a completed mesh has handles, and edges whose ends face away from each
  * other (normals more than 107 degrees apart), as at the tip of a blade, grow four
  * rings around these anew, then ten and twenty; bodies thin all over begin with ten.
  *
- * What comes out is taken if it has fewer flaws: handles and more pieces than one (both
- * counted twice), openings and free points. So true handles stay, and where the
+ * What comes out is taken if it has fewer flaws, handles and more pieces than one (both
+ * counted twice), openings and free points, and no more handles. Boundaries and free
+ * points elsewhere grow anew, too. So true handles stay, and where the
  * sampling does not tell the sides apart nothing changes. Of more than a thousand
  * points at such edges 250 are tried first: in noise that leaves no fewer flaws, and
  * the others are left alone. Cost: nothing for a result of genus 0; else that of
@@ -38,7 +38,7 @@ using CompletionWithout =
  * Handles that are left are in doubt (report.doubtful_handles) if the result, or what
  * was given, has thin places: no sampling tells there whether the two sides are
  * connected. \param[in] mesh consistently wound \param[in] work of complete()
- * \param[in,out] result of complete() without more doubts, with its report */
+ * \param[in,out] result of complete() of all that is given, with its report */
 void
 openTunnels(PartialMesh mesh,
             const CompletionWithout& complete,
