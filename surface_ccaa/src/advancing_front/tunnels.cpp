@@ -76,13 +76,14 @@ ringsFor(const std::vector<std::uint8_t>& is_thin)
           tuning::AROUND.end()};
 }
 
-/** Flags all corners of the triangles at flagged vertices. */
+/** Flags all corners of the triangles at flagged vertices, so many times. */
 void
-addRing(std::vector<std::uint8_t>& is_chosen, const Triangles& triangles)
+addRings(int count, const Triangles& triangles, std::vector<std::uint8_t>& is_chosen)
 {
-  for (const pcl::index_t t : trianglesAt(is_chosen, triangles))
-    for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
-      is_chosen[static_cast<std::size_t>(corner)] = 1;
+  for (int ring = 0; ring < count; ++ring)
+    for (const pcl::index_t t : trianglesAt(is_chosen, triangles))
+      for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
+        is_chosen[static_cast<std::size_t>(corner)] = 1;
 }
 
 /** Flags for some of those that are flagged: the middle one along the longest side of
@@ -154,25 +155,22 @@ public:
   run()
   {
     const std::vector<int> all_rings = ringsFor(is_thin_);
-    if (countOf(is_thin_) <= tuning::MANY_THIN ||
-        !isNoise(regrow(nearMiddle(is_thin_, tuning::PROBED, mesh_.points),
-                        all_rings.front(),
-                        true)))
+    if (countOf(is_thin_) <= tuning::MANY_THIN || !isNoise(all_rings.front()))
       growAll(all_rings);
   }
 
 private:
   std::optional<Regrown>
-  regrow(std::vector<std::uint8_t> is_chosen, int rings, bool alone) const;
+  regrow(const std::vector<std::uint8_t>& is_chosen, bool alone) const;
   bool
-  isNoise(const std::optional<Regrown>& part) const;
+  isNoise(int rings) const;
   void
   growAll(const std::vector<int>& all_rings);
   void
   take(Regrown regrown);
 
   PartialMesh mesh_; /**< that was given, with the triangles of the first result */
-  std::vector<std::uint8_t> is_thin_; /**< of a vertex */
+  std::vector<std::uint8_t> is_thin_; /**< of a vertex, with rings around */
   const CompletionWithout& complete_;
   std::uint64_t most_work_;
   CompletedMesh& result_;
@@ -184,10 +182,8 @@ private:
 
 /** \return nothing where that takes too much work */
 std::optional<Regrown>
-ThinPlaces::regrow(std::vector<std::uint8_t> is_chosen, int rings, bool alone) const
+ThinPlaces::regrow(const std::vector<std::uint8_t>& is_chosen, bool alone) const
 {
-  for (int ring = 1; ring < rings; ++ring)
-    addRing(is_chosen, mesh_.given);
   Regrown regrown;
   regrown.mesh = complete_(
       mesh_, {trianglesAt(is_chosen, mesh_.given), alone}, most_work_, regrown.report);
@@ -197,11 +193,14 @@ ThinPlaces::regrow(std::vector<std::uint8_t> is_chosen, int rings, bool alone) c
   return regrown;
 }
 
-/** \param[in] part of the thin places; nothing: in a plate a part may take more work
- * than all, as tunnels are around it, too */
+/** Whether a part of the thin places leaves hardly fewer flaws. In a plate a part may
+ * take more work than all, as tunnels are around it, too: that tells nothing. */
 bool
-ThinPlaces::isNoise(const std::optional<Regrown>& part) const
+ThinPlaces::isNoise(int rings) const
 {
+  auto is_chosen = nearMiddle(is_thin_, tuning::PROBED, mesh_.points);
+  addRings(rings - 1, mesh_.given, is_chosen);
+  const std::optional<Regrown> part = regrow(is_chosen, true);
   return part && part->flaws + tuning::PROMISING > flaws_;
 }
 
@@ -209,8 +208,10 @@ ThinPlaces::isNoise(const std::optional<Regrown>& part) const
 void
 ThinPlaces::growAll(const std::vector<int>& all_rings)
 {
+  int added = 1;
   for (const int rings : all_rings) {
-    std::optional<Regrown> all = regrow(is_thin_, rings, false);
+    addRings(rings - std::exchange(added, rings), mesh_.given, is_thin_);
+    std::optional<Regrown> all = regrow(is_thin_, false);
     if (!all || all->flaws >= flaws_ ||
         all->mesh.topology.genus > result_.topology.genus)
       return;

@@ -8,7 +8,6 @@
 #include "crumb/crumb_shadow.h"
 #include "pass/ring_filling.h"
 #include "patch/opening.h"
-#include "region/region_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -48,11 +47,7 @@ public:
   CrumbLaying(const std::vector<std::size_t>& crumb,
               const Course& course,
               GrowingSurface& surface)
-  : crumb_(crumb)
-  , control_(course.context.control, workFor(crumb.size()))
-  , context_{1, &control_}
-  , course_(within(course, context_))
-  , surface_(surface)
+  : crumb_(crumb), bounded_(course, crumb.size()), surface_(surface)
   {}
 
   /** \return whether it is part of a patch now */
@@ -91,9 +86,9 @@ private:
   holeOf(const Opening& opening) const;
 
   const std::vector<std::size_t>& crumb_;
-  ccaa::RunControl control_;
-  const ccaa::LoopContext context_;
-  const Course course_;
+  BoundedCourse bounded_;
+  ccaa::RunControl& control_ = bounded_.control;
+  const Course& course_ = bounded_.course;
   GrowingSurface& surface_;
   double reach_ = 0.0;
   ccaa::Box around_;

@@ -6,7 +6,6 @@
 #include "crumb/crumb_laying.h"
 #include "icadm/vertex_numbers.h"
 #include "pass/surface_takeover.h"
-#include "region/region_parts.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
@@ -187,9 +186,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   std::size_t size = 0;
   for (const auto& [island, crumb] : crumbs)
     size += crumb.size();
-  ccaa::RunControl control(course.context.control, workFor(size)); // of all crumbs
-  const ccaa::LoopContext context{1, &control};
-  const Course here = within(course, context);
+  const BoundedCourse all(course, size);
   GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
   for (const auto& [island, crumb] : crumbs) {
     if (course.context.cancelled())
@@ -199,7 +196,7 @@ layCrumbs(std::size_t fewer_than, const Course& course)
         surface.is_there[triangle] = false;
       continue;
     }
-    if (survey.model.islands[island].is_fin || !layCrumb(crumb, here, surface))
+    if (survey.model.islands[island].is_fin || !layCrumb(crumb, all.course, surface))
       for (const std::size_t triangle : surface.meeting(crumb, course.context.control))
         surface.is_there[triangle] = false;
   }

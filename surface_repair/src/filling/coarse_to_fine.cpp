@@ -65,7 +65,7 @@ private:
   add(std::size_t i, std::size_t j)
   {
     const Diagonal d = std::minmax({i % n_, j % n_});
-    if (d.second - d.first > 1 && !(d.first == 0 && d.second + 1 == n_))
+    if (isDiagonal(d, n_))
       diagonals_.push_back(d);
   }
 

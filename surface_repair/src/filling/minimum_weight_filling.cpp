@@ -106,8 +106,7 @@ private:
   isTaken(std::size_t a, std::size_t b) const
   {
     const Diagonal edge = std::minmax(a, b);
-    const std::size_t between = edge.second - edge.first;
-    return between > 1 && between + 1 < task_.polygon.size() && task_.joined &&
+    return isDiagonal(edge, task_.polygon.size()) && task_.joined &&
            task_.joined(edge.first, edge.second);
   }
 
@@ -247,11 +246,9 @@ repeatedDiagonals(const Triangles& triangles, const std::vector<pcl::index_t>& v
                       static_cast<std::size_t>(triangle[(c + 1) % 3]));
       const auto edge = std::minmax(vertices[places.first], vertices[places.second]);
       const Diagonal first = first_of.emplace(edge, places).first->second;
-      const auto is_diagonal = [&](const Diagonal& d) {
-        return d.second - d.first > 1 && d.second - d.first + 1 < vertices.size();
-      };
-      if (first != places && (is_diagonal(places) || is_diagonal(first)))
-        repeated.push_back(is_diagonal(places) ? places : first);
+      const bool is_inner = isDiagonal(places, vertices.size());
+      if (first != places && (is_inner || isDiagonal(first, vertices.size())))
+        repeated.push_back(is_inner ? places : first);
     }
   return repeated;
 }

@@ -17,6 +17,15 @@ namespace pcl::repair {
 /** \brief Two points of a polygon, the lower first, not neighbours. */
 using Diagonal = std::pair<std::size_t, std::size_t>;
 
+/** \brief Whether two points, the lower first, are no neighbours in a polygon of so
+ * many. */
+inline bool
+isDiagonal(const Diagonal& pair, std::size_t points)
+{
+  const std::size_t steps = pair.second - pair.first;
+  return steps > 1 && steps + 1 < points;
+}
+
 /** \brief What an edge weighs: its length times a constant and tan^2 of half the angle
  * by which the triangles at it fold. */
 struct FillingWeights {

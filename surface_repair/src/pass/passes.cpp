@@ -6,6 +6,7 @@
 #include "listing/loop_reasons.h"
 #include "pass/ring_joining.h"
 #include "region/filling_choice.h"
+#include "region/region_parts.h"
 #include "run/stage_clock.h"
 #include "survey/survey_stages.h"
 
@@ -114,19 +115,18 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
 
 } // namespace
 
-Course
-within(const Course& course, const ccaa::LoopContext& context)
-{
-  return {course.parameters,
-          course.rounds,
-          course.frame,
-          context,
-          course.survey,
-          course.memory,
-          course.log,
-          course.report,
-          course.input_vertices};
-}
+BoundedCourse::BoundedCourse(const Course& whole, std::size_t size)
+: control(whole.context.control, workFor(size))
+, course{whole.parameters,
+         whole.rounds,
+         whole.frame,
+         context,
+         whole.survey,
+         whole.memory,
+         whole.log,
+         whole.report,
+         whole.input_vertices}
+{}
 
 std::vector<RepairParameters>
 roundsFor(const RepairParameters& wanted, double diagonal)

@@ -31,9 +31,15 @@ struct Course {
   std::size_t& input_vertices;
 };
 
-/** \brief The same of which something takes no more than a part of the work. */
-Course
-within(const Course& course, const ccaa::LoopContext& context);
+/** \brief A course on one thread, with a budget of its own. */
+struct BoundedCourse {
+  /** \param[in] whole must outlive the part \param[in] size see workFor() */
+  BoundedCourse(const Course& whole, std::size_t size);
+
+  ccaa::RunControl control;
+  const ccaa::LoopContext context{1, &control};
+  const Course course;
+};
 
 /** \brief What is done first, and, where all is to be closed, what once nothing more
  * can be joined: then each boundary is closed by itself. \param[in] diagonal of the

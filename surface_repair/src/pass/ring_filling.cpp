@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace pcl::repair {
 
@@ -178,20 +179,18 @@ closeRings(const std::vector<RingPolygon>& rings,
   for (const bool avoids : {false, true}) {
     const Patch bare =
         fillRings(rings, place.left, avoids ? &obstacle : nullptr, control);
-    if (bare.triangles.empty() || !fitsModel(model, bare) ||
-        obstructedTriangles(bare, obstacle, control).size() > MOST_MENDED)
+    if (bare.triangles.empty() || !fitsModel(model, bare))
       continue;
-    for (const bool is_refined : {true, false}) {
-      Patch patch = bare;
-      if (is_refined)
-        fair(model, obstacle, course.parameters, control, patch);
-      if (course.frame.float_positions)
-        roundToFloats(course.frame.origin, patch);
-      if (is_refined)
-        refined.push_back(patch);
-      if (take(patch))
-        return true;
-    }
+    const std::size_t in_the_way = obstructedTriangles(bare, obstacle, control).size();
+    if (in_the_way > MOST_MENDED)
+      continue;
+    Patch patch = bare;
+    fair(model, obstacle, course.parameters, control, patch);
+    if (course.frame.float_positions)
+      roundToFloats(course.frame.origin, patch);
+    if (take(patch) || (in_the_way == 0 && take(bare)))
+      return true;
+    refined.push_back(std::move(patch));
   }
   for (Patch& patch : refined)
     if (obstructedTriangles(patch, obstacle, control).size() <= MOST_MENDED &&

@@ -9,7 +9,6 @@
 #include "pass/ring_filling.h"
 #include "pass/surface_takeover.h"
 #include "patch/opening.h"
-#include "region/region_parts.h"
 #include "run/stage_clock.h"
 
 #include <algorithm>
@@ -74,11 +73,10 @@ boxAround(const Ring& ring)
 bool
 join(const Ring& ring, const Course& whole, GrowingSurface& surface)
 {
-  ccaa::RunControl control(
-      whole.context.control,
-      workFor(ring.first->vertices.size() + ring.second->vertices.size()));
-  const ccaa::LoopContext context{1, &control};
-  const Course course = within(whole, context);
+  BoundedCourse bounded(whole,
+                        ring.first->vertices.size() + ring.second->vertices.size());
+  ccaa::RunControl& control = bounded.control;
+  const Course& course = bounded.course;
   const ccaa::Box box = boxAround(ring);
   const ModelPart part = surface.part(surface.near(box, &control), &control);
   const std::vector<bool> none_open;
@@ -142,14 +140,14 @@ joinRings(const ClosedHoles& pass, const Course& course)
   std::size_t edges = 0;
   for (const BoundaryLoop& loop : survey.loops)
     edges += loop.vertices.size();
-  ccaa::RunControl control(course.context.control, workFor(edges)); // of all rings
-  const ccaa::LoopContext context{1, &control};
-  GrowingSurface surface(survey.model, course.report.hole_of, &control);
+  BoundedCourse all(course, edges);
+  GrowingSurface surface(survey.model, course.report.hole_of, &all.control);
   std::set<const BoundaryLoop*> closed;
   for (const Ring& ring : rings) {
-    if (closed.count(ring.first) + closed.count(ring.second) > 0 || control.cancelled())
+    if (closed.count(ring.first) + closed.count(ring.second) > 0 ||
+        all.control.cancelled())
       continue;
-    if (join(ring, within(course, context), surface))
+    if (join(ring, all.course, surface))
       closed.insert({ring.first, ring.second});
     else
       course.memory.remember(ring.key, boxAround(ring), {});
