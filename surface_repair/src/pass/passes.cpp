@@ -85,21 +85,32 @@ closePass(int pass,
   return now;
 }
 
+/** Classify and bridge, unless that was done and nothing has changed since. */
+void
+look(const RepairParameters& round, const Course& course)
+{
+  const ccaa::LoopContext& context = course.context;
+  ModelSurvey& survey = course.survey;
+  if (survey.bridged_by == &round.survey)
+    return;
+  if (survey.classes.size() != survey.loops.size())
+    classifyBoundaries(round.survey, context, survey);
+  bridgeIslands(round.survey, context, survey);
+  if (context.cancelled())
+    return;
+  survey.bridged_by = &round.survey;
+  course.log.noteLook();
+}
+
 /** Classify, bridge and close, and again as long as that closes anything more. */
 Pass
 closeRound(const RepairParameters& round, bool over_samples, const Course& course)
 {
   const ccaa::LoopContext& context = course.context;
-  ModelSurvey& survey = course.survey;
   Pass last;
   for (int pass = 0; pass <= MOST_PASSES; ++pass) {
-    if (survey.classes.size() != survey.loops.size())
-      classifyBoundaries(round.survey, context, survey);
-    bridgeIslands(round.survey, context, survey);
-    if (context.cancelled())
-      break;
-    course.log.noteLook();
-    if (pass == MOST_PASSES)
+    look(round, course);
+    if (context.cancelled() || pass == MOST_PASSES)
       break;
     last = closePass(pass, over_samples, round, course);
     if (context.cancelled() || last.finished)
@@ -172,6 +183,8 @@ holesOf(const ModelSurvey& survey,
 void
 takeClosed(Pass& pass, const Course& course)
 {
+  if (pass.closed.triangles.empty())
+    return;
   ModelSurvey& survey = course.survey;
   addToModel(
       course.context, pass.holes, pass.closed, survey.model, course.input_vertices);

@@ -59,7 +59,8 @@ holesOf(const ModelSurvey& survey,
         const RepairParameters& parameters,
         bool over_samples = false);
 
-/** \brief The model with what a pass closed, in order for the next look. */
+/** \brief The model with what a pass closed, if anything, in order for the next look.
+ */
 void
 takeClosed(Pass& pass, const Course& course);
 

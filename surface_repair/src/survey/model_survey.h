@@ -85,9 +85,11 @@ struct ModelSurvey {
   double spacing = 0.0;          /**< mean source spacing, units of the cloud */
   SurveyedField between_islands; /**< step ICM3 -> ICM2 */
   SurveyedBridges joined;
-  std::vector<SurveyedField> in_holes;        /**< step ICM2 -> ICM1: complex holes */
-  std::shared_ptr<const SurveyGuides> guides; /**< null where nothing was traced */
-  std::shared_ptr<const SightLines> sight;    /**< null where no sensor is known */
+  std::vector<SurveyedField> in_holes;          /**< step ICM2 -> ICM1: complex holes */
+  std::shared_ptr<const SurveyGuides> guides;   /**< null where nothing was traced */
+  std::shared_ptr<const SightLines> sight;      /**< null where no sensor is known */
+  const SurveyParameters* bridged_by = nullptr; /**< by which a look at this model as it
+                                                     is has gone; null: none has */
   std::vector<std::pair<std::string, double>> seconds; /**< of each stage */
   bool cancelled = false;
 };
