@@ -30,6 +30,13 @@ constexpr double LEAST_REACH = 4.0;
  * points of a step stay on this side of the boundary. */
 constexpr double STEP_SHARE = 0.5;
 
+/** First step to be tried, in L_1: beside its own boundary a line bends. */
+constexpr double FIRST_STEP = 0.3;
+/** Growth of a step to the next one. */
+constexpr double MOST_GROWTH = 5.0;
+/** Where the field ends is told to so many L_1. */
+constexpr double LAST_PIECE = 0.1;
+
 /** The tracing of one line. */
 class Trace {
 public:
@@ -173,25 +180,27 @@ Trace::tryStep(double length) const
   return step;
 }
 
-/** Make one step of the greatest length whose error is allowed. \return false when the
- * field ends. */
+/** Make one step of the greatest length whose error is allowed. A length that follows
+ * on one which erred too much, and that does not, grows no more before the next step.
+ * \return false when the field ends. */
 bool
 Trace::advance()
 {
   const double allowed = parameters_.tolerance * near();
   const double shortest = 1e-3 * near();
-  for (;;) {
+  double growth = MOST_GROWTH;
+  for (;; growth = 1.0) {
     const double length = std::min(step_, std::max(STEP_SHARE * gap_, shortest));
     const Step step = tryStep(length);
     const bool field_ends = step.state.direction.isZero();
     const double fit = 0.9 * std::cbrt(allowed / std::max(step.error, 1e-9 * allowed));
-    step_ = length * std::clamp(fit, 0.2, 5.0);
+    step_ = length * std::clamp(fit, 0.2, growth);
     if (!field_ends && (step.error <= allowed || length <= shortest)) {
       gap_ += length; // an upper bound, for the next search
       add(step.end, step.state);
       return true;
     }
-    if (length <= shortest)
+    if (length <= (field_ends ? LAST_PIECE * near() : shortest))
       return false;
     step_ = std::max(field_ends ? 0.5 * length : step_, shortest);
   }
@@ -214,7 +223,7 @@ Trace::begin()
   if (origin.outward <= 0.0)
     return LineEnd::REPELLED;
   gap_ = query_.falloff.far;
-  step_ = gap_;
+  step_ = std::min(gap_, FIRST_STEP * near());
   return LineEnd::BRIDGE;
 }
 

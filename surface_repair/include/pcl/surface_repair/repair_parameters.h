@@ -160,9 +160,9 @@ struct FieldParameters {
 
 /** \brief How exactly a force line is followed, and how far. */
 struct TrackerParameters {
-  /** \brief Greatest error of one step, in L_1. Default 0.01. Set it higher for speed.
+  /** \brief Greatest error of one step, in L_1. Default 0.03. Set it higher for speed.
    */
-  double tolerance = 0.01;
+  double tolerance = 0.03;
   /** \brief Distance in L_1 at which a boundary captures a line, which then goes on
    * straight. Nearer than that the single sources show. Default 2. Set it higher
    * where lines waver before ragged boundaries. */
