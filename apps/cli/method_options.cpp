@@ -141,6 +141,10 @@ addFieldOptions(OptionGroup& options, FieldParameters& field)
       "gaps that L2 spans, above 1",
       "lower where lines leave narrow gaps for wide ones, higher where they lose their "
       "targets");
+  options.real("coarse-distance", field.coarse_distance, 0.0, LARGEST)(
+      "eight sources of the field further away than so many radii of their stretch of "
+      "boundary count as one; 0: all count for themselves",
+      "higher where force lines have to be exact");
   options.real("free-point-near", field.free_point_near, 0.0, LARGEST)(
       "R1: the same as L1 for the influence of a free point; 0: their mean spacing",
       "where free points lie in clusters");

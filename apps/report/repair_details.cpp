@@ -79,6 +79,7 @@ describeParameters(const pcl::repair::RepairParameters& method)
           {"near", field.near},
           {"far", field.far},
           {"room", field.room},
+          {"coarse_distance", field.coarse_distance},
           {"free_point_near", field.free_point_near},
           {"free_point_far", field.free_point_far},
           {"free_point_exponent", field.free_point_exponent},

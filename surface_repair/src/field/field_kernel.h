@@ -46,18 +46,28 @@ struct Task {
   double exponent = 1.0;           /**< chi */
   double least_squared = 0.0;      /**< squared distance up to which nothing counts */
   double half_interpolation = 0.0; /**< k_i / 2 */
+  bool coarse = false;             /**< whether coarse blocks may be among the list */
   bool effective = false;          /**< E4.5-1; only then are the next ones used */
   double tangent[3] = {};          /**< tau_X */
   double arc = 0.0, threshold = -1.0; /**< of the origin; T */
   double length = 0.0;                /**< of the curve */
 };
 
+/** LANES blocks, and the ball around all of them. */
+struct CandidateGroup {
+  double center[3];
+  double radius;
+  double coarse_from; /**< distance of the centre from which the coarse block does */
+  std::uint32_t coarse;
+};
+
 /** Blocks that a point may need, as the balls around them. */
 struct Candidates {
-  const double* center[3] = {};
+  const CandidateGroup* groups = nullptr;
+  std::size_t count = 0;        /**< of the groups */
+  const double* center[3] = {}; /**< of LANES blocks for each: fill up with infinity */
   const double* radius = nullptr;
   const std::uint32_t* blocks = nullptr;
-  std::size_t count = 0; /**< a multiple of LANES: fill up with centres at infinity */
 };
 
 struct Kernel {
@@ -65,7 +75,8 @@ struct Kernel {
   void (*sum)(const Task& task, double* tension);
 
   /** The candidates with a source within L_2 of the point, and perhaps a few more, in
-   * order. \param[out] list room for all of them \return how many */
+   * order; of a group that is far enough its coarse block instead.
+   * \param[out] list room for all of them \return how many */
   std::size_t (*select)(const Candidates& candidates,
                         const Task& task,
                         std::uint32_t* list);

@@ -181,13 +181,16 @@ sumOf(const Task& task, double* tension)
   addLanes(lanes, tension);
 }
 
-/** Which balls meet the ball of L_2 around the point. The block counts are multiples of
- * LANES. \return how many \param[out] list room for all of them */
+/** Which balls of a group's blocks meet the ball of L_2 around the point. \param[out]
+ * list room for all of them \return how many */
 inline std::size_t
-select(const Candidates& candidates, const Task& task, std::uint32_t* list)
+selectBlocks(const Candidates& candidates,
+             std::size_t begin,
+             const Task& task,
+             std::uint32_t* list)
 {
   std::size_t count = 0;
-  for (std::size_t first = 0; first < candidates.count; first += WIDTH) {
+  for (std::size_t first = begin; first < begin + LANES; first += WIDTH) {
     Lanes squared = all(0.0);
     for (int k = 0; k < 3; ++k) {
       const Lanes u = load(candidates.center[k] + first) - task.position[k];
@@ -199,6 +202,28 @@ select(const Candidates& candidates, const Task& task, std::uint32_t* list)
       list[count] = candidates.blocks[first + static_cast<std::size_t>(i)];
       count -= static_cast<std::size_t>(meets[i]);
     }
+  }
+  return count;
+}
+
+inline std::size_t
+select(const Candidates& candidates, const Task& task, std::uint32_t* list)
+{
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < candidates.count; ++g) {
+    const CandidateGroup& group = candidates.groups[g];
+    double squared = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double u = group.center[k] - task.position[k];
+      squared = squared + u * u;
+    }
+    const double reach = group.radius + task.far;
+    if (!(squared < reach * reach))
+      continue;
+    if (task.coarse && squared >= group.coarse_from * group.coarse_from)
+      list[count++] = group.coarse;
+    else
+      count += selectBlocks(candidates, g * LANES, task, list + count);
   }
   return count;
 }

@@ -45,8 +45,11 @@ struct IndicatorField::Implementation {
   Surroundings around; /**< empty: light mode */
   const field_kernel::Kernel& kernel = field_kernel::bestKernel();
 
-  Implementation(const SourceSet& set, double k_i, const Surroundings& surroundings)
-  : sources(set), blocks(set), interpolation(k_i), around(surroundings)
+  Implementation(const SourceSet& set,
+                 double k_i,
+                 const Surroundings& surroundings,
+                 double coarse_distance)
+  : sources(set), blocks(set, coarse_distance), interpolation(k_i), around(surroundings)
   {}
 
   /** \brief Answer the queries of one bunch: one search serves them all. */
@@ -76,6 +79,7 @@ IndicatorField::Implementation::taskFor(const FieldQuery& query) const
   for (int k = 0; k < 3; ++k)
     task.position[k] = x[k];
   task.effective = query.effective.has_value();
+  task.coarse = around.empty() && !task.effective;
   if (query.effective) {
     for (int k = 0; k < 3; ++k)
       task.tangent[k] = query.effective->tangent[k];
@@ -94,7 +98,7 @@ IndicatorField::Implementation::sum(const FieldQuery& query, Workspace& space) c
   if (!canBeAnswered(query) || candidates.count == 0)
     return tension;
   field_kernel::Task task = taskFor(query);
-  space.selected.resize(candidates.count);
+  space.selected.resize(field_kernel::LANES * candidates.count);
   task.count = kernel.select(candidates, task, space.selected.data());
   task.list = space.selected.data();
   space.selected.resize(task.count);
@@ -121,9 +125,13 @@ IndicatorField::Implementation::answer(const FieldQuery* first,
 IndicatorField::IndicatorField(const SourceSet& sources,
                                double interpolation,
                                const FreePointField* free_points,
-                               const Shield* shield)
+                               const Shield* shield,
+                               double coarse_distance)
 : implementation_(std::make_unique<Implementation>(
-      sources, interpolation, Surroundings{free_points, shield, sources.spacing}))
+      sources,
+      interpolation,
+      Surroundings{free_points, shield, sources.spacing},
+      coarse_distance))
 {}
 
 IndicatorField::~IndicatorField() = default;

@@ -64,11 +64,15 @@ public:
   /** \brief \param[in] sources copied into flat arrays
    * \param[in] interpolation k_i, at least 0
    * \param[in] free_points full mode; null: light. Must outlive the field
-   * \param[in] shield null: no shielding. Must outlive the field */
+   * \param[in] shield null: no shielding. Must outlive the field
+   * \param[in] coarse_distance at least 0: in light mode eight sources that are further
+   * away than so many radii of their stretch of boundary count as one, at its middle;
+   * 0: all count for themselves */
   IndicatorField(const SourceSet& sources,
                  double interpolation = 0.0,
                  const FreePointField* free_points = nullptr,
-                 const Shield* shield = nullptr);
+                 const Shield* shield = nullptr,
+                 double coarse_distance = 0.0);
   ~IndicatorField();
   IndicatorField(IndicatorField&&) noexcept;
 

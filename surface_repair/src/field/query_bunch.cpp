@@ -104,20 +104,33 @@ BunchCandidates::search(const SourceBlocks& blocks,
 void
 BunchCandidates::gather(const SourceBlocks& blocks, const FieldQuery& query)
 {
-  SourceBlocks::Range range{0, static_cast<std::uint32_t>(blocks.size())};
-  if (query.effective) {
-    assert(query.effective->curve < blocks.curveCount() && "no curve of the sources");
-    range = blocks.curve(query.effective->curve);
-  }
+  assert((!query.effective || query.effective->curve < blocks.curveCount()) &&
+         "no curve of the sources");
+  groups_.clear();
   for (std::vector<double>& row : center_)
     row.clear();
   radius_.clear();
   blocks_.clear();
-  for (const std::uint32_t b : found_) {
+  for (const std::uint32_t number : found_) {
+    const SourceBlocks::Group& group = blocks.group(number);
+    const std::uint32_t first = group.blocks.begin;
     const bool silent =
-        query.silent_island != NONE && blocks.island(b) == query.silent_island;
-    if (silent || b < range.begin || b >= range.end)
-      continue;
+        query.silent_island != NONE && blocks.island(first) == query.silent_island;
+    if (!silent &&
+        (!query.effective || query.effective->curve == blocks.curveOf(first)))
+      add(blocks, group);
+  }
+}
+
+void
+BunchCandidates::add(const SourceBlocks& blocks, const SourceBlocks::Group& group)
+{
+  const Position& center = group.ball.center;
+  groups_.push_back({{center[0], center[1], center[2]},
+                     group.ball.radius,
+                     group.coarse_from,
+                     group.coarse});
+  for (std::uint32_t b = group.blocks.begin; b < group.blocks.end; ++b) {
     const Ball& ball = blocks.ball(b);
     for (std::size_t k = 0; k < 3; ++k)
       center_[k].push_back(ball.center[static_cast<Eigen::Index>(k)]);
@@ -135,10 +148,11 @@ BunchCandidates::gather(const SourceBlocks& blocks, const FieldQuery& query)
 field_kernel::Candidates
 BunchCandidates::view() const
 {
-  return {{center_[0].data(), center_[1].data(), center_[2].data()},
+  return {groups_.data(),
+          groups_.size(),
+          {center_[0].data(), center_[1].data(), center_[2].data()},
           radius_.data(),
-          blocks_.data(),
-          blocks_.size()};
+          blocks_.data()};
 }
 
 } // namespace pcl::repair

@@ -45,12 +45,15 @@ private:
   search(const SourceBlocks& blocks, const Ball& place, const FieldQuery& query);
   void
   gather(const SourceBlocks& blocks, const FieldQuery& query);
+  void
+  add(const SourceBlocks& blocks, const SourceBlocks::Group& group);
 
   std::uint64_t known_blocks_ = 0; /**< by their number; 0: none */
   FieldQuery known_query_;         /**< what was heeded around known_place_ */
   Ball known_place_;
   std::vector<std::uint32_t> found_;
-  std::array<std::vector<double>, 3> center_;
+  std::vector<field_kernel::CandidateGroup> groups_;
+  std::array<std::vector<double>, 3> center_; /**< of the blocks of these, and so on */
   std::vector<double> radius_;
   std::vector<std::uint32_t> blocks_;
 };

@@ -4,30 +4,52 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 namespace pcl::repair {
 namespace {
 
 using field_kernel::LANES;
 
-/** \brief Blocks to a group: few enough that a search finds little in vain, and enough
- * that it finds it soon. */
-constexpr std::uint32_t GROUP_BLOCKS = 4;
+/** \brief Blocks to a group: their coarse sources are one block. */
+constexpr std::uint32_t GROUP_BLOCKS = LANES;
 
 /** \brief Up to so many groups looking at all of them is faster than a search. */
 constexpr std::size_t FEW_GROUPS = 256;
 
 void
-setLane(SourceBlocks::Rows& rows, std::size_t lane, const FieldSource& source)
+setLane(SourceBlocks::Rows& rows,
+        std::size_t lane,
+        const Position& place,
+        const FieldSource& source)
 {
   using namespace field_kernel;
   const double inverse = source.charge != 0.0 ? 1.0 / source.charge : 0.0;
   for (int k = 0; k < 3; ++k) {
+    rows.values[X + k][lane] = place[k];
     rows.values[TANGENT_X + k][lane] = source.tangent[k] * source.charge;
     rows.values[NORMAL_X + k][lane] = source.normal[k] * inverse;
   }
   rows.values[INVERSE_CHARGE][lane] = inverse;
   rows.values[ARC][lane] = source.arc;
+}
+
+/** Consecutive sources as one: h tau is their sum. */
+FieldSource
+coarseSource(const FieldSource* first, const FieldSource* last)
+{
+  FieldSource sum{
+      Position::Zero(), Direction::Zero(), Direction::Zero(), 0.0, first->arc};
+  for (const FieldSource* source = first; source != last; ++source) {
+    sum.position += source->position;
+    sum.tangent += source->charge * source->tangent;
+    sum.normal += source->normal;
+  }
+  sum.position /= static_cast<double>(last - first);
+  sum.charge = sum.tangent.norm();
+  sum.tangent.normalize();
+  sum.normal.normalize();
+  return sum;
 }
 
 std::uint64_t
@@ -39,11 +61,14 @@ nextNumber()
 
 } // namespace
 
-SourceBlocks::SourceBlocks(const SourceSet& sources) : number_(nextNumber())
+SourceBlocks::SourceBlocks(const SourceSet& sources, double coarse_distance)
+: number_(nextNumber())
 {
   placeFrame(sources);
   for (const SourceCurve& curve : sources.curves)
     append(curve);
+  for (Group& group : groups_)
+    addCoarse(sources.curves[curve_of_[group.blocks.begin]], coarse_distance, group);
   buildTree();
 }
 
@@ -72,13 +97,12 @@ SourceBlocks::append(const SourceCurve& curve)
     Eigen::AlignedBox3d box;
     for (std::size_t lane = 0; lane < LANES; ++lane) {
       // Lanes past the end repeat the last place, without charge.
-      const FieldSource& source = curve.sources[std::min(first + lane, last - 1)];
+      FieldSource source = curve.sources[std::min(first + lane, last - 1)];
+      if (first + lane >= last)
+        source.charge = 0.0;
       const Position place = toFrame(source.position);
       positions_.push_back(source.position);
-      for (int k = 0; k < 3; ++k)
-        rows.values[field_kernel::X + k][lane] = place[k];
-      if (first + lane < last)
-        setLane(rows, lane, source);
+      setLane(rows, lane, place, source);
       box.extend(place);
     }
     rows_.push_back(rows);
@@ -112,6 +136,29 @@ SourceBlocks::groupBlocks(Range curve)
   }
 }
 
+/** A single block is as soon added up itself. */
+void
+SourceBlocks::addCoarse(const SourceCurve& curve, double distance, Group& group)
+{
+  const Range blocks = group.blocks;
+  group.coarse_from = std::numeric_limits<double>::infinity();
+  if (!(distance > 0.0) || blocks.end - blocks.begin < 2)
+    return;
+  double radius = 0.0;
+  Rows rows = {};
+  for (std::uint32_t b = blocks.begin; b < blocks.end; ++b) {
+    const std::size_t first = (b - curves_[curve_of_[b]].begin) * LANES;
+    const FieldSource source = coarseSource(
+        &curve.sources[first],
+        curve.sources.data() + std::min(first + LANES, curve.sources.size()));
+    setLane(rows, b - blocks.begin, toFrame(source.position), source);
+    radius = std::max(radius, balls_[b].radius);
+  }
+  group.coarse_from = group.ball.radius + distance * radius;
+  group.coarse = static_cast<std::uint32_t>(rows_.size());
+  rows_.push_back(rows);
+}
+
 void
 SourceBlocks::buildTree()
 {
@@ -124,23 +171,24 @@ SourceBlocks::buildTree()
 }
 
 void
-SourceBlocks::near(const Ball& place, std::vector<std::uint32_t>& blocks) const
+SourceBlocks::near(const Ball& place, std::vector<std::uint32_t>& groups) const
 {
-  blocks.clear();
-  const auto look = [&](const Group& group) {
-    const double reach = place.radius + group.ball.radius;
-    if ((group.ball.center - place.center).squaredNorm() <= reach * reach)
-      for (std::uint32_t b = group.blocks.begin; b < group.blocks.end; ++b)
-        blocks.push_back(b);
+  groups.clear();
+  const auto look = [&](std::uint32_t number) {
+    const Ball& ball = groups_[number].ball;
+    const double reach = place.radius + ball.radius;
+    if ((ball.center - place.center).squaredNorm() <= reach * reach)
+      groups.push_back(number);
   };
   if (groups_.size() <= FEW_GROUPS) {
-    std::for_each(groups_.begin(), groups_.end(), look);
+    for (std::uint32_t g = 0; g < groups_.size(); ++g)
+      look(g);
     return;
   }
   pcl::Indices found;
   tree_.near(place.center, place.radius + largest_group_, found);
   for (const pcl::index_t i : found)
-    look(groups_[static_cast<std::size_t>(i)]);
+    look(static_cast<std::uint32_t>(i));
 }
 
 } // namespace pcl::repair

@@ -22,7 +22,12 @@ struct Ball {
 };
 
 /** \brief Sources in blocks of eight neighbours of a curve, and a PCL KdTree over the
- * balls around groups of blocks.
+ * balls around groups of eight blocks.
+ *
+ * Seen from afar a block counts as one coarse source, so that a group is one more
+ * block, of coarse sources: the stretch of boundary it stands for sampled more widely.
+ * That changes the sum by the square of block radius by distance, where nothing else
+ * changes within a block: in light mode without effective charges.
  *
  * All in a frame of its own, in which the sources fill a unit box around the origin:
  * the kernel uses single precision in between, and models may be of any size. Const
@@ -40,7 +45,17 @@ public:
     std::uint32_t begin = 0, end = 0;
   };
 
-  explicit SourceBlocks(const SourceSet& sources);
+  /** \brief Consecutive blocks of a curve. */
+  struct Group {
+    Range blocks;
+    Ball ball;
+    std::uint32_t coarse = 0; /**< the block of their coarse sources */
+    double coarse_from = 0.0; /**< distance of the ball's centre from which these do */
+  };
+
+  /** \param[in] coarse_distance radii of a block from which it is a coarse source; 0:
+   * none is */
+  SourceBlocks(const SourceSet& sources, double coarse_distance);
 
   /** \brief From 1 on, of no other blocks of this run of the program. */
   std::uint64_t
@@ -75,12 +90,6 @@ public:
     return &rows_.front().values[0][0];
   }
 
-  std::size_t
-  size() const
-  {
-    return rows_.size();
-  }
-
   const Ball&
   ball(std::size_t block) const
   {
@@ -111,9 +120,15 @@ public:
     return curves_[curve];
   }
 
-  /** \brief Blocks that may have sources within a ball (in the frame), ascending. */
+  const Group&
+  group(std::size_t number) const
+  {
+    return groups_[number];
+  }
+
+  /** \brief Groups that may have sources within a ball (in the frame), ascending. */
   void
-  near(const Ball& place, std::vector<std::uint32_t>& blocks) const;
+  near(const Ball& place, std::vector<std::uint32_t>& groups) const;
 
 private:
   void
@@ -123,19 +138,15 @@ private:
   void
   groupBlocks(Range curve);
   void
+  addCoarse(const SourceCurve& curve, double distance, Group& group);
+  void
   buildTree();
-
-  /** \brief Consecutive blocks of a curve. */
-  struct Group {
-    Range blocks;
-    Ball ball;
-  };
 
   std::uint64_t number_;
   Position origin_ = Position::Zero();
   double scale_ = 1.0;
-  std::vector<Rows> rows_;
-  Positions positions_; /**< LANES for each block */
+  std::vector<Rows> rows_; /**< of all blocks, and then of all coarse ones */
+  Positions positions_;    /**< LANES for each block */
   std::vector<Ball> balls_;
   std::vector<std::size_t> curve_of_; /**< of a block */
   std::vector<std::size_t> islands_;  /**< of a curve */

@@ -226,6 +226,7 @@ ForceLineHoleRepair::checkParameters() const
            parameters_.survey.dropped.share_of_all_area >= 0.0},
       {"greatest hole length", parameters_.filling.greatest_length.value >= 0.0},
       {"room", field.room > 1.0},
+      {"coarse distance", field.coarse_distance >= 0.0},
       {"free point near radius (R_1)", field.free_point_near >= 0.0},
       {"free point far radius (R_2)", field.free_point_far >= 0.0},
       {"free point exponent (gamma)", field.free_point_exponent > 0.0},

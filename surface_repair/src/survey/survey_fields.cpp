@@ -125,7 +125,8 @@ makeField(const SourceSet& sources,
   return IndicatorField(sources,
                         parameters.interpolation,
                         full ? guides.free_points.get() : nullptr,
-                        full ? guides.surface.get() : nullptr);
+                        full ? guides.surface.get() : nullptr,
+                        parameters.coarse_distance);
 }
 
 std::vector<ForceLine>

@@ -6,6 +6,7 @@
 #include "support/random_source.h"
 
 #include <array>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -95,14 +96,21 @@ TEST_F(FieldKernel, GivesTheSameBitsInFullMode)
   }
 }
 
-TEST_F(FieldKernel, SelectsTheSameBlocks)
+TEST_F(FieldKernel, SelectsTheSameBlocksOfGroupsThatAreNear)
 {
   const std::vector<double> radii(16, 0.2);
   std::vector<std::uint32_t> blocks(16);
   std::iota(blocks.begin(), blocks.end(), 100u);
-  const Candidates candidates{
-      {&values_[0], &values_[16], &values_[32]}, radii.data(), blocks.data(), 16};
+  const double never = std::numeric_limits<double>::infinity();
+  const CandidateGroup groups[] = {{{0, 0, 0}, 2.0, never, 0},
+                                   {{0, 0, 0}, 2.0, never, 0}};
+  const Candidates candidates{groups,
+                              2,
+                              {&values_[0], &values_[16], &values_[32]},
+                              radii.data(),
+                              blocks.data()};
   task_.far = 0.6;
+  task_.coarse = true;
   std::vector<std::uint32_t> expected(16);
   expected.resize(BASELINE_KERNEL.select(candidates, task_, expected.data()));
   EXPECT_FALSE(expected.empty());
@@ -111,6 +119,27 @@ TEST_F(FieldKernel, SelectsTheSameBlocks)
     list.resize(kernel->select(candidates, task_, list.data()));
     EXPECT_EQ(list, expected);
   }
+}
+
+TEST_F(FieldKernel, SelectsTheCoarseBlockOfAGroupThatIsFarOnlyWhereThatIsAllowed)
+{
+  const std::vector<double> centers(8, 1.0), radii(8, 0.2);
+  std::vector<std::uint32_t> blocks(8);
+  std::iota(blocks.begin(), blocks.end(), 0u);
+  const CandidateGroup group = {{1, 1, 1}, 0.3, 1.5, 77};
+  const Candidates candidates{&group,
+                              1,
+                              {centers.data(), centers.data(), centers.data()},
+                              radii.data(),
+                              blocks.data()};
+  for (const Kernel* kernel : kernels())
+    for (const bool coarse : {false, true}) {
+      task_.far = 2.0;
+      task_.coarse = coarse;
+      std::vector<std::uint32_t> list(8);
+      list.resize(kernel->select(candidates, task_, list.data()));
+      EXPECT_EQ(list, coarse ? std::vector<std::uint32_t>{77} : blocks);
+    }
 }
 
 } // namespace

@@ -138,6 +138,73 @@ TEST(IndicatorField, DoesNotCountASourceAtThePointItself)
   EXPECT_EQ(with, IndicatorField(sources).tensionAt(query));
 }
 
+/** \brief Places in the gap of two caps, each with its own island silent. */
+std::vector<FieldQuery>
+queriesInGap(double far)
+{
+  std::vector<FieldQuery> queries(60);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const double angle = 0.1 * static_cast<double>(i);
+    queries[i].position = Position(std::cos(angle), std::sin(angle), 0.1);
+    queries[i].falloff = {0.01, far, 2.5};
+    queries[i].silent_island = 0;
+  }
+  return queries;
+}
+
+TEST(IndicatorField, WithCoarseSourcesIsNearlyTheSame)
+{
+  const SourceSet sources = twoCaps(3000, 0.3);
+  const IndicatorField fine(sources, 0.5);
+  const IndicatorField coarse(sources, 0.5, nullptr, nullptr, 8.0);
+  bool any_differs = false;
+  for (const FieldQuery& query : queriesInGap(2.0)) {
+    const Tension exact = fine.tensionAt(query);
+    const Tension near = coarse.tensionAt(query);
+    EXPECT_LT((near - exact).norm(), 2e-3 * exact.norm());
+    any_differs = any_differs || near != exact;
+  }
+  EXPECT_TRUE(any_differs);
+}
+
+/** With all sources of the other cap coarse. */
+double
+errorOfCoarseSources(int edges)
+{
+  const SourceSet sources = twoCaps(edges, 0.3);
+  const IndicatorField fine(sources);
+  const IndicatorField coarse(sources, 0.0, nullptr, nullptr, 4.0);
+  double error = 0.0;
+  for (const FieldQuery& query : queriesInGap(2.0)) {
+    const Tension exact = fine.tensionAt(query);
+    error = std::max(error, (coarse.tensionAt(query) - exact).norm() / exact.norm());
+  }
+  return error;
+}
+
+TEST(IndicatorField, WithCoarseSourcesErrsByTheSquareOfTheirSize)
+{
+  EXPECT_NEAR(errorOfCoarseSources(1536) / errorOfCoarseSources(3072), 4.0, 0.5);
+}
+
+TEST(IndicatorField, WithCoarseSourcesIsTheSameWhereNothingIsFar)
+{
+  const SourceSet sources = twoCaps(100, 0.3);
+  const IndicatorField fine(sources);
+  const IndicatorField coarse(sources, 0.0, nullptr, nullptr, 8.0);
+  for (const FieldQuery& query : queriesInGap(0.5))
+    EXPECT_EQ(fine.tensionAt(query), coarse.tensionAt(query));
+}
+
+TEST(IndicatorField, WithCoarseSourcesAloneIsAsInABatch)
+{
+  const IndicatorField field(twoCaps(3000, 0.3), 0.0, nullptr, nullptr, 8.0);
+  const std::vector<FieldQuery> queries = queriesInGap(2.0);
+  const std::vector<Tension> together = field.tensionAt(queries, {});
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    EXPECT_EQ(field.tensionAt(queries[i]), together[i]);
+}
+
 TEST(IndicatorField, IsZeroOutOfReach)
 {
   const IndicatorField field(randomSources(100, 19));

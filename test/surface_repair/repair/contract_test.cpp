@@ -265,6 +265,7 @@ TEST_F(RepairContract, RefusesParametersOutOfRange)
       [](RepairParameters& p) { p.survey.field.falloff_exponent = 0.0; },
       [](RepairParameters& p) { p.survey.field.interpolation = -1.0; },
       [](RepairParameters& p) { p.survey.field.room = 1.0; },
+      [](RepairParameters& p) { p.survey.field.coarse_distance = -1.0; },
       [](RepairParameters& p) { p.survey.hole_threshold = 0.6; },
       [](RepairParameters& p) { p.refinement.edge_length = 0.0; },
       [](RepairParameters& p) { p.survey.field.near = std::nan(""); }};

@@ -143,6 +143,10 @@ struct FieldParameters {
    * the last moment, because the far side of the ring repels. Set it lower where lines
    * leave narrow gaps for wide ones, higher where they lose their targets. */
   double room = DEFAULT_ROOM;
+  /** \brief Eight sources that are further away than so many radii of their stretch of
+   * boundary count as one, in light mode between islands; 0: all count for themselves.
+   * Set it higher where force lines have to be exact. */
+  double coarse_distance = 8.0;
   /** \brief R_1; 0: mean free-point spacing. Set it higher where they lie in clusters.
    */
   double free_point_near = 0.0;
