@@ -114,12 +114,6 @@ public:
     return curves_.size();
   }
 
-  Range
-  curve(std::size_t curve) const
-  {
-    return curves_[curve];
-  }
-
   const Group&
   group(std::size_t number) const
   {

@@ -116,8 +116,7 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
     if (context.cancelled() || last.finished)
       break;
     const bool has_closed = !last.closed.triangles.empty();
-    if (has_closed)
-      takeClosed(last, course);
+    takeClosed(last, course);
     if (context.cancelled() || !(joinRings(last.closed, course) || has_closed))
       break;
   }
@@ -197,8 +196,7 @@ closeRounds(const Course& course, bool over_samples)
 {
   Pass last;
   for (const RepairParameters& round : course.rounds) {
-    if (last.parameters != nullptr)
-      takeClosed(last, course);
+    takeClosed(last, course);
     if (course.context.cancelled())
       break;
     last = closeRound(round, over_samples, course);

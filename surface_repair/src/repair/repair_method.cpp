@@ -214,10 +214,8 @@ afterWaiting(std::size_t crumb_triangles, Pass last, const Course& course)
 {
   if (course.context.cancelled() || !last.closed.triangles.empty())
     return last;
-  const std::set<pcl::index_t> unjoined = unjoinedVertices(last);
-  takeClosed(last, course);
   const Crumbs waiting =
-      setUnjoinedAside(LAID_CRUMBS * crumb_triangles, unjoined, course);
+      setUnjoinedAside(LAID_CRUMBS * crumb_triangles, unjoinedVertices(last), course);
   last = closeRounds(course);
   if (waiting.empty())
     return last;
