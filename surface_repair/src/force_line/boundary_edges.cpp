@@ -100,7 +100,8 @@ BoundaryEdges::closest(const Position& a,
                        const Position& b,
                        double within,
                        const CurveFilter& curve_counts,
-                       const EdgeFilter& edge_counts) const
+                       const EdgeFilter& edge_counts,
+                       const BoundaryPoint& guess) const
 {
   ccaa::Box query(a);
   query.extend(b);
@@ -123,6 +124,8 @@ BoundaryEdges::closest(const Position& a,
     place.edge = edge;
     reach = pair.squared_distance;
   };
+  if (guess.curve != NONE)
+    take(guess.curve, guess.edge);
   tree_.forEachNear(query, reach, [&](pcl::index_t c) {
     const auto curve = static_cast<std::size_t>(c);
     if (!curve_counts || curve_counts(curve))
@@ -146,13 +149,14 @@ BoundaryEdges::closestFurtherAlong(const Position& a,
                                    double within,
                                    std::size_t curve,
                                    double arc,
-                                   double length) const
+                                   double length,
+                                   const BoundaryPoint& guess) const
 {
   const auto is_it = [&](std::size_t other) { return other == curve; };
   const auto is_further = [&](std::size_t, std::size_t edge) {
     return arcBetween(curve, arc, arcOfEdge(curve, edge)) > length;
   };
-  return closest(a, b, within, is_it, is_further);
+  return closest(a, b, within, is_it, is_further, guess);
 }
 
 } // namespace pcl::repair

@@ -78,13 +78,16 @@ public:
   }
 
   /** \brief The closest encounter of the segment from a to b with an edge that counts,
-   * within a distance; the lowest curve and edge of equals. */
+   * within a distance; the lowest curve and edge of equals.
+   * \param[in] guess on an edge that counts and may be near: a good one makes the
+   * search shorter and does not change what it finds */
   std::optional<BoundaryEncounter>
   closest(const Position& a,
           const Position& b,
           double within,
           const CurveFilter& curve_counts = {},
-          const EdgeFilter& edge_counts = {}) const;
+          const EdgeFilter& edge_counts = {},
+          const BoundaryPoint& guess = {}) const;
 
   /** \brief The same with the edges of one curve of which the middle is further than
    * some length along it from a place. */
@@ -94,7 +97,8 @@ public:
                       double within,
                       std::size_t curve,
                       double arc,
-                      double length) const;
+                      double length,
+                      const BoundaryPoint& guess = {}) const;
 
 private:
   std::vector<TargetCurve> curves_;

@@ -57,9 +57,12 @@ public:
   run();
 
 private:
+  using Nearest = std::optional<BoundaryEncounter>;
+
   struct Step {
     Position end;
     LineState state;
+    Nearest nearest; /**< target to the end; before, to the place asked last */
     double error = 0.0;
   };
 
@@ -71,16 +74,19 @@ private:
   advance();
   Step
   tryStep(double length) const;
-  std::optional<BoundaryEncounter>
-  nearestTarget(const Position& a, const Position& b, double within) const;
+  Nearest
+  nearestTarget(const Position& a,
+                const Position& b,
+                double within,
+                const Nearest& guess) const;
   LineEnd
   arrive();
   void
   add(const Position& position, const LineState& state);
   double
-  reachAt(const Position& position) const;
+  reachAt(const Position& position, Nearest& nearest) const;
   LineState
-  evaluate(const Position& position, const LineState& before) const;
+  evaluate(const Position& position, const LineState& before, Nearest& nearest) const;
 
   bool
   crossesSurface(const Position& a, const Position& b, double tolerance) const
@@ -108,16 +114,19 @@ private:
   std::vector<bool> undetermined_; /**< of the points of the line */
   Position position_ = Position::Zero();
   LineState state_;
-  double gap_ = 0.0;  /**< from position_ to the nearest target */
+  Nearest nearest_;   /**< target to position_ */
   double step_ = 0.0; /**< length to try next */
 };
 
+/** \param[in,out] nearest target to a place close by, and to this one */
 LineState
-Trace::evaluate(const Position& position, const LineState& before) const
+Trace::evaluate(const Position& position,
+                const LineState& before,
+                Nearest& nearest) const
 {
   FieldQuery query = query_;
   query.position = position;
-  query.falloff.far = reachAt(position);
+  query.falloff.far = reachAt(position, nearest);
   return stateAt(field_.tensionAt(query), before, parameters_.least_clearness);
 }
 
@@ -125,13 +134,14 @@ Trace::evaluate(const Position& position, const LineState& before) const
  * count: since s fades out along it, the piece's force falls like the distance to it,
  * and what lies across the target's whole region would win. */
 double
-Trace::reachAt(const Position& position) const
+Trace::reachAt(const Position& position, Nearest& nearest) const
 {
-  const double far = query_.falloff.far;
-  const double within = gap_ + (position - position_).norm();
-  const auto nearest = nearestTarget(position, position, (1.0 + 1e-9) * within);
+  const double within =
+      (1.0 + 1e-9) * (nearest_->distance + (position - position_).norm());
+  nearest = nearestTarget(position, position, within, nearest);
   const double gap = nearest ? nearest->distance : within;
-  return std::min(far, std::max(origin_.room * gap, LEAST_REACH * near()));
+  return std::min(query_.falloff.far,
+                  std::max(origin_.room * gap, LEAST_REACH * near()));
 }
 
 void
@@ -147,16 +157,21 @@ Trace::add(const Position& position, const LineState& state)
   state_ = state;
 }
 
-std::optional<BoundaryEncounter>
-Trace::nearestTarget(const Position& a, const Position& b, double within) const
+Trace::Nearest
+Trace::nearestTarget(const Position& a,
+                     const Position& b,
+                     double within,
+                     const Nearest& guess) const
 {
+  const BoundaryPoint near_by = guess ? guess->point : BoundaryPoint();
+  const auto is_target = [this](std::size_t curve) {
+    return targets_.curves()[curve].island != query_.silent_island;
+  };
   if (!query_.effective)
-    return targets_.closest(a, b, within, [this](std::size_t curve) {
-      return targets_.curves()[curve].island != query_.silent_island;
-    });
+    return targets_.closest(a, b, within, is_target, {}, near_by);
   const EffectiveCharge& hole = *query_.effective;
   return targets_.closestFurtherAlong(
-      a, b, within, hole.curve, hole.arc, hole.threshold);
+      a, b, within, hole.curve, hole.arc, hole.threshold, near_by);
 }
 
 /** One step of the method of Bogacki and Shampine; the state at the end is the first of
@@ -165,14 +180,16 @@ Trace::Step
 Trace::tryStep(double length) const
 {
   const Direction& first = state_.direction;
-  const LineState second = evaluate(position_ + 0.5 * length * first, state_);
-  const LineState third =
-      evaluate(position_ + 0.75 * length * second.direction, second);
   Step step;
+  step.nearest = nearest_;
+  const LineState second =
+      evaluate(position_ + 0.5 * length * first, state_, step.nearest);
+  const LineState third =
+      evaluate(position_ + 0.75 * length * second.direction, second, step.nearest);
   step.end =
       position_ +
       length / 9.0 * (2.0 * first + 3.0 * second.direction + 4.0 * third.direction);
-  step.state = evaluate(step.end, third);
+  step.state = evaluate(step.end, third, step.nearest);
   step.error = length / 72.0 *
                (5.0 * first - 6.0 * second.direction - 8.0 * third.direction +
                 9.0 * step.state.direction)
@@ -190,13 +207,14 @@ Trace::advance()
   const double shortest = 1e-3 * near();
   double growth = MOST_GROWTH;
   for (;; growth = 1.0) {
-    const double length = std::min(step_, std::max(STEP_SHARE * gap_, shortest));
+    const double length =
+        std::min(step_, std::max(STEP_SHARE * nearest_->distance, shortest));
     const Step step = tryStep(length);
     const bool field_ends = step.state.direction.isZero();
     const double fit = 0.9 * std::cbrt(allowed / std::max(step.error, 1e-9 * allowed));
     step_ = length * std::clamp(fit, 0.2, growth);
     if (!field_ends && (step.error <= allowed || length <= shortest)) {
-      gap_ += length; // an upper bound, for the next search
+      nearest_ = step.nearest;
       add(step.end, step.state);
       return true;
     }
@@ -222,8 +240,7 @@ Trace::begin()
     return LineEnd::NO_FIELD;
   if (origin.outward <= 0.0)
     return LineEnd::REPELLED;
-  gap_ = query_.falloff.far;
-  step_ = std::min(gap_, FIRST_STEP * near());
+  step_ = std::min(query_.falloff.far, FIRST_STEP * near());
   return LineEnd::BRIDGE;
 }
 
@@ -231,18 +248,17 @@ Trace::begin()
 LineEnd
 Trace::follow()
 {
-  const double greatest = parameters_.greatest_length * query_.falloff.far;
+  const double far = query_.falloff.far;
+  const double greatest = parameters_.greatest_length * far;
+  nearest_ = nearestTarget(position_, position_, far, {});
   for (int count = 0; count < MOST_STEPS && line_.length <= greatest; ++count) {
-    const auto nearest = nearestTarget(position_, position_, gap_);
-    if (!nearest)
+    if (!nearest_ || nearest_->distance > far)
       return LineEnd::OUT_OF_REACH;
-    gap_ = nearest->distance;
-    if (gap_ <= captureDistance())
+    if (nearest_->distance <= captureDistance())
       return arrive();
     const Position from = position_;
     if (!advance())
       return LineEnd::OUT_OF_REACH;
-    gap_ = std::min(gap_, query_.falloff.far);
     if (crossesSurface(from, position_, count == 0 ? 0.5 * near() : 0.0))
       return LineEnd::CROSSES_SURFACE;
   }
@@ -279,7 +295,8 @@ LineEnd
 Trace::arrive()
 {
   const Position ahead = position_ + 2.0 * captureDistance() * state_.direction;
-  line_.target = nearestTarget(position_, ahead, 2.0 * captureDistance())->point;
+  line_.target =
+      nearestTarget(position_, ahead, 2.0 * captureDistance(), nearest_)->point;
   const Position from = position_;
   const Direction along = (line_.target.position - from).normalized();
   const BoundaryCurve& curve = targets_.curves()[line_.target.curve].curve;

@@ -89,6 +89,28 @@ TEST(BoundaryEdges, LowestEdgeOfEqualsIsTaken)
   EXPECT_EQ(7U, found->point.edge);
 }
 
+TEST(BoundaryEdges, AGuessDoesNotChangeWhatIsFound)
+{
+  const BoundaryEdges edges = twoRims();
+  const Position a(0.8, 0.1, 0.3), b(0.9, -0.4, 0.2);
+  const auto expected = edges.closest(a, b, 0.5);
+  ASSERT_TRUE(expected);
+  for (std::size_t curve = 0; curve < 2; ++curve)
+    for (std::size_t edge = 0; edge < edges.curves()[curve].curve.size(); ++edge) {
+      const auto found = edges.closest(a, b, 0.5, {}, {}, {curve, edge});
+      ASSERT_TRUE(found);
+      EXPECT_EQ(expected->point.curve, found->point.curve);
+      EXPECT_EQ(expected->point.edge, found->point.edge);
+      EXPECT_EQ(expected->distance, found->distance);
+    }
+}
+
+TEST(BoundaryEdges, AGuessBeyondTheDistanceIsNotFound)
+{
+  const Position centre = Position::Zero();
+  EXPECT_FALSE(twoRims().closest(centre, centre, 0.9, {}, {}, {1, 5}));
+}
+
 TEST(BoundaryEdges, SegmentAlongAnEdgeTouchesIt)
 {
   const BoundaryEdges edges = twoRims();
