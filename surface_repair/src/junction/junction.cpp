@@ -36,35 +36,6 @@ constexpr double MOSTLY_EMPTY = 0.25;
 /** Operations for what a line says: some hundred triangles at each of its ends. */
 constexpr std::uint64_t EVIDENCE_WORK = 10000;
 
-/** The surface beside boundary points, looked at once for each vertex. */
-class Ends {
-public:
-  Ends(const IncompleteModel& model,
-       const BoundaryLoops& loops,
-       const std::vector<std::size_t>& loop_of_curve)
-  : model_(model), loops_(loops), loop_of_curve_(loop_of_curve)
-  {}
-
-  const SurfaceEnd&
-  at(const BoundaryPoint& point)
-  {
-    const BoundaryLoop& loop = loops_[loop_of_curve_[point.curve]];
-    const std::size_t edge =
-        point.share < 0.5 ? point.edge : loop.curve.next(point.edge);
-    const pcl::index_t vertex = loop.vertices[edge];
-    const auto [entry, is_new] = ends_.emplace(vertex, SurfaceEnd());
-    if (is_new)
-      entry->second = surfaceEndAt(model_, vertex);
-    return entry->second;
-  }
-
-private:
-  const IncompleteModel& model_;
-  const BoundaryLoops& loops_;
-  const std::vector<std::size_t>& loop_of_curve_;
-  std::map<pcl::index_t, SurfaceEnd> ends_;
-};
-
 /** What one line says. \param[in] extent of the smaller boundary */
 JunctionEvidence
 evidenceOf(const ForceLine& line,
@@ -198,8 +169,18 @@ oddsThatJoin(const JunctionEvidence& evidence, const JunctionParameters& paramet
   return parameters.joined_from + (evidence.has_sight ? SEEN_ODDS : 0.0);
 }
 
+const SurfaceEnd&
+SurfaceEnds::at(const BoundaryLoop& loop, const BoundaryPoint& point)
+{
+  const std::size_t k = point.share < 0.5 ? point.edge : loop.curve.next(point.edge);
+  const auto [entry, is_new] = ends_.try_emplace(loop.vertices[k]);
+  if (is_new)
+    entry->second = surfaceEndAt(model_, loop.vertices[k]);
+  return entry->second;
+}
+
 std::vector<Junction>
-findJunctions(const IncompleteModel& model,
+findJunctions(SurfaceEnds& ends,
               const BoundaryLoops& loops,
               const std::vector<std::size_t>& loop_of_curve,
               const BoundaryEdges& boundaries,
@@ -213,7 +194,9 @@ findJunctions(const IncompleteModel& model,
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].end == LineEnd::BRIDGE)
       pairs[std::minmax(lines[i].origin.curve, lines[i].target.curve)].push_back(i);
-  Ends ends(model, loops, loop_of_curve);
+  const auto end_at = [&](const BoundaryPoint& point) {
+    return ends.at(loops[loop_of_curve[point.curve]], point);
+  };
   std::vector<Junction> junctions;
   for (auto& [curves, between] : pairs) {
     Junction junction;
@@ -226,7 +209,7 @@ findJunctions(const IncompleteModel& model,
       if (!ccaa::spend(control, EVIDENCE_WORK))
         return junctions;
       evidence.push_back(evidenceOf(
-          lines[i], ends.at(lines[i].origin), ends.at(lines[i].target), extent, sight));
+          lines[i], end_at(lines[i].origin), end_at(lines[i].target), extent, sight));
       evidence.back().facing = facing;
     }
     judge(evidence, parameters, junction);

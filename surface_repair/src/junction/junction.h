@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace pcl::repair {
@@ -44,12 +45,30 @@ struct SurfaceEnd {
 SurfaceEnd
 surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex);
 
+/** \brief The surface beside boundary points of a model, looked at once for each
+ * vertex.
+ */
+class SurfaceEnds {
+public:
+  /** \brief \param[in] model must outlive this */
+  explicit SurfaceEnds(const IncompleteModel& model) : model_(model) {}
+
+  /** \brief At the vertex nearest to a point of a loop. */
+  const SurfaceEnd&
+  at(const BoundaryLoop& loop, const BoundaryPoint& point);
+
+private:
+  const IncompleteModel& model_;
+  std::map<pcl::index_t, SurfaceEnd> ends_;
+};
+
 /** \brief Log odds from which a junction is joined. */
 double
 oddsThatJoin(const JunctionEvidence& evidence, const JunctionParameters& parameters);
 
 /** \brief The junctions that arrived lines make, by ascending curves, each judged by
  * itself.
+ * \param[in,out] ends of the model
  * \param[in] loops of the model
  * \param[in] loop_of_curve the loop of each curve of the boundaries
  * \param[in] boundaries what the lines' ends refer to
@@ -58,7 +77,7 @@ oddsThatJoin(const JunctionEvidence& evidence, const JunctionParameters& paramet
  * \param[in,out] control told the work, may be null; after cancelling some are missing
  */
 std::vector<Junction>
-findJunctions(const IncompleteModel& model,
+findJunctions(SurfaceEnds& ends,
               const BoundaryLoops& loops,
               const std::vector<std::size_t>& loop_of_curve,
               const BoundaryEdges& boundaries,

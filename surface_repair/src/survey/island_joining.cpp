@@ -41,6 +41,7 @@ public:
   , spacing_(islands.sources.spacing)
   , targets_(targetsOf(islands.sources, survey.loops))
   , field_(makeField(islands.sources, parameters.field, *survey.guides))
+  , ends_(survey.model)
   {
     survey_.joined.ahead = islands.ahead;
     for (const SourceCurve& curve : islands.sources.curves)
@@ -70,6 +71,7 @@ private:
   double spacing_;
   BoundaryEdges targets_;
   IndicatorField field_;
+  SurfaceEnds ends_;
   std::set<std::pair<std::size_t, double>> traced_; /**< curve and arc of origins */
 };
 
@@ -93,7 +95,7 @@ void
 Joining::choose()
 {
   SurveyedBridges& joined = survey_.joined;
-  joined.junctions = findJunctions(survey_.model,
+  joined.junctions = findJunctions(ends_,
                                    survey_.loops,
                                    joined.loops,
                                    targets_,
