@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl::repair {
 
@@ -57,12 +58,10 @@ public:
   run();
 
 private:
-  using Nearest = std::optional<BoundaryEncounter>;
-
   struct Step {
     Position end;
     LineState state;
-    Nearest nearest; /**< target to the end; before, to the place asked last */
+    BoundaryEncounter nearest; /**< target to the end */
     double error = 0.0;
   };
 
@@ -74,19 +73,21 @@ private:
   advance();
   Step
   tryStep(double length) const;
-  Nearest
+  std::optional<BoundaryEncounter>
   nearestTarget(const Position& a,
                 const Position& b,
                 double within,
-                const Nearest& guess) const;
+                const BoundaryPoint& guess = {}) const;
   LineEnd
   arrive();
   void
   add(const Position& position, const LineState& state);
   double
-  reachAt(const Position& position, Nearest& nearest) const;
+  reachOver(double gap) const;
   LineState
-  evaluate(const Position& position, const LineState& before, Nearest& nearest) const;
+  evaluate(const Position& position,
+           const LineState& before,
+           BoundaryEncounter& nearest) const;
 
   bool
   crossesSurface(const Position& a, const Position& b, double tolerance) const
@@ -114,19 +115,21 @@ private:
   std::vector<bool> undetermined_; /**< of the points of the line */
   Position position_ = Position::Zero();
   LineState state_;
-  Nearest nearest_;   /**< target to position_ */
-  double step_ = 0.0; /**< length to try next */
+  BoundaryEncounter nearest_; /**< target to position_ */
+  double step_ = 0.0;         /**< length to try next */
 };
 
 /** \param[in,out] nearest target to a place close by, and to this one */
 LineState
 Trace::evaluate(const Position& position,
                 const LineState& before,
-                Nearest& nearest) const
+                BoundaryEncounter& nearest) const
 {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  nearest = *nearestTarget(position, position, anywhere, nearest.point);
   FieldQuery query = query_;
   query.position = position;
-  query.falloff.far = reachAt(position, nearest);
+  query.falloff.far = reachOver(nearest.distance);
   return stateAt(field_.tensionAt(query), before, parameters_.least_clearness);
 }
 
@@ -134,12 +137,8 @@ Trace::evaluate(const Position& position,
  * count: since s fades out along it, the piece's force falls like the distance to it,
  * and what lies across the target's whole region would win. */
 double
-Trace::reachAt(const Position& position, Nearest& nearest) const
+Trace::reachOver(double gap) const
 {
-  const double within =
-      (1.0 + 1e-9) * (nearest_->distance + (position - position_).norm());
-  nearest = nearestTarget(position, position, within, nearest);
-  const double gap = nearest ? nearest->distance : within;
   return std::min(query_.falloff.far,
                   std::max(origin_.room * gap, LEAST_REACH * near()));
 }
@@ -157,21 +156,20 @@ Trace::add(const Position& position, const LineState& state)
   state_ = state;
 }
 
-Trace::Nearest
+std::optional<BoundaryEncounter>
 Trace::nearestTarget(const Position& a,
                      const Position& b,
                      double within,
-                     const Nearest& guess) const
+                     const BoundaryPoint& guess) const
 {
-  const BoundaryPoint near_by = guess ? guess->point : BoundaryPoint();
   const auto is_target = [this](std::size_t curve) {
     return targets_.curves()[curve].island != query_.silent_island;
   };
   if (!query_.effective)
-    return targets_.closest(a, b, within, is_target, {}, near_by);
+    return targets_.closest(a, b, within, is_target, {}, guess);
   const EffectiveCharge& hole = *query_.effective;
   return targets_.closestFurtherAlong(
-      a, b, within, hole.curve, hole.arc, hole.threshold, near_by);
+      a, b, within, hole.curve, hole.arc, hole.threshold, guess);
 }
 
 /** One step of the method of Bogacki and Shampine; the state at the end is the first of
@@ -208,7 +206,7 @@ Trace::advance()
   double growth = MOST_GROWTH;
   for (;; growth = 1.0) {
     const double length =
-        std::min(step_, std::max(STEP_SHARE * nearest_->distance, shortest));
+        std::min(step_, std::max(STEP_SHARE * nearest_.distance, shortest));
     const Step step = tryStep(length);
     const bool field_ends = step.state.direction.isZero();
     const double fit = 0.9 * std::cbrt(allowed / std::max(step.error, 1e-9 * allowed));
@@ -250,11 +248,14 @@ Trace::follow()
 {
   const double far = query_.falloff.far;
   const double greatest = parameters_.greatest_length * far;
-  nearest_ = nearestTarget(position_, position_, far, {});
+  const auto first = nearestTarget(position_, position_, far);
+  if (!first)
+    return LineEnd::OUT_OF_REACH;
+  nearest_ = *first;
   for (int count = 0; count < MOST_STEPS && line_.length <= greatest; ++count) {
-    if (!nearest_ || nearest_->distance > far)
+    if (nearest_.distance > far)
       return LineEnd::OUT_OF_REACH;
-    if (nearest_->distance <= captureDistance())
+    if (nearest_.distance <= captureDistance())
       return arrive();
     const Position from = position_;
     if (!advance())
@@ -265,45 +266,19 @@ Trace::follow()
   return LineEnd::TOO_LONG;
 }
 
-/** Direction of a boundary around an edge: the chords over two edges to each side of
- * both its ends, because single edges of a scan's boundary point anywhere. */
-Direction
-tangentAround(const BoundaryCurve& curve, std::size_t edge)
-{
-  const std::size_t count = curve.size();
-  if (count < 10)
-    return curve.edge(edge).normalized();
-  const auto point = [&](std::size_t ahead) -> const Position& {
-    return curve.points[(edge + count - 2 + ahead) % count];
-  };
-  return (point(4) - point(0) + point(5) - point(1)).normalized();
-}
-
-/** Across the end of a line: the compatibility vector (EC4.421-2b) where it agrees with
- * the normal of the boundary, else that normal. */
-Direction
-normalAtTarget(const Direction& along,
-               const Direction& tangent,
-               const Direction& normal)
-{
-  const Direction compatible = unitAcross((-along).cross(tangent), along);
-  return compatible.dot(normal) > 0.0 ? compatible : unitAcross(normal, along);
-}
-
 /** The last piece, straight on to the boundary. */
 LineEnd
 Trace::arrive()
 {
   const Position ahead = position_ + 2.0 * captureDistance() * state_.direction;
   line_.target =
-      nearestTarget(position_, ahead, 2.0 * captureDistance(), nearest_)->point;
+      nearestTarget(position_, ahead, 2.0 * captureDistance(), nearest_.point)->point;
   const Position from = position_;
   const Direction along = (line_.target.position - from).normalized();
   const BoundaryCurve& curve = targets_.curves()[line_.target.curve].curve;
   const Direction& normal = curve.normals[line_.target.edge];
   LineState state = state_;
-  const Direction across =
-      normalAtTarget(along, tangentAround(curve, line_.target.edge), normal);
+  const Direction across = normalAtTarget(along, curve, line_.target.edge);
   if (!across.isZero())
     state.normal = across;
   const bool wrong_side = normal.dot(state_.normal) <= 0.0;

@@ -36,6 +36,20 @@ continuedNormal(const Tension& tension,
   return {agreement < 0.0 ? Direction(-found.normal) : found.normal, false};
 }
 
+/** Direction of a boundary around an edge: the chords over two edges to each side of
+ * both its ends, because single edges of a scan's boundary point anywhere. */
+Direction
+tangentAround(const BoundaryCurve& curve, std::size_t edge)
+{
+  const std::size_t count = curve.size();
+  if (count < 10)
+    return curve.edge(edge).normalized();
+  const auto point = [&](std::size_t ahead) -> const Position& {
+    return curve.points[(edge + count - 2 + ahead) % count];
+  };
+  return (point(4) - point(0) + point(5) - point(1)).normalized();
+}
+
 } // namespace
 
 Direction
@@ -68,6 +82,15 @@ stateAt(const Tension& tension, const LineState& before, double least_clearness)
       break;
   }
   return state;
+}
+
+Direction
+normalAtTarget(const Direction& along, const BoundaryCurve& curve, std::size_t edge)
+{
+  const Direction& normal = curve.normals[edge];
+  const Direction tangent = tangentAround(curve, edge);
+  const Direction compatible = unitAcross((-along).cross(tangent), along);
+  return compatible.dot(normal) > 0.0 ? compatible : unitAcross(normal, along);
 }
 
 } // namespace pcl::repair

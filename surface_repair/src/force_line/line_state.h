@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include "boundary/boundary_loop.h"
 #include "force_line/normal_search.h"
+
+#include <cstddef>
 
 namespace pcl::repair {
 
@@ -25,5 +28,11 @@ stateAt(const Tension& tension, const LineState& before, double least_clearness)
  * there is none. */
 Direction
 unitAcross(const Eigen::Vector3d& vector, const Direction& unit);
+
+/** \brief Across the end of a line: the compatibility vector (EC4.421-2b) where it
+ * agrees with the normal of the boundary, else that normal; zero when there is none.
+ * \param[in] along direction of the line \param[in] edge of the curve, where it ends */
+Direction
+normalAtTarget(const Direction& along, const BoundaryCurve& curve, std::size_t edge);
 
 } // namespace pcl::repair
