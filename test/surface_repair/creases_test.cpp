@@ -103,16 +103,18 @@ TEST(Creases, AreNoneOfASphereWithAHole)
 {
   const IncompleteModel model =
       modelOf(without(icosphere(4), [](const Position& p) { return p.z() > 0.8; }));
+  SurfaceEnds surface_ends(model);
   const BoundaryLoop loop = extractBoundaries(model)[0];
   EXPECT_TRUE(creaseEnds(model, loop).empty());
-  EXPECT_TRUE(foldEnds(model, loop, 0.1 * loop.length, {}).empty());
+  EXPECT_TRUE(foldEnds(surface_ends, loop, 0.1 * loop.length, {}).empty());
 }
 
 TEST(Creases, FoldsAreInTheMiddleOfTheTurn)
 {
   const IncompleteModel model = modelOf(halvedFlatSphere());
+  SurfaceEnds surface_ends(model);
   for (const BoundaryLoop& loop : extractBoundaries(model)) {
-    const std::vector<CreaseEnd> ends = foldEnds(model, loop, GAP, {});
+    const std::vector<CreaseEnd> ends = foldEnds(surface_ends, loop, GAP, {});
     ASSERT_EQ(2U, ends.size());
     for (const CreaseEnd& end : ends) {
       EXPECT_LT(std::abs(loop.curve.points[end.vertex].z()), 0.1 * FLATNESS);
@@ -125,9 +127,10 @@ TEST(Creases, FoldsAreInTheMiddleOfTheTurn)
 TEST(Creases, NoFoldIsNearAKnownEnd)
 {
   const IncompleteModel model = modelOf(halvedPlate());
+  SurfaceEnds surface_ends(model);
   const BoundaryLoop loop = extractBoundaries(model)[0];
-  EXPECT_TRUE(foldEnds(model, loop, 5.0, creaseEnds(model, loop)).empty());
-  EXPECT_EQ(2U, foldEnds(model, loop, 5.0, {}).size());
+  EXPECT_TRUE(foldEnds(surface_ends, loop, 5.0, creaseEnds(model, loop)).empty());
+  EXPECT_EQ(2U, foldEnds(surface_ends, loop, 5.0, {}).size());
 }
 
 TEST(Creases, AreCarriedStraightOverTheGapOfAPlate)

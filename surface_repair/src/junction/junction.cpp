@@ -170,12 +170,11 @@ oddsThatJoin(const JunctionEvidence& evidence, const JunctionParameters& paramet
 }
 
 const SurfaceEnd&
-SurfaceEnds::at(const BoundaryLoop& loop, const BoundaryPoint& point)
+SurfaceEnds::at(pcl::index_t vertex)
 {
-  const std::size_t k = point.share < 0.5 ? point.edge : loop.curve.next(point.edge);
-  const auto [entry, is_new] = ends_.try_emplace(loop.vertices[k]);
+  const auto [entry, is_new] = ends_.try_emplace(vertex);
   if (is_new)
-    entry->second = surfaceEndAt(model_, loop.vertices[k]);
+    entry->second = surfaceEndAt(model_, vertex);
   return entry->second;
 }
 
@@ -194,8 +193,10 @@ findJunctions(SurfaceEnds& ends,
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].end == LineEnd::BRIDGE)
       pairs[std::minmax(lines[i].origin.curve, lines[i].target.curve)].push_back(i);
-  const auto end_at = [&](const BoundaryPoint& point) {
-    return ends.at(loops[loop_of_curve[point.curve]], point);
+  const auto end_at = [&](const BoundaryPoint& point) -> const SurfaceEnd& {
+    const BoundaryLoop& loop = loops[loop_of_curve[point.curve]];
+    const std::size_t k = point.share < 0.5 ? point.edge : loop.curve.next(point.edge);
+    return ends.at(loop.vertices[k]);
   };
   std::vector<Junction> junctions;
   for (auto& [curves, between] : pairs) {

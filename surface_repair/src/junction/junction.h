@@ -45,17 +45,14 @@ struct SurfaceEnd {
 SurfaceEnd
 surfaceEndAt(const IncompleteModel& model, pcl::index_t vertex);
 
-/** \brief The surface beside boundary points of a model, looked at once for each
- * vertex.
- */
+/** \brief The surface beside vertices of a model, looked at once for each. */
 class SurfaceEnds {
 public:
   /** \brief \param[in] model must outlive this */
   explicit SurfaceEnds(const IncompleteModel& model) : model_(model) {}
 
-  /** \brief At the vertex nearest to a point of a loop. */
   const SurfaceEnd&
-  at(const BoundaryLoop& loop, const BoundaryPoint& point);
+  at(pcl::index_t vertex);
 
 private:
   const IncompleteModel& model_;

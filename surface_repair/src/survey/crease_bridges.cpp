@@ -40,8 +40,10 @@ struct Meeting {
 
 class CreaseJoining {
 public:
-  CreaseJoining(const ModelSurvey& survey, const BoundaryEdges& boundaries)
-  : survey_(survey), boundaries_(boundaries)
+  CreaseJoining(const ModelSurvey& survey,
+                const BoundaryEdges& boundaries,
+                SurfaceEnds& surface_ends)
+  : survey_(survey), boundaries_(boundaries), surface_ends_(surface_ends)
   {}
 
   std::vector<Bridge>
@@ -69,6 +71,7 @@ private:
 
   const ModelSurvey& survey_;
   const BoundaryEdges& boundaries_;
+  SurfaceEnds& surface_ends_;
   std::map<std::size_t, std::vector<CreaseEnd>> creases_; /**< of curves */
   std::vector<Meeting> meetings_;
 };
@@ -83,7 +86,7 @@ CreaseJoining::endsAt(std::size_t curve, double gap)
     place->second = creaseEnds(survey_.model, loop);
   std::vector<CreaseEnd> ends = place->second;
   const std::vector<CreaseEnd> folds =
-      foldEnds(survey_.model, loop, NARROW * gap, ends);
+      foldEnds(surface_ends_, loop, NARROW * gap, ends);
   ends.insert(ends.end(), folds.begin(), folds.end());
   return ends;
 }
@@ -195,9 +198,11 @@ CreaseJoining::run()
 } // namespace
 
 std::vector<Bridge>
-creaseBridges(const ModelSurvey& survey, const BoundaryEdges& boundaries)
+creaseBridges(const ModelSurvey& survey,
+              const BoundaryEdges& boundaries,
+              SurfaceEnds& surface_ends)
 {
-  return CreaseJoining(survey, boundaries).run();
+  return CreaseJoining(survey, boundaries, surface_ends).run();
 }
 
 } // namespace pcl::repair

@@ -13,8 +13,11 @@ namespace pcl::repair {
  * junction is joined: from end to end, in their directions, like an arc where both turn
  * alike. Each end has one bridge, the shortest whose frames agree best.
  * \param[in] boundaries of the survey's joined loops, one a curve
+ * \param[in,out] surface_ends of the survey's model
  * \return with `is_crease`, supported by vertices; none that crosses the surface */
 std::vector<Bridge>
-creaseBridges(const ModelSurvey& survey, const BoundaryEdges& boundaries);
+creaseBridges(const ModelSurvey& survey,
+              const BoundaryEdges& boundaries,
+              SurfaceEnds& surface_ends);
 
 } // namespace pcl::repair

@@ -10,6 +10,8 @@
 
 namespace pcl::repair {
 
+class SurfaceEnds;
+
 /** \brief Where a sharp edge or a narrow fold of an island runs out at its boundary:
  * beyond it a fair surface is creased as well. */
 struct CreaseEnd {
@@ -29,10 +31,11 @@ creaseEnds(const IncompleteModel& model, const BoundaryLoop& loop);
 
 /** \brief Places where the surface along a loop turns by more than a right angle within
  * a width, such as the rim of a thin plate: the middle of each turn. None within a
- * width of another, nor of those that are known. \param[in] width units of the cloud
+ * width of another, nor of those that are known.
+ * \param[in,out] surface_ends of the model \param[in] width units of the cloud
  * \param[in] known ends at the loop */
 std::vector<CreaseEnd>
-foldEnds(const IncompleteModel& model,
+foldEnds(SurfaceEnds& surface_ends,
          const BoundaryLoop& loop,
          double width,
          const std::vector<CreaseEnd>& known);

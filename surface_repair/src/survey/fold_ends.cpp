@@ -116,7 +116,7 @@ struct Fold {
 } // namespace
 
 std::vector<CreaseEnd>
-foldEnds(const IncompleteModel& model,
+foldEnds(SurfaceEnds& surface_ends,
          const BoundaryLoop& loop,
          double width,
          const std::vector<CreaseEnd>& known)
@@ -144,7 +144,7 @@ foldEnds(const IncompleteModel& model,
         }))
       continue;
     taken.push_back(arc);
-    const SurfaceEnd surface = surfaceEndAt(model, loop.vertices[k]);
+    const SurfaceEnd& surface = surface_ends.at(loop.vertices[k]);
     ends.push_back({k,
                     surface.conormal,
                     surface.normal,

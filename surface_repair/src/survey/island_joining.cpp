@@ -107,7 +107,7 @@ Joining::choose()
   if (context_.cancelled())
     return;
   joinLoneStumps(parameters_.junction, survey_);
-  const std::vector<Bridge> creases = creaseBridges(survey_, targets_);
+  const std::vector<Bridge> creases = creaseBridges(survey_, targets_, ends_);
   const std::vector<Bridge> along_lines =
       selectBridges(wantedLines(survey_, parameters_, joined.refused),
                     targets_,
