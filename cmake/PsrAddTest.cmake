@@ -13,35 +13,6 @@ set(PSR_TESTS_LEFT_OUT "" CACHE STRING
 set(PSR_TEST_NAMES "" CACHE STRING
     "Build only test files in which the name of a test matches this expression")
 
-# Headers that nearly every test needs, read once for all of them. A test includes what
-# it uses all the same.
-function(psr_precompile_test_headers target)
-  target_precompile_headers(
-    ${target}
-    PRIVATE
-    <algorithm>
-    <cmath>
-    <limits>
-    <map>
-    <random>
-    <set>
-    <string>
-    <utility>
-    <vector>
-    <Eigen/Core>
-    <Eigen/Geometry>
-    <gtest/gtest.h>
-    <pcl/conversions.h>
-    <pcl/point_cloud.h>
-    <pcl/point_types.h>
-    <pcl/PCLPointCloud2.h>
-    <pcl/PolygonMesh.h>)
-  # Lets the compiler cache look through the precompiled header.
-  target_compile_options(
-    ${target} PUBLIC $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
-                     "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
-endfunction()
-
 # Compiling tests takes longer than running them. At -O1 GCC takes values for uninitialized
 # that it sees to be set at -O3, and Clang spends most of its time on what it inlines.
 # Where a test branches is nothing to guide libFuzzer by.
