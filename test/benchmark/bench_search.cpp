@@ -11,7 +11,7 @@
 #include <pcl/surface_ccaa/impl/point_array.h>
 #include <pcl/surface_ccaa/impl/point_blocks.h>
 
-#include "search/curve_order.h"
+#include "mesh/curve_order.h"
 
 #if __has_include(<nanoflann.hpp>)
 #include <nanoflann.hpp>

@@ -3,8 +3,8 @@
 #include "advancing_front/nearby_triangles.h"
 
 #include "mesh/morton_code.h"
+#include "mesh/radix_sort.h"
 #include "mesh/uninitialized.h"
-#include "search/radix_sort.h"
 
 #include <algorithm>
 #include <array>

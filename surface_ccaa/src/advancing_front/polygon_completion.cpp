@@ -6,9 +6,9 @@
 
 #include "advancing_front/surface_completion.h"
 #include "mesh/cloud_access.h"
+#include "mesh/curve_order.h"
 #include "mesh/polygon_access.h"
 #include "run/stage_clock.h"
-#include "search/curve_order.h"
 #include "search/tree_rows.h"
 
 #include <algorithm>

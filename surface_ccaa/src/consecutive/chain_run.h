@@ -9,8 +9,8 @@
 #include "consecutive/provenance.h"
 #include "consecutive/stage_settings.h"
 #include "mesh/block_loop.h"
+#include "mesh/curve_order.h"
 #include "run/stage_clock.h"
-#include "search/curve_order.h"
 
 #include <cstddef>
 #include <memory>

@@ -6,9 +6,9 @@
 #include "greedy/greedy_triangulation.h"
 #include "greedy/usable_points.h"
 #include "mesh/block_loop.h"
+#include "mesh/curve_order.h"
 #include "mesh/polygon_access.h"
 #include "run/stage_clock.h"
-#include "search/curve_order.h"
 #include "search/tree_rows.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "greedy/ranked_points.h"
-#include "search/curve_order.h"
+#include "mesh/curve_order.h"
 
 #include <cstddef>
 #include <vector>

@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: which of many boxes meet a given box or segment.
 #include "mesh/box_tree.h"
 
+#include "mesh/curve_order.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -22,108 +24,29 @@ constexpr double LEAST_EXTENT = 1e-150;
 /** Steepest 1 / component of a segment: a component of nothing is this small. */
 constexpr double MOST_INVERSE = 1e12;
 
-/** Parts of an order that each thread arranges, so that all have enough. */
-constexpr std::size_t STRETCHES_A_THREAD = 4;
+/** Operations for a box that is put in order. */
+constexpr std::uint64_t ORDER_WORK = 10;
 
-/** Operations for a box that is put into one of two halves. */
-constexpr std::uint64_t HALVING_WORK = 2;
-
-/** Boxes to a node: halves are a multiple of it, and of its powers. */
-constexpr std::size_t RUN = 8;
-
-/** A box by its centre, twice as far from the origin. */
-struct Middle {
-  std::array<double, 3> place;
-  pcl::index_t index;
-};
-
-using Place = std::vector<Middle>::iterator;
-
-/** The axis along which some boxes spread most. */
-std::size_t
-widestAxis(Place begin, Place end)
+/** The middles of boxes, in a frame in which these fill a unit box; none of an empty
+ * box, and that of the frame where a coordinate overflows. */
+std::vector<float>
+middlesOf(const std::vector<Box>& boxes)
 {
-  std::array<double, 3> low = begin->place, high = low;
-  for (Place it = begin; it != end; ++it)
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], it->place[k]);
-      high[k] = std::max(high[k], it->place[k]);
+  Box bounds;
+  for (const Box& box : boxes)
+    bounds.extend(box);
+  const Position origin = bounds.center();
+  const double scale = 1.0 / std::max(bounds.sizes().maxCoeff(), LEAST_EXTENT);
+  std::vector<float> middles;
+  middles.reserve(3 * boxes.size());
+  for (const Box& box : boxes)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double place = (box.center()[axis] - origin[axis]) * scale;
+      middles.push_back(box.isEmpty()
+                            ? std::numeric_limits<float>::quiet_NaN()
+                            : static_cast<float>(std::isfinite(place) ? place : 0.0));
     }
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (high[k] - low[k] > high[axis] - low[axis])
-      axis = k;
-  return axis;
-}
-
-/** Some of the boxes, in the order of the tree. */
-struct Stretch {
-  Place begin, end;
-};
-
-/** Halve a stretch along the widest axis, at a multiple of the largest power of RUN.
- * Ties by index. \return the middle; the end where nothing is to halve */
-Place
-halve(const Stretch& all)
-{
-  const auto [begin, end] = all;
-  const auto count = static_cast<std::size_t>(end - begin);
-  if (count <= RUN)
-    return end;
-  std::size_t run = RUN;
-  while (run * RUN < count)
-    run *= RUN;
-  const std::size_t runs = (count + run - 1) / run;
-  const Place middle = begin + static_cast<std::ptrdiff_t>((runs / 2) * run);
-  const std::size_t axis = widestAxis(begin, end);
-  std::nth_element(begin, middle, end, [axis](const Middle& a, const Middle& b) {
-    return a.place[axis] < b.place[axis] ||
-           (a.place[axis] == b.place[axis] && a.index < b.index);
-  });
-  return middle;
-}
-
-/** Order boxes so that each run of RUN, and each run of as many runs and
- * so on, lies close together. Log-linear. */
-void
-arrange(const Stretch& all, WorkCount& work)
-{
-  const Place middle = halve(all);
-  if (middle == all.end ||
-      !work.add(HALVING_WORK * static_cast<std::uint64_t>(all.end - all.begin)))
-    return;
-  arrange({all.begin, middle}, work);
-  arrange({middle, all.end}, work);
-}
-
-/** The same, with halves side by side once there are some. */
-void
-arrange(const Stretch& all, int threads, RunControl* control)
-{
-  RunControl silent(control); // tells no stages
-  const LoopContext one_by_one{threads, &silent, "", 1};
-  std::vector<Stretch> stretches{all};
-  while (threads > 1 &&
-         stretches.size() < STRETCHES_A_THREAD * static_cast<std::size_t>(threads)) {
-    std::vector<Place> middles(stretches.size(), all.end);
-    forEachBlock(
-        stretches.size(), one_by_one, [&](std::size_t i, std::size_t, std::size_t) {
-          middles[i] = halve(stretches[i]);
-        });
-    if (one_by_one.cancelled())
-      return;
-    std::vector<Stretch> halves;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-      halves.push_back({stretches[i].begin, middles[i]});
-      halves.push_back({middles[i], stretches[i].end});
-    }
-    stretches = std::move(halves);
-  }
-  forEachBlock(
-      stretches.size(), one_by_one, [&](std::size_t i, std::size_t, std::size_t) {
-        WorkCount work(one_by_one.control);
-        arrange(stretches[i], work);
-      });
+  return middles;
 }
 
 } // namespace
@@ -131,20 +54,9 @@ arrange(const Stretch& all, int threads, RunControl* control)
 std::vector<pcl::index_t>
 neighboringOrder(const std::vector<Box>& boxes, int threads, RunControl* control)
 {
-  std::vector<Middle> middles;
-  middles.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Position sum = boxes[i].min() + boxes[i].max();
-    if (!boxes[i].isEmpty())
-      middles.push_back({{sum.x(), sum.y(), sum.z()}, static_cast<pcl::index_t>(i)});
-  }
-  spend(control, middles.size());
-  arrange({middles.begin(), middles.end()}, threads, control);
-  std::vector<pcl::index_t> order;
-  order.reserve(middles.size());
-  for (const Middle& middle : middles)
-    order.push_back(middle.index);
-  return order;
+  const std::vector<float> middles = middlesOf(boxes);
+  spend(control, ORDER_WORK * boxes.size());
+  return curveOrder({middles.data(), 3, boxes.size()}, threads);
 }
 
 BoxTree::BoxTree(const std::vector<Box>& boxes, int threads, RunControl* control)

@@ -39,9 +39,9 @@ widened(const Box& box, double room)
 }
 
 /** \brief The boxes that are not empty, in an order in which those that follow each
- * other are close in space: halves along the widest axis, and so on. The same for any
- * number of threads. Log-linear, about 0.3 us a box. \param[in,out] control told the
- * work, may be null; after cancelling they are in some order */
+ * other are close in space: their middles along a Hilbert curve (curveOrder()). The
+ * same for any number of threads. Linear for ordinary meshes. \param[in,out] control
+ * told the work, may be null */
 std::vector<pcl::index_t>
 neighboringOrder(const std::vector<Box>& boxes,
                  int threads = 1,

@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: points packed in blocks under a tree of boxes.
 #include <pcl/surface_ccaa/impl/point_blocks.h>
 
+#include "mesh/curve_order.h"
 #include "run/run_control.h"
 #include "run/threads.h"
 #include "search/block_kernel.h"
-#include "search/curve_order.h"
 
 #include <algorithm>
 #include <limits>

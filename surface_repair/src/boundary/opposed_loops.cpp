@@ -29,6 +29,8 @@ constexpr double WIDEST = 0.4;
  * cosine of half the opening of that view. */
 constexpr double AHEAD = 1.2;
 constexpr double AHEAD_VIEW = 0.8;
+/** By how much a squared distance to a box may be too large. */
+constexpr double BOX_ROUNDING = 1.0 + 1e-12;
 /** Operations to look from a point at another loop. */
 constexpr std::uint64_t LOOKING_WORK = 10;
 
@@ -126,6 +128,9 @@ public:
       double nearest = widest;
       std::size_t seen = NONE;
       for (const std::size_t other : others) {
+        if (loops_[other].box.squaredExteriorDistance(own.points[i]) >
+            BOX_ROUNDING * nearest * nearest)
+          continue;
         const double distance =
             nearestSeen(own.points[i], own.conormals[i], loops_[other]);
         if (distance < nearest) {

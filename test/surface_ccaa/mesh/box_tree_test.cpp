@@ -137,12 +137,11 @@ TEST(BoxTree, IsTheSameForAnyNumberOfThreads)
     EXPECT_EQ(BoxTree(boxes).order(), BoxTree(boxes, threads).order());
 }
 
-TEST(BoxTree, HasAllBoxesWhereItIsLeftInTheMiddle)
+TEST(BoxTree, HasAllBoxesAfterCancelling)
 {
   const std::vector<Box> boxes = randomBoxes(5000, 1);
   RunControl whole;
   const BoxTree unhurried(boxes, 1, &whole);
-  EXPECT_GT(whole.work(), 10 * boxes.size());
   for (const int threads : {1, 3})
     for (const std::uint64_t part : {100, 10, 2}) {
       RunControl control(nullptr, whole.work() / part);

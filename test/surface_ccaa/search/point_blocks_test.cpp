@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: tests of the exact neighbor search over blocks.
 #include <gtest/gtest.h>
 
+#include "mesh/curve_order.h"
 #include "run/run_control.h"
-#include "search/curve_order.h"
 #include "search_inputs.h"
 
 namespace pcl::ccaa::test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: points in the order of a space-filling curve.
-#include "search/curve_order.h"
+#include "mesh/curve_order.h"
 
-#include "search/hilbert_code.h"
-#include "search/radix_sort.h"
+#include "mesh/hilbert_code.h"
+#include "mesh/radix_sort.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ constexpr std::size_t SMALL_CELL = 16;
 /** Points whose box decides where the outermost curve runs. */
 constexpr std::size_t SAMPLE_SIZE = 1024;
 
-struct Box {
+struct FloatBounds {
   std::array<float, 3> low;
   std::array<float, 3> high;
 
@@ -39,10 +39,10 @@ struct Box {
   }
 
   /** Twice as large around the same middle. */
-  Box
+  FloatBounds
   doubled() const
   {
-    Box result;
+    FloatBounds result;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double margin = (double(high[axis]) - double(low[axis])) / 2;
       result.low[axis] = toFloat(double(low[axis]) - margin);
@@ -95,7 +95,8 @@ private:
   sortAll()
   {
     const std::size_t step = size_ / SAMPLE_SIZE;
-    const Box box = step == 0 ? Box{} : boundingBox(0, size_, step).doubled();
+    const FloatBounds box =
+        step == 0 ? FloatBounds{} : boundingBox(0, size_, step).doubled();
     if (step == 0 || !(box.extent() > 0))
       sortCell(0, size_);
     else
@@ -113,7 +114,7 @@ private:
       sortByCoordinates(begin, end);
       return;
     }
-    const Box box = boundingBox(begin, end, 1);
+    const FloatBounds box = boundingBox(begin, end, 1);
     if (box.extent() > 0)
       sortAlongCurve(begin, end, box);
     else
@@ -121,7 +122,7 @@ private:
   }
 
   void
-  sortAlongCurve(std::size_t begin, std::size_t end, const Box& box)
+  sortAlongCurve(std::size_t begin, std::size_t end, const FloatBounds& box)
   {
     const unsigned int bits = bitsPerAxis(end - begin);
     encode(begin, end, box, bits);
@@ -190,7 +191,7 @@ private:
     return std::clamp((bits + 1) / 2 * 2, 10u, 20u);
   }
 
-  Box
+  FloatBounds
   boundingBox(std::size_t begin, std::size_t end, std::size_t step) const
   {
     float low_x, low_y, low_z, high_x, high_y, high_z;
@@ -213,7 +214,7 @@ private:
   }
 
   void
-  encode(std::size_t begin, std::size_t end, const Box& box, unsigned int bits)
+  encode(std::size_t begin, std::size_t end, const FloatBounds& box, unsigned int bits)
   {
     const double last = (1u << bits) - 1;
     const double scale = last / box.extent();

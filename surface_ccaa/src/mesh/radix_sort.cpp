@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: stable sort of points by their code along a curve.
-#include "search/radix_sort.h"
+#include "mesh/radix_sort.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 // Part of PclSurfaceRepair: tests of the order along a space-filling curve.
 #include <gtest/gtest.h>
 
-#include "search/curve_order.h"
-#include "search_inputs.h"
+#include "mesh/curve_order.h"
+#include "surface_ccaa/search/search_inputs.h"
 
 #include <numeric>
 
