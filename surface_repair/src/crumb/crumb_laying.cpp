@@ -13,6 +13,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -68,7 +69,12 @@ private:
   bool
   layInto(const CrumbShadow& shadow, int rings);
   bool
-  close(const Opening& opening, const BoundaryLoop& outer, const BoundaryLoop& inner);
+  meetsAny(const std::vector<std::size_t>& some);
+  bool
+  close(const Opening& opening,
+        const ModelPart& left,
+        const BoundaryLoop& outer,
+        const BoundaryLoop& inner);
   pcl::index_t
   rimVertex() const;
   ccaa::Box
@@ -95,6 +101,8 @@ private:
   ccaa::Box place_;               /**< of what is opened and the crumb */
   std::vector<std::size_t> near_; /**< triangles all around the crumb */
   ModelPart part_;                /**< the same as a model */
+  std::optional<std::vector<std::size_t>>
+      meeting_; /**< of patches, through the crumb */
   /** Side of the crumb and what was opened, and their place. */
   std::set<std::pair<std::vector<std::size_t>, std::array<double, 6>>> tried_;
 };
@@ -232,25 +240,34 @@ CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
   place_ = place_.intersection(around_); // beyond that nothing is known
   if (isKnown(opening))
     return false;
-  const ModelPart left =
-      surface_.part(trianglesLeft(part_, opening, place_), &control_);
+  std::vector<std::size_t> staying = trianglesLeft(part_, opening, place_);
+  if (meetsAny(staying))
+    return false;
+  const ModelPart left = surface_.part(std::move(staying), &control_);
   if (control_.cancelled())
     return false;
-  const std::vector<std::size_t> meeting = surface_.meeting(crumb_, &control_);
-  if (std::any_of(meeting.begin(), meeting.end(), [&](std::size_t t) {
-        return std::binary_search(left.triangles.begin(), left.triangles.end(), t);
-      }))
-    return false; // what is not opened runs through the crumb
   const BoundaryLoops loops = extractBoundaries(left.model);
   const BoundaryLoop* outer = loopOf(opening, part_, left, loops);
   const BoundaryLoop* inner = loopAt(loops, left.number_of.at(rimVertex()));
   return outer != nullptr && inner != nullptr && outer != inner &&
-         close(opening, inWhole(*outer, left), inWhole(*inner, left));
+         close(opening, left, inWhole(*outer, left), inWhole(*inner, left));
+}
+
+/** Whether one of some triangles, ascending, runs through the crumb. */
+bool
+CrumbLaying::meetsAny(const std::vector<std::size_t>& some)
+{
+  if (!meeting_)
+    meeting_ = surface_.meeting(crumb_, &control_);
+  return std::any_of(meeting_->begin(), meeting_->end(), [&](std::size_t t) {
+    return std::binary_search(some.begin(), some.end(), t);
+  });
 }
 
 /** Close the ring between an opening and the crumb. */
 bool
 CrumbLaying::close(const Opening& opening,
+                   const ModelPart& left,
                    const BoundaryLoop& outer,
                    const BoundaryLoop& inner)
 {
@@ -264,9 +281,11 @@ CrumbLaying::close(const Opening& opening,
     for (RingPolygon& ring : rings)
       for (pcl::index_t& vertex : ring.vertices)
         vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
-  const ModelPart left =
-      surface_.part(trianglesLeft(part_, opening, place_), &control_);
-  const RingPlace place{part_, opening.is_open, left, place_};
+  ModelPart welded_left;
+  if (!welded.empty())
+    welded_left = surface_.part(left.triangles, &control_);
+  const RingPlace place{
+      part_, opening.is_open, welded.empty() ? left : welded_left, place_};
   const std::size_t hole = holeOf(opening);
   const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
     return !control_.cancelled() && closeRings(rings, place, hole, course_, surface_);

@@ -19,6 +19,11 @@ constexpr std::uint64_t LOOK_WORK = 1;
 constexpr std::uint64_t NEAR_WORK = 5;
 constexpr std::uint64_t MODEL_WORK = 30;
 
+/** Square of the number of triangles beside the tree, over that of all, from which the
+ * tree is built anew: then that takes as long as looking at those beside it has taken.
+ */
+constexpr std::size_t MOST_ADDED = 100;
+
 } // namespace
 
 GrowingSurface::GrowingSurface(const IncompleteModel& model,
@@ -29,13 +34,20 @@ GrowingSurface::GrowingSurface(const IncompleteModel& model,
 , point_of_vertex(model.point_of_vertex)
 , hole(of_hole)
 , is_there(model.triangles.size(), true)
-, in_tree_(model.triangles.size())
 {
-  std::vector<ccaa::Box> boxes;
-  for (const Triangle& triangle : triangles)
-    boxes.push_back(ccaa::boxOf(ccaa::cornersOf(triangle, positions)));
+  buildTree(control);
+}
+
+void
+GrowingSurface::buildTree(ccaa::RunControl* control)
+{
+  std::vector<ccaa::Box> boxes(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (is_there[t])
+      boxes[t] = ccaa::boxOf(ccaa::cornersOf(triangles[t], positions));
   ccaa::spend(control, NEAR_WORK * boxes.size());
   tree_ = ccaa::BoxTree(boxes, 1, control);
+  in_tree_ = triangles.size();
 }
 
 void
@@ -164,6 +176,9 @@ GrowingSurface::replace(const ModelPart& part,
     hole.push_back(of_hole);
     is_there.push_back(true);
   }
+  const std::size_t added = triangles.size() - in_tree_;
+  if (added * added > MOST_ADDED * triangles.size())
+    buildTree(nullptr);
 }
 
 } // namespace pcl::repair

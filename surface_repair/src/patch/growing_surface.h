@@ -86,7 +86,10 @@ public:
   std::vector<bool> is_there;                /**< of each triangle */
 
 private:
-  std::size_t in_tree_;
+  void
+  buildTree(ccaa::RunControl* control);
+
+  std::size_t in_tree_ = 0;
   ccaa::BoxTree tree_;
 };
 

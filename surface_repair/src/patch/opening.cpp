@@ -131,7 +131,9 @@ private:
 std::vector<bool>
 ringsAround(const ModelPart& part, std::vector<bool> some, int rings)
 {
-  for (int ring = 0; ring < rings; ++ring) {
+  bool is_growing = true;
+  for (int ring = 0; ring < rings && is_growing; ++ring) {
+    is_growing = false;
     std::vector<bool> touched(part.vertices.size(), false);
     for (std::size_t t = 0; t < some.size(); ++t)
       if (some[t])
@@ -139,11 +141,11 @@ ringsAround(const ModelPart& part, std::vector<bool> some, int rings)
           touched[static_cast<std::size_t>(corner)] = true;
     for (std::size_t t = 0; t < some.size(); ++t) {
       const Triangle& corners = part.model.triangles[t];
-      some[t] = some[t] ||
-                (part.is_new[t] &&
-                 std::any_of(corners.begin(), corners.end(), [&](pcl::index_t corner) {
-                   return touched[static_cast<std::size_t>(corner)];
-                 }));
+      if (!some[t] && part.is_new[t] &&
+          std::any_of(corners.begin(), corners.end(), [&](pcl::index_t corner) {
+            return touched[static_cast<std::size_t>(corner)];
+          }))
+        some[t] = is_growing = true;
     }
   }
   return some;

@@ -55,5 +55,35 @@ TEST(Opening, OfAllThatThereIsHasNoLoopInWhatIsLeft)
   EXPECT_EQ(nullptr, loopOf(opening, part, left, extractBoundaries(left.model)));
 }
 
+/** Puts a vertex into the middle of a triangle. */
+void
+divide(std::size_t triangle, GrowingSurface& surface)
+{
+  const ModelPart part = surface.part({triangle});
+  Patch patch;
+  patch.rim = {0, 1, 2};
+  patch.positions = part.model.positions;
+  patch.positions.push_back(
+      (patch.positions[0] + patch.positions[1] + patch.positions[2]) / 3.0);
+  patch.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  surface.replace(part, {true}, part, patch, 0);
+}
+
+TEST(GrowingSurface, FindsWhatHasComeHoweverMuchItIs)
+{
+  GrowingSurface surface = newSurface(icosphere(1)); // of 80 triangles
+  const ccaa::Box octant(Position(0.1, 0.1, 0.1), Position(1.0, 1.0, 1.0));
+  for (std::size_t t = 0; t < 200; ++t) {
+    divide(t, surface);
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+      if (surface.is_there[i] &&
+          ccaa::boxOf(ccaa::cornersOf(surface.triangles[i], surface.positions))
+              .intersects(octant))
+        expected.push_back(i);
+    ASSERT_EQ(expected, surface.near(octant)) << t;
+  }
+}
+
 } // namespace
 } // namespace pcl::repair::test
