@@ -2,9 +2,7 @@
 // Part of PclSurfaceRepair: the triangles around open points, for crossing tests.
 #include "advancing_front/nearby_triangles.h"
 
-#include "mesh/morton_code.h"
-#include "mesh/radix_sort.h"
-#include "mesh/uninitialized.h"
+#include "mesh/curve_order.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_set>
+#include <utility>
 
 namespace pcl::ccaa {
 namespace {
@@ -80,7 +79,7 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
     return;
   const LoopContext context{threads};
   choose(open, cell, context);
-  sortAlongCurve(context);
+  sortAlongCurve(threads);
   tree_ = BoxTree(chosen_.size(), context, [this](std::size_t place) {
     return boxOf(cornersAt(place));
   });
@@ -113,27 +112,15 @@ NearbyTriangles::choose(const std::vector<pcl::index_t>& open,
 
 /** Neighbors in the tree must be close in space, in whatever order they were given. */
 void
-NearbyTriangles::sortAlongCurve(const LoopContext& context)
+NearbyTriangles::sortAlongCurve(int threads)
 {
-  constexpr unsigned int BITS = 30; // of the code's 63, the highest
-  Box bounds;
-  for (const pcl::index_t t : chosen_)
-    bounds.extend(points_[triangles_[static_cast<std::size_t>(t)][0]]);
-  const double scale =
-      bounds.isEmpty() ? 1.0 : std::max(bounds.sizes().maxCoeff(), 1e-300);
-  UninitializedVector<CodedPoint> coded(chosen_.size()), spare(chosen_.size());
-  const auto code = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Position first =
-          points_[triangles_[static_cast<std::size_t>(chosen_[i])][0]];
-      coded[i] = {mortonCode((first - bounds.min()) / scale) >> (63 - BITS),
-                  chosen_[i]};
-    }
+  const auto firstCorner = [&](std::size_t place) -> Position {
+    return points_[triangles_[static_cast<std::size_t>(chosen_[place])][0]];
   };
-  forEachBlock(chosen_.size(), context, code);
-  radixSort(coded.data(), spare.data(), coded.size(), BITS, context.threads);
-  for (std::size_t i = 0; i < chosen_.size(); ++i)
-    chosen_[i] = coded[i].point_index;
+  std::vector<pcl::index_t> order = curveOrder(chosen_.size(), firstCorner, threads);
+  for (pcl::index_t& place : order)
+    place = chosen_[static_cast<std::size_t>(place)];
+  chosen_ = std::move(order);
 }
 
 bool

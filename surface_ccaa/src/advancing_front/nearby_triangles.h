@@ -57,7 +57,7 @@ private:
          double cell,
          const LoopContext& context);
   void
-  sortAlongCurve(const LoopContext& context);
+  sortAlongCurve(int threads);
   Corners
   cornersAt(std::size_t place) const
   {

@@ -27,36 +27,18 @@ constexpr double MOST_INVERSE = 1e12;
 /** Operations for a box that is put in order. */
 constexpr std::uint64_t ORDER_WORK = 10;
 
-/** The middles of boxes, in a frame in which these fill a unit box; none of an empty
- * box, and that of the frame where a coordinate overflows. */
-std::vector<float>
-middlesOf(const std::vector<Box>& boxes)
-{
-  Box bounds;
-  for (const Box& box : boxes)
-    bounds.extend(box);
-  const Position origin = bounds.center();
-  const double scale = 1.0 / std::max(bounds.sizes().maxCoeff(), LEAST_EXTENT);
-  std::vector<float> middles;
-  middles.reserve(3 * boxes.size());
-  for (const Box& box : boxes)
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const double place = (box.center()[axis] - origin[axis]) * scale;
-      middles.push_back(box.isEmpty()
-                            ? std::numeric_limits<float>::quiet_NaN()
-                            : static_cast<float>(std::isfinite(place) ? place : 0.0));
-    }
-  return middles;
-}
-
 } // namespace
 
 std::vector<pcl::index_t>
 neighboringOrder(const std::vector<Box>& boxes, int threads, RunControl* control)
 {
-  const std::vector<float> middles = middlesOf(boxes);
   spend(control, ORDER_WORK * boxes.size());
-  return curveOrder({middles.data(), 3, boxes.size()}, threads);
+  const auto middleOf = [&](std::size_t i) -> Position {
+    if (boxes[i].isEmpty())
+      return Position::Constant(std::numeric_limits<double>::quiet_NaN());
+    return 0.5 * boxes[i].min() + 0.5 * boxes[i].max(); // of any size
+  };
+  return curveOrder(boxes.size(), middleOf, threads);
 }
 
 BoxTree::BoxTree(const std::vector<Box>& boxes, int threads, RunControl* control)

@@ -5,6 +5,12 @@
 #include <pcl/surface_ccaa/impl/point_array.h>
 #include <pcl/types.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -30,6 +36,32 @@ curveOrder(const PointArray& points, int threads);
  * \param[in] threads number of threads, at least 1 */
 std::vector<index_t>
 curveOrder(const PointArray& points, const Indices& selection, int threads);
+
+/** \brief The same for the places placeOf(0), ..., placeOf(count - 1) in double
+ * precision: singles are enough for their shares of the box around them, wherever that
+ * lies. */
+template <typename PlaceOf>
+std::vector<index_t>
+curveOrder(std::size_t count, const PlaceOf& placeOf, int threads)
+{
+  constexpr float nowhere = std::numeric_limits<float>::quiet_NaN();
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < count; ++i)
+    if (const Eigen::Vector3d place = placeOf(i); place.allFinite())
+      box.extend(place);
+  const double scale = 1.0 / std::max(box.sizes().maxCoeff(), 1e-300);
+  std::vector<float> shares;
+  shares.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d place = placeOf(i);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double share = (place[axis] - box.min()[axis]) * scale;
+      const float overflown = std::isfinite(place[axis]) ? 0.0F : nowhere;
+      shares.push_back(std::isfinite(share) ? static_cast<float>(share) : overflown);
+    }
+  }
+  return curveOrder({shares.data(), 3, count}, threads);
+}
 
 /** \brief One index per distinct point, in curve order.
  *

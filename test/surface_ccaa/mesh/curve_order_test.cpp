@@ -155,5 +155,33 @@ TEST(CurveOrder, CopesWithAMillionIdenticalPoints)
   EXPECT_EQ(curveOrder(points, 2), all);
 }
 
+/** The order of places that lie in a row in memory. */
+std::vector<index_t>
+orderOf(const Positions& places)
+{
+  return curveOrder(
+      places.size(), [&](std::size_t i) { return places[i]; }, 1);
+}
+
+TEST(CurveOrder, OfPlacesDoesNotDependOnWhereTheyLie)
+{
+  const Positions near = lattice(8);
+  Positions far = near;
+  for (Position& place : far)
+    place +=
+        Position(1099511627776.0, -1099511627776.0, 0.0); // 2^40: nothing is rounded
+  EXPECT_EQ(orderOf(near), orderOf(far));
+}
+
+TEST(CurveOrder, OfPlacesHasAllThatAreFinite)
+{
+  const double huge = std::numeric_limits<double>::max();
+  const double infinite = std::numeric_limits<double>::infinity();
+  std::vector<index_t> order = orderOf(
+      {{huge, 0, 0}, {infinite, 0, 0}, {-huge, 0, 0}, {0, std::nan(""), 0}, {1, 2, 3}});
+  std::sort(order.begin(), order.end());
+  EXPECT_EQ((std::vector<index_t>{0, 2, 4}), order);
+}
+
 } // namespace
 } // namespace pcl::ccaa::test
