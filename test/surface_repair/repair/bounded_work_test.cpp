@@ -42,6 +42,20 @@ slicedTorus()
   });
 }
 
+/** A sphere of which a third lies in crumbs. */
+Shape
+crumbledSphere()
+{
+  return inPieces(icosphere(5), [](const Position& p) {
+    const double x = 6.0 * (p.x() + 2.0), y = 6.0 * (p.y() + 2.0);
+    const bool is_whole = p.z() < 0.3;
+    const bool is_gap =
+        p.z() < 0.4 || x - std::floor(x) < 0.4 || y - std::floor(y) < 0.4;
+    const int crumb = 1 + 24 * static_cast<int>(x) + static_cast<int>(y);
+    return is_whole ? 0 : is_gap ? -1 : crumb;
+  });
+}
+
 class BoundedWorkOf : public ::testing::TestWithParam<Shape (*)()> {};
 
 TEST_P(BoundedWorkOf, LittleIsDoneBetweenTwoQuestions)
@@ -62,7 +76,9 @@ TEST_P(BoundedWorkOf, LittleIsDoneBetweenTwoQuestions)
 
 INSTANTIATE_TEST_SUITE_P(Shapes,
                          BoundedWorkOf,
-                         ::testing::Values(widelyOpenSphere, slicedTorus));
+                         ::testing::Values(widelyOpenSphere,
+                                           slicedTorus,
+                                           crumbledSphere));
 
 TEST(BoundedWork, ARunCanBeLeftAtManyPoints)
 {
