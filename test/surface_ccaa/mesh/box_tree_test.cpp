@@ -142,6 +142,7 @@ TEST(BoxTree, HasAllBoxesAfterCancelling)
   const std::vector<Box> boxes = randomBoxes(5000, 1);
   RunControl whole;
   const BoxTree unhurried(boxes, 1, &whole);
+  EXPECT_GE(whole.work(), 10 * boxes.size());
   for (const int threads : {1, 3})
     for (const std::uint64_t part : {100, 10, 2}) {
       RunControl control(nullptr, whole.work() / part);
