@@ -45,8 +45,8 @@ come once holes, for all tiles repair, and once numbers. 'count' prints the numb
 numbered from 0. 'neighbors' prints for each a line with its number of points and the
 tiles around it: it is meshed from points of these, joined with their meshes. 'seams',
 after disputes, prints which tiles' meshes 'close' reads and, behind a colon, which
-closed seams 'wind' reads; 'regions', after holes, of which tiles 'repair' reads the
-surface.)";
+closed seams 'wind' reads; 'regions', after holes, the number of points around the holes
+that 'repair' works on, and of which tiles it reads the surface.)";
   usage.examples = R"(  pcl_ccaa_tiles cut work scan1.ply scan2.ply --tiles=2000000
   pcl_ccaa_tiles mesh work 0
 )";
@@ -123,7 +123,9 @@ void
 printRegions(const TilePlan& plan)
 {
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
-    print(holeParts(plan, tile));
+    const RepairLinks links = repairLinks(plan, tile);
+    std::cout << links.points;
+    print(links.parts);
     std::cout << '\n';
   }
 }
@@ -193,7 +195,9 @@ main(int argc, char** argv)
   line.positional("FOLDER", task.folder);
   line.morePositionals("ARGUMENT", task.rest);
   line.options().count("tiles", task.most_points, app::LEAST_TILE_POINTS, 1000000000)(
-      "with 'cut': most points of a tile", "lower for machines with little memory");
+      "with 'cut': most points at a time; where a cloud has more, a tile has about a "
+      "quarter of that",
+      "lower for machines with little memory");
   app::addThreads(line, task.settings.threads);
   app::addChainOptions(line, task.settings);
   app::addRepairWishes(line, task.settings);

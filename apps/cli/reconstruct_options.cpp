@@ -130,10 +130,9 @@ addTileOptions(OptionGroup& options, ReconstructSettings& settings)
 {
   options.optionalCount(
       "tiles", settings.tiles, DEFAULT_TILE_POINTS, LEAST_TILE_POINTS, 1000000000)(
-      "work tile by tile: each tile has at most so many "
-      "points, 4 000 000 when it is just --tiles; all inputs are one cloud, "
-      "OUTPUT_MESH "
-      "is PLY",
+      "work tile by tile: at most so many points at a time, 4 000 000 when it is just "
+      "--tiles; where a cloud has more, a tile has about a quarter of that; all inputs "
+      "are one cloud, OUTPUT_MESH is PLY",
       "for clouds larger than memory");
   options.parsed(
       "memory",

@@ -31,6 +31,7 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
                          all.edges.begin() + static_cast<std::ptrdiff_t>(loop.begin),
                          all.edges.begin() + static_cast<std::ptrdiff_t>(loop.end));
     regions_.push_back(loop.region);
+    region_points_ += loop.points;
     cluster_of_.push_back(static_cast<std::uint32_t>(clusters_.size() - 1));
   }
   for (HoleCluster& cluster : clusters_)
@@ -41,7 +42,7 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
   for (std::size_t part = 0; part < plan.tiling.tiles.size(); ++part) {
     // Its triangles reach out of its cell as far as its halo.
     const pcl::ccaa::Tile& one = plan.tiling.tiles[part];
-    const Box around = pcl::ccaa::widened(one.cell.box(), one.halo);
+    const Box around = pcl::ccaa::widened(one.box, one.halo);
     if (std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) {
           return around.intersects(region);
         }))

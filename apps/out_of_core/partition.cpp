@@ -23,6 +23,13 @@ namespace {
 namespace fs = std::filesystem;
 using pcl::ccaa::Position;
 
+/** Tiles of a cloud that must be cut are filled to such a part of what one may hold: so
+ * there are enough of them for several workers, and one of a larger cloud needs no more
+ * memory than one of a smaller. */
+constexpr std::uint64_t FILLED = 4;
+/** Most points that are shared out as if they lay evenly, as a part of what a tile may
+ * hold. */
+constexpr std::uint64_t PARTS_OF_MOST = 32;
 /** The spacing of a tile: mean distance to so many nearest points, at this quantile. */
 constexpr unsigned int NEAREST = 6;
 constexpr double QUANTILE = 0.9;
@@ -30,6 +37,70 @@ constexpr double QUANTILE = 0.9;
 constexpr std::size_t SAMPLES = 48;
 /** Bits of a whole number that floats hold exactly, beside its sign. */
 constexpr int EXACT_BITS = 24;
+
+/** Shares the points of buckets out to tiles. */
+class PointSharing {
+public:
+  /** What a tile may hold is one tile. */
+  PointSharing(TileBuckets& buckets, std::uint64_t most_points)
+  : buckets_(buckets), parts_(buckets.parts())
+  {
+    std::vector<pcl::ccaa::CountedBox> counted;
+    double points = 0.0;
+    for (const TileBuckets::Part& part : parts_) {
+      counted.push_back(part.points);
+      points += part.points.count;
+    }
+    tiles_ = pcl::ccaa::bisect(
+        counted, points > double(most_points) ? most_points / FILLED : most_points);
+    for (const TileBuckets::Part& part : parts_)
+      uses_.push_back(static_cast<std::size_t>(
+          std::count_if(tiles_.begin(), tiles_.end(), [&](const auto& tile) {
+            return mayShare(tile, part);
+          })));
+  }
+
+  std::size_t
+  tiles() const
+  {
+    return tiles_.size();
+  }
+
+  /** The entries of a tile; none in rare cases. Each tile is taken once. */
+  std::vector<char>
+  take(std::size_t tile, const pcl::ccaa::PointView& view)
+  {
+    const std::size_t bytes = buckets_.entryBytes();
+    std::vector<char> taken;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (!mayShare(tiles_[tile], parts_[i]))
+        continue;
+      const std::vector<char> entries = buckets_.read(parts_[i].cell);
+      for (auto entry = entries.begin(); entry != entries.end();
+           entry += std::ptrdiff_t(bytes))
+        if (pcl::ccaa::holds(
+                tiles_[tile],
+                view.tripleAt(reinterpret_cast<const std::uint8_t*>(&*entry))))
+          taken.insert(taken.end(), entry, entry + std::ptrdiff_t(bytes));
+      if (--uses_[i] == 0)
+        buckets_.drop(parts_[i].cell);
+    }
+    return taken;
+  }
+
+private:
+  static bool
+  mayShare(const pcl::ccaa::Box& tile, const TileBuckets::Part& part)
+  {
+    return (part.points.box.max().array() >= tile.min().array()).all() &&
+           (part.points.box.min().array() < tile.max().array()).all();
+  }
+
+  TileBuckets& buckets_;
+  std::vector<TileBuckets::Part> parts_;
+  std::vector<pcl::ccaa::Box> tiles_;
+  std::vector<std::size_t> uses_; /**< of a part: tiles that are still to be taken */
+};
 
 class Partition {
 public:
@@ -82,19 +153,20 @@ public:
     const fs::path scratch = fs::path(plan_.folder) / "cutting";
     fs::remove_all(scratch);
     fs::create_directories(scratch);
-    TileBuckets buckets(
-        scratch.string(), plan_.layout.point_step, view_, plan_.most_points);
+    TileBuckets buckets(scratch.string(),
+                        plan_.layout.point_step,
+                        view_,
+                        std::max<std::uint64_t>(1, plan_.most_points / PARTS_OF_MOST));
     if (!stream(buckets))
       return {};
     makeKey();
-    const std::vector<pcl::ccaa::GridCell> cells = buckets.finish();
     plan_.nowhere = writeNowhere(buckets);
-    plan_.tiling.tiles.resize(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!goes_on_(0.5 + 0.5 * double(i) / double(cells.size())))
+    PointSharing sharing(buckets, plan_.most_points);
+    for (std::size_t i = 0; i < sharing.tiles(); ++i) {
+      if (!goes_on_(0.5 + 0.5 * double(i) / double(sharing.tiles())))
         return {};
-      plan_.tiling.tiles[i].cell = cells[i];
-      finishTile(buckets, i);
+      if (const std::vector<char> entries = sharing.take(i, view_); !entries.empty())
+        addTile(entries, buckets.entryBytes());
     }
     lendHalos();
     placeTiles();
@@ -147,24 +219,24 @@ private:
     return sources.size();
   }
 
-  /** Sort the points of a leaf, write them, and measure their spacing. */
+  /** Sort the points of a tile, write them, and measure their spacing. */
   void
-  finishTile(TileBuckets& buckets, std::size_t tile)
+  addTile(const std::vector<char>& entries, std::size_t entry)
   {
-    const std::vector<char> entries = buckets.read(plan_.tiling.tiles[tile].cell);
-    const std::size_t step = plan_.layout.point_step, entry = buckets.entryBytes();
-    const std::vector<std::uint32_t> order = orderOf(entries, entry);
+    const std::size_t step = plan_.layout.point_step;
+    pcl::ccaa::Tile tile;
+    const std::vector<std::uint32_t> order = orderOf(entries, entry, tile.box);
     std::vector<char> records(order.size() * step);
     std::vector<PointSource> sources(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       std::memcpy(&records[i * step], &entries[order[i] * entry], step);
       std::memcpy(&sources[i], &entries[order[i] * entry + step], sizeof(PointSource));
     }
-    TilePoints::write(plan_, plan_.file(tile, POINTS_STEP), records, sources);
-    buckets.drop(plan_.tiling.tiles[tile].cell);
-    plan_.tiling.tiles[tile].count = order.size();
-    plan_.tiling.tiles[tile].halo =
-        pcl::ccaa::Tile::SPACINGS * spacingOf(records, order.size());
+    const std::size_t number = plan_.tiling.tiles.size();
+    TilePoints::write(plan_, plan_.file(number, POINTS_STEP), records, sources);
+    tile.count = order.size();
+    tile.halo = pcl::ccaa::Tile::SPACINGS * spacingOf(records, order.size());
+    plan_.tiling.tiles.push_back(tile);
   }
 
   /** A tile with too few points to measure takes the halo of the nearest one that has
@@ -181,8 +253,7 @@ private:
         tile.halo = std::min_element(measured.begin(),
                                      measured.end(),
                                      [&](const auto& a, const auto& b) {
-                                       return tile.cell.distance(a.cell) <
-                                              tile.cell.distance(b.cell);
+                                       return tile.distance(a) < tile.distance(b);
                                      })
                         ->halo;
   }
@@ -196,13 +267,13 @@ private:
   /** Along a curve, where that does not tell by their bytes: only points that are the
    * same in everything can change places with the order of the input. */
   std::vector<std::uint32_t>
-  orderOf(const std::vector<char>& entries, std::size_t entry)
+  orderOf(const std::vector<char>& entries,
+          std::size_t entry,
+          pcl::ccaa::Box& box) const
   {
     const std::size_t count = entries.size() / entry;
-    Eigen::AlignedBox3d box;
     for (std::size_t i = 0; i < count; ++i)
       box.extend(positionAt(entries, i * entry));
-    boxes_.push_back(box);
     const double size = std::max(box.sizes().maxCoeff(), 1e-300);
     std::vector<std::uint64_t> codes(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -275,20 +346,19 @@ private:
     Eigen::AlignedBox3d whole;
     double extent = 0.0;
     pcl::ccaa::WideIndex first = 0;
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      pcl::ccaa::Tile& tile = plan_.tiling.tiles[i];
+    for (pcl::ccaa::Tile& tile : plan_.tiling.tiles) {
       tile.first = first;
       first += tile.count;
-      whole.extend(boxes_[i]);
-      extent = std::max(extent, boxes_[i].sizes().maxCoeff() + 2 * tile.halo);
+      whole.extend(tile.box);
+      extent = std::max(extent, tile.box.sizes().maxCoeff() + 2 * tile.halo);
     }
-    if (!boxes_.empty())
+    if (!whole.isEmpty())
       plan_.origin = whole.center();
     if (hasDoublePositions(plan_.layout) && extent > 0.0)
       plan_.step = std::ldexp(1.0, std::ilogb(extent) - EXACT_BITS); // of half of it
-    for (const Eigen::AlignedBox3d& box : boxes_)
+    for (const pcl::ccaa::Tile& tile : plan_.tiling.tiles)
       plan_.corners.push_back(plan_.step > 0.0
-                                  ? pcl::ccaa::roundedTo(plan_.step, box.center())
+                                  ? pcl::ccaa::roundedTo(plan_.step, tile.box.center())
                                   : Position::Zero());
   }
 
@@ -297,7 +367,6 @@ private:
   TilePlan plan_;
   pcl::ccaa::PointView view_; /**< of positions in records */
   std::uint64_t announced_ = 0;
-  std::vector<Eigen::AlignedBox3d> boxes_; /**< by tile */
 };
 
 } // namespace

@@ -10,9 +10,9 @@
 
 namespace app {
 
-/** \brief Cut clouds into tiles: the cells of the world's octree that hold at most so
- * many points while the cell around them holds more. Each tile gets a file of its
- * points, in an order that depends on the points alone, and the folder a plan.
+/** \brief Cut clouds into tiles: one where it may hold all points, else tiles of about
+ * a quarter of what one may hold (bisect()). Each tile gets a file of its points, in an
+ * order that depends on the points alone, and the folder a plan.
  *
  * The files are read once. Memory: some 100 MB and three times the records of one tile.
  * Where the folder holds the plan of the same run already, nothing is done; with

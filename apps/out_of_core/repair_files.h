@@ -25,7 +25,8 @@ struct HoleLoop {
       0; /**< that repairs it: the owner of the cluster's first point */
   std::uint64_t begin = 0; /**< its edges */
   std::uint64_t end = 0;
-  pcl::ccaa::Box region; /**< what a repair has to know around it */
+  pcl::ccaa::Box region;    /**< what a repair has to know around it */
+  std::uint64_t points = 0; /**< in its region */
 };
 
 /** \brief The boundary loops of the whole surface. */

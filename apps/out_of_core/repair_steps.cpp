@@ -54,7 +54,7 @@ public:
   {
     std::uint64_t points = 0;
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-      if (plan_.tiling.tiles[tile].cell.box().intersects(box))
+      if (plan_.tiling.tiles[tile].box.intersects(box))
         tiles_[tile].forEachIn(box, [&](std::size_t) { ++points; });
     return points;
   }
@@ -170,16 +170,26 @@ findHoles(const TilePlan& plan)
     const std::uint64_t tile = is_next ? holes.loops.back().tile
                                        : std::uint64_t{plan.tiling.ownerOf(
                                              holes.edges[std::size_t(loop.begin)][0])};
-    holes.loops.push_back({loop.cluster, tile, loop.begin, loop.end, loop.region()});
+    holes.loops.push_back(
+        {loop.cluster, tile, loop.begin, loop.end, loop.region(), loop.points});
   }
   writeHoles(plan, holes);
 }
 
-std::vector<std::size_t>
-holeParts(const TilePlan& plan, std::size_t tile)
+RepairLinks
+repairLinks(const TilePlan& plan, std::size_t tile)
 {
   const HoleGathering gathering(plan, tile);
-  return {gathering.parts().begin(), gathering.parts().end()};
+  return {gathering.points(), {gathering.parts().begin(), gathering.parts().end()}};
+}
+
+std::uint64_t
+mostPointsOfRepair(const TilePlan& plan)
+{
+  std::vector<std::uint64_t> points(plan.tiling.tiles.size(), 0);
+  for (const HoleLoop& loop : readHoles(plan).loops)
+    points[loop.tile] += loop.points;
+  return points.empty() ? 0 : *std::max_element(points.begin(), points.end());
 }
 
 void

@@ -49,7 +49,7 @@ SeamGathering::findParts()
     parts_.insert(owner);
     for (const std::size_t part : plan_.tiling.neighborsOf(owner))
       if (std::any_of(disputes.begin(), disputes.end(), [&](const PlacedDispute* d) {
-            return plan_.tiling.tiles[part].cell.distance(
+            return plan_.tiling.tiles[part].distance(
                        Eigen::Vector3d(d->position.data())) <= 2.0 * AROUND * d->reach;
           }))
         parts_.insert(part);

@@ -71,6 +71,7 @@ TileBuckets::append(const char* entry, const Position& position)
     last_ = leafAt(position);
   Leaf& leaf = last_->second;
   leaf.waiting.insert(leaf.waiting.end(), entry, entry + entryBytes());
+  leaf.box.extend(position);
   waiting_ += entryBytes();
   if (++leaf.count > most_points_ && last_->first.canSplit())
     split(last_);
@@ -146,15 +147,16 @@ TileBuckets::flushAll()
     flush(leaf);
 }
 
-std::vector<GridCell>
-TileBuckets::finish()
+std::vector<TileBuckets::Part>
+TileBuckets::parts() const
 {
-  flushAll();
-  std::vector<GridCell> cells;
+  std::vector<Part> parts;
   for (const auto& [cell, leaf] : leaves_)
-    cells.push_back(cell);
-  std::sort(cells.begin(), cells.end());
-  return cells;
+    parts.push_back({cell, {leaf.box, double(leaf.count)}});
+  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return a.cell < b.cell;
+  });
+  return parts;
 }
 
 std::vector<char>
@@ -174,7 +176,7 @@ TileBuckets::readLeaf(const Leaf& leaf) const
 }
 
 std::vector<char>
-TileBuckets::read(const GridCell& cell)
+TileBuckets::read(const GridCell& cell) const
 {
   return readLeaf(leaves_.at(cell));
 }
@@ -182,7 +184,10 @@ TileBuckets::read(const GridCell& cell)
 void
 TileBuckets::drop(const GridCell& cell)
 {
-  std::filesystem::remove(leaves_.at(cell).path);
+  Leaf& leaf = leaves_.at(cell);
+  std::filesystem::remove(leaf.path);
+  waiting_ -= leaf.waiting.size();
+  leaf.waiting = {};
 }
 
 std::vector<PointSource>

@@ -4,6 +4,7 @@
 
 #include "mesh/point_view.h"
 #include "out_of_core/tile_plan.h"
+#include "tiles/bisection.h"
 #include "tiles/world_grid.h"
 
 #include <cstdint>
@@ -15,9 +16,9 @@
 
 namespace app {
 
-/** \brief An octree that grows as points come, with a file for each leaf. Its leaves
- * depend on the points alone, not on their order. Throws a Failure where a file cannot
- * be written. */
+/** \brief An octree that grows as points come, with a file for each leaf of a cloud
+ * that takes more than 64 MB. Its leaves depend on the points alone, not on their
+ * order. Throws a Failure where a file cannot be written. */
 class TileBuckets {
 public:
   /** \param[in] folder for the files, which is there
@@ -30,14 +31,19 @@ public:
   void
   add(const std::uint8_t* record, PointSource source);
 
-  /** \brief The leaves, ascending. Nothing may be added afterwards. */
-  std::vector<pcl::ccaa::GridCell>
-  finish();
+  /** \brief One of the leaves. */
+  struct Part {
+    pcl::ccaa::GridCell cell;
+    pcl::ccaa::CountedBox points; /**< around its points */
+  };
 
-  /** \brief The records of a leaf, each followed by its source; its file is removed by
-   * drop(). */
+  /** \brief The leaves, ascending. */
+  std::vector<Part>
+  parts() const;
+
+  /** \brief The records of a leaf, each followed by its source; drop() forgets them. */
   std::vector<char>
-  read(const pcl::ccaa::GridCell& cell);
+  read(const pcl::ccaa::GridCell& cell) const;
 
   void
   drop(const pcl::ccaa::GridCell& cell);
@@ -55,6 +61,7 @@ public:
 private:
   struct Leaf {
     std::uint64_t count = 0;
+    pcl::ccaa::Box box;
     std::vector<char> waiting;
     std::string path;
   };

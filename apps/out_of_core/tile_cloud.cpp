@@ -23,7 +23,7 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile) : TileCloud(plan)
   std::vector<std::size_t> parts = plan.tiling.neighborsOf(tile);
   parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
   const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
-  const Eigen::AlignedBox3d around = pcl::ccaa::widened(own.cell.box(), own.halo);
+  const Eigen::AlignedBox3d around = pcl::ccaa::widened(own.box, own.halo);
   for (const std::size_t part : parts) {
     if (part == tile) {
       addOwn(plan, tile);

@@ -72,8 +72,8 @@ describeTiles(const TilePlan& plan)
     shards.push_back({{"first_vertex", own.first},
                       {"vertices", own.count},
                       {"triangles", count},
-                      {"level", own.cell.level},
-                      {"cell", own.cell.at}});
+                      {"min", {own.box.min()[0], own.box.min()[1], own.box.min()[2]}},
+                      {"max", {own.box.max()[0], own.box.max()[1], own.box.max()[2]}}});
     if (const fs::path path = plan.file(tile, SHARD_STEP); fs::exists(path))
       shards.back()["file"] = path.filename();
   }

@@ -75,8 +75,8 @@ listTiles(const TilePlan& plan)
   Json tiles = Json::array();
   for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i) {
     const pcl::ccaa::Tile& tile = plan.tiling.tiles[i];
-    tiles.push_back({{"level", tile.cell.level},
-                     {"cell", toJson(tile.cell.at)},
+    tiles.push_back({{"min", toJson(tile.box.min())},
+                     {"max", toJson(tile.box.max())},
                      {"first", tile.first},
                      {"points", tile.count},
                      {"halo", tile.halo},
@@ -90,9 +90,7 @@ readTiles(const Json& tiles, TilePlan& plan)
 {
   for (const Json& json : tiles) {
     pcl::ccaa::Tile tile;
-    tile.cell.level = json.at("level");
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      tile.cell.at[axis] = json.at("cell").at(axis);
+    tile.box = {vectorOf(json.at("min")), vectorOf(json.at("max"))};
     tile.first = json.at("first");
     tile.count = json.at("points");
     tile.halo = json.at("halo");

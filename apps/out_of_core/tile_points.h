@@ -7,6 +7,7 @@
 #include "mesh/cloud_access.h"
 #include "out_of_core/step_file.h"
 #include "out_of_core/tile_plan.h"
+#include "tiles/world_grid.h"
 
 #include <cstring>
 #include <functional>

@@ -27,6 +27,7 @@ struct Phase {
   double weight;
   std::function<void(std::size_t tile, const StepRun& run)> work; /**< empty: once */
   std::function<void()> once;
+  std::function<std::uint64_t()> most_points = {}; /**< of a tile; empty: its own */
 };
 
 class TileRun {
@@ -35,16 +36,12 @@ public:
           std::uint64_t memory,
           unsigned int threads,
           const Tell& tell)
-  : tiles_(plan.tiling.tiles.size()), tell_(tell)
-  {
-    std::uint64_t most = 1;
-    for (const pcl::ccaa::Tile& tile : plan.tiling.tiles)
-      most = std::max(most, tile.count);
-    const auto all = static_cast<std::uint64_t>(pcl::ccaa::resolveThreads(threads));
-    const std::uint64_t fit = std::max<std::uint64_t>(1, memory / (most * TILE_BYTES));
-    workers_ = std::min({fit, all, std::max<std::uint64_t>(1, tiles_)});
-    threads_each_ = static_cast<unsigned int>(all / workers_);
-  }
+  : plan_(plan)
+  , tiles_(plan.tiling.tiles.size())
+  , tell_(tell)
+  , memory_(memory)
+  , threads_(pcl::ccaa::resolveThreads(threads))
+  {}
 
   void
   run(const std::vector<Phase>& phases)
@@ -64,16 +61,31 @@ public:
   }
 
 private:
+  /** Tiles at a time that the memory is enough for. */
+  std::uint64_t
+  workersFor(const Phase& phase) const
+  {
+    std::uint64_t most = 1;
+    if (phase.most_points)
+      most = std::max(most, phase.most_points());
+    else
+      for (const pcl::ccaa::Tile& tile : plan_.tiling.tiles)
+        most = std::max(most, tile.count);
+    const std::uint64_t fit = std::max<std::uint64_t>(1, memory_ / (most * TILE_BYTES));
+    return std::min({fit, std::uint64_t{threads_}, std::max<std::uint64_t>(1, tiles_)});
+  }
+
   void
   runAll(const Phase& phase, double before, double share)
   {
+    const std::uint64_t count = workersFor(phase);
     std::atomic<std::size_t> next{0}, finished{0};
     std::atomic<bool> stop{false};
     std::exception_ptr problem;
     std::mutex mutex;
     const auto work = [&] {
       StepRun run;
-      run.threads = threads_each_;
+      run.threads = static_cast<unsigned int>(threads_ / count);
       run.progress = [&](const std::string&, double) { return !stop.load(); };
       try {
         for (std::size_t tile = next++; tile < tiles_ && !stop; tile = next++) {
@@ -89,7 +101,7 @@ private:
       }
     };
     std::vector<std::thread> workers;
-    for (std::uint64_t i = 0; i < workers_; ++i)
+    for (std::uint64_t i = 0; i < count; ++i)
       workers.emplace_back(work);
     bool is_stopped = false;
     while (finished < tiles_ && !stop) {
@@ -108,10 +120,11 @@ private:
       std::rethrow_exception(problem);
   }
 
+  const TilePlan& plan_;
   std::size_t tiles_;
   const Tell& tell_;
-  std::uint64_t workers_ = 1;
-  unsigned int threads_each_ = 1;
+  std::uint64_t memory_;
+  unsigned int threads_;
 };
 
 /** What later steps have made of it is on disk, too. */
@@ -148,7 +161,9 @@ runTiles(const TilePlan& plan,
   std::vector<Phase> phases = {{"outer side", 1, {}, [&] { decideAllSides(plan); }}};
   if (plan.repairs()) {
     phases.push_back({"holes", 1, {}, [&] { findHoles(plan); }});
-    phases.push_back({"repair", 30, forTile(repairTile), {}});
+    phases.push_back({"repair", 30, forTile(repairTile), {}, [&] {
+                        return mostPointsOfRepair(plan);
+                      }});
     phases.push_back({"repair", 0, {}, [&] { numberRepairs(plan); }});
   }
   if (keeps) {

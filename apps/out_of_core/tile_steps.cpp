@@ -59,7 +59,7 @@ public:
              const pcl::ccaa::PointView& positions)
   : own_(plan.tiling.tiles[tile]), wide_(wide)
   {
-    const auto others = pcl::ccaa::CellsAround::border(plan.tiling, tile);
+    const auto others = pcl::ccaa::TilesAround::border(plan.tiling, tile);
     for (std::size_t i = 0; i < wide.size(); ++i) {
       const Position position = positions[i];
       is_border_.push_back(others.isNear(position));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <set>
 
 namespace app_test {
 namespace {
@@ -93,6 +92,22 @@ TEST_F(TiledApp, ATileWithAllPointsInOnePlaceIsKept)
   EXPECT_EQ(5996U, triangles.size());
 }
 
+TEST_F(TiledApp, ATileOfOnePointIsKept)
+{
+  auto points = test::bumpySphere(3000);
+  points.insert(points.end(), 2500, pcl::ccaa::Position(300.0, 0.0, 0.0));
+  points.emplace_back(600.0, 0.0, 0.0);
+  const auto cloud = test::toRawCloud(points);
+  save(folder_.path("in.ply"), cloud);
+  ASSERT_TRUE(hasMeshed(
+      tiled({"in.ply"}, "out.ply", {"--report", folder_.path("report.json")})));
+  const nlohmann::json facts = report();
+  EXPECT_EQ(1, facts.at("shards").back().at("vertices"));
+  const auto mesh = loadMesh(folder_.path("out.ply")).mesh;
+  expectSameField(cloud, mesh.cloud, "x");
+  EXPECT_EQ(5996U, mesh.polygons.size());
+}
+
 TEST_F(TiledApp, EmptySpaceBetweenTilesMakesNoDifference)
 {
   auto points = test::bumpySphere(3000);
@@ -112,7 +127,7 @@ TEST_F(TiledApp, EmptySpaceBetweenTilesMakesNoDifference)
 }
 
 /** The tip of a closed body reaches into the next cell of the grid. */
-TEST_F(TiledApp, ATileOfAFewPointsIsNoHole)
+TEST_F(TiledApp, AFewPointsInACellOfTheirOwnAreNoTileAndNoHole)
 {
   for (const std::size_t count : {1U, 2U, 5U, 9U}) {
     SCOPED_TRACE(count);
@@ -129,11 +144,9 @@ TEST_F(TiledApp, ATileOfAFewPointsIsNoHole)
     save(folder_.path("in.ply"), cloud);
     ASSERT_TRUE(hasMeshed(
         tiled({"in.ply"}, "out.ply", {"--report", folder_.path("report.json")})));
-    std::set<std::size_t> sizes;
     const nlohmann::json facts = report();
     for (const auto& shard : facts.at("shards"))
-      sizes.insert(shard.at("vertices").get<std::size_t>());
-    EXPECT_EQ(1U, sizes.count(count)) << "no such tile: " << facts.at("shards");
+      EXPECT_GT(shard.at("vertices").get<std::size_t>(), 200U);
     const auto triangles =
         test::toTriangles(loadMesh(folder_.path("out.ply")).mesh.polygons);
     EXPECT_TRUE(test::isIcadm(triangles, 3000));

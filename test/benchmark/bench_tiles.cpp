@@ -54,10 +54,11 @@ double
 sizeOf(const std::string& folder)
 {
   double sum = 0.0;
-  std::error_code gone; // a temporary file may go while this looks
-  for (const fs::directory_entry& entry :
-       fs::recursive_directory_iterator(folder, gone)) {
-    const std::uintmax_t size = entry.is_regular_file(gone) ? entry.file_size(gone) : 0;
+  std::error_code gone; // a file or a folder may go while this looks
+  for (fs::recursive_directory_iterator entry(folder, gone), end; entry != end;
+       entry.increment(gone)) {
+    const std::uintmax_t size =
+        entry->is_regular_file(gone) ? entry->file_size(gone) : 0;
     sum += gone ? 0.0 : double(size);
   }
   return sum;

@@ -40,7 +40,7 @@ public:
   {
     for (const auto& other : others)
       others_.push_back(sortedCorners(other));
-    const CellsAround sight = CellsAround::sight(tiling, tile);
+    const TilesAround sight = TilesAround::sight(tiling, tile);
     for (const BorderPoint& point : own.points) {
       sight.forEachNear(point.position, [&](std::size_t i) { seers_.push_back(i); });
       seers_end_.push_back(seers_.size());

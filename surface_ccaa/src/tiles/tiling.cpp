@@ -3,12 +3,13 @@
 #include "tiles/tiling.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pcl::ccaa {
 
 namespace {
 
-/** What lies deeper in a cell than any limit is far from all others, whatever rounding
+/** What lies deeper in a box than any limit is far from all others, whatever rounding
  * does to coordinates up to 1e12 limits. */
 constexpr double ROUNDING = 1.001;
 
@@ -46,28 +47,37 @@ Tiling::neighborsOf(std::size_t tile) const
   std::vector<std::size_t> neighbors;
   const Tile& own = tiles[tile];
   for (std::size_t i = 0; i < tiles.size(); ++i)
-    if (i != tile &&
-        own.cell.distance(tiles[i].cell) <= std::max(own.halo, tiles[i].halo))
+    if (i != tile && own.distance(tiles[i]) <= std::max(own.halo, tiles[i].halo))
       neighbors.push_back(i);
   return neighbors;
 }
 
 template <typename Limit>
-CellsAround::CellsAround(const Tiling& tiling, std::size_t tile, const Limit& limit)
+TilesAround::TilesAround(const Tiling& tiling, std::size_t tile, const Limit& limit)
+: clear_(Position::Constant(-std::numeric_limits<double>::infinity()),
+         Position::Constant(std::numeric_limits<double>::infinity()))
 {
-  double farthest = 0.0;
   for (const std::size_t i : tiling.neighborsOf(tile)) {
-    boxes_.push_back(tiling.tiles[i].cell.box());
+    boxes_.push_back(tiling.tiles[i].box);
     limits_.push_back(limit(tiling.tiles[i]));
-    farthest = std::max(farthest, limits_.back());
+    clearOf(boxes_.back(), ROUNDING * limits_.back(), tiling.tiles[tile].box);
   }
-  const Eigen::AlignedBox3d own = tiling.tiles[tile].cell.box();
-  const Position depth = Position::Constant(ROUNDING * farthest);
-  clear_ = {own.min() + depth, own.max() - depth};
 }
 
-CellsAround
-CellsAround::border(const Tiling& tiling, std::size_t tile)
+/** Cut off what is not that deep beyond the side to which the other box lies. */
+void
+TilesAround::clearOf(const Box& other, double depth, const Box& own)
+{
+  Eigen::Index above = 0, below = 0;
+  if ((other.min() - own.max()).maxCoeff(&above) >=
+      (own.min() - other.max()).maxCoeff(&below))
+    clear_.max()[above] = std::min(clear_.max()[above], other.min()[above] - depth);
+  else
+    clear_.min()[below] = std::max(clear_.min()[below], other.max()[below] + depth);
+}
+
+TilesAround
+TilesAround::border(const Tiling& tiling, std::size_t tile)
 {
   const double own = tiling.tiles[tile].halo;
   return {tiling, tile, [own](const Tile& other) {
@@ -76,8 +86,8 @@ CellsAround::border(const Tiling& tiling, std::size_t tile)
           }};
 }
 
-CellsAround
-CellsAround::sight(const Tiling& tiling, std::size_t tile)
+TilesAround
+TilesAround::sight(const Tiling& tiling, std::size_t tile)
 {
   return {tiling, tile, [](const Tile& other) { return Tile::TRUSTED * other.halo; }};
 }

@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 
-#include "tiles/world_grid.h"
+#include "mesh/box_tree.h"
+#include "mesh/triangle.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,13 +30,13 @@ cornersInOrder(const WideTriangle& triangle);
 double
 longestEdge(const std::vector<Position>& corners);
 
-/** \brief One tile: the points of a cell, and how far around it what is computed of a
- * part of the cloud counts. */
+/** \brief One tile: some points, and how far around them what is computed of a part of
+ * the cloud counts. */
 struct Tile {
-  GridCell cell;
+  Box box;                 /**< of its points; those of tiles do not overlap */
   WideIndex first = 0;     /**< its first point */
   std::uint64_t count = 0; /**< of its points */
-  double halo = 0.0;       /**< units around the cell in which it knows all points */
+  double halo = 0.0;       /**< units around the box in which it knows all points */
 
   /** \brief Spacings of its points that make the halo. With 6, one triangle in 500 near
    * a cut was made differently by two tiles, with 16 one in 1000, noise of 0.3 spacings
@@ -65,11 +67,28 @@ struct Tile {
   bool
   sees(const Position& position) const
   {
-    return cell.distance(position) <= TRUSTED * halo;
+    return distance(position) <= TRUSTED * halo;
+  }
+
+  /** \brief Distance of a position from the box along the farthest axis; 0 within. */
+  double
+  distance(const Position& position) const
+  {
+    return std::max(
+        {0.0, (box.min() - position).maxCoeff(), (position - box.max()).maxCoeff()});
+  }
+
+  /** \brief The same between boxes; 0 where they touch. */
+  double
+  distance(const Tile& other) const
+  {
+    return std::max({0.0,
+                     (box.min() - other.box.max()).maxCoeff(),
+                     (other.box.min() - box.max()).maxCoeff()});
   }
 };
 
-/** \brief All tiles of a cloud, by ascending cell and first point. */
+/** \brief All tiles of a cloud, by ascending first point. */
 struct Tiling {
   std::vector<Tile> tiles;
 
@@ -83,22 +102,22 @@ struct Tiling {
   neighborsOf(std::size_t tile) const;
 };
 
-/** \brief The cells around a tile, and which of them a position is near. Cost: for a
- * position deep within the tile's own cell O(1), else O(cells). */
-class CellsAround {
+/** \brief The tiles around a tile, and which of them a position is near. Cost: for a
+ * position deep within the tile's own box O(1), else O(tiles around). */
+class TilesAround {
 public:
   /** \brief Those near which a position belongs to the border of a tile: of the wider
    * halo, where they differ, as a dispute reaches as far as the halo of its own tile
    * tells. */
-  static CellsAround
+  static TilesAround
   border(const Tiling& tiling, std::size_t tile);
 
   /** \brief Those of the neighbors of a tile, in their order, which see a position
    * (Tile::sees()). */
-  static CellsAround
+  static TilesAround
   sight(const Tiling& tiling, std::size_t tile);
 
-  /** \brief Calls \a use(cell) for all near a position, ascending. */
+  /** \brief Calls \a use(i) for all near a position, ascending. */
   template <typename Use>
   void
   forEachNear(const Position& position, const Use& use) const
@@ -123,10 +142,13 @@ public:
 
 private:
   template <typename Limit>
-  CellsAround(const Tiling& tiling, std::size_t tile, const Limit& limit);
+  TilesAround(const Tiling& tiling, std::size_t tile, const Limit& limit);
 
-  Eigen::AlignedBox3d clear_; /**< of the tile's cell: far from all others */
-  std::vector<Eigen::AlignedBox3d> boxes_;
+  void
+  clearOf(const Box& other, double depth, const Box& own);
+
+  Box clear_; /**< far from all others */
+  std::vector<Box> boxes_;
   std::vector<double> limits_;
 };
 

@@ -32,36 +32,6 @@ GridCell::box() const
   return box;
 }
 
-double
-GridCell::distance(const Position& position) const
-{
-  if (isWhole())
-    return 0.0;
-  const double edge = std::ldexp(1.0, level); // a power of two: products are exact
-  double farthest = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double low = static_cast<double>(at[axis]) * edge;
-    const double high = static_cast<double>(at[axis] + 1) * edge;
-    const double x = position[static_cast<Eigen::Index>(axis)];
-    farthest = std::max({farthest, low - x, x - high});
-  }
-  return farthest;
-}
-
-double
-GridCell::distance(const GridCell& other) const
-{
-  double farthest = 0.0;
-  for (std::size_t axis = 0; axis < 3 && !isWhole() && !other.isWhole(); ++axis) {
-    const auto edge = [&](const GridCell& cell, int side) {
-      return std::ldexp(static_cast<double>(cell.at[axis] + side), cell.level);
-    };
-    farthest = std::max(
-        {farthest, edge(*this, 0) - edge(other, 1), edge(other, 0) - edge(*this, 1)});
-  }
-  return farthest;
-}
-
 bool
 GridCell::canSplit() const
 {

@@ -33,14 +33,6 @@ struct GridCell {
   Eigen::AlignedBox3d
   box() const;
 
-  /** \brief Distance of a position from the cube along the farthest axis; 0 within. */
-  double
-  distance(const Position& position) const;
-
-  /** \brief The same between two cubes; 0 where they touch. */
-  double
-  distance(const GridCell& other) const;
-
   /** \brief Whether doubles can tell the cubes of the next finer level apart. */
   bool
   canSplit() const;

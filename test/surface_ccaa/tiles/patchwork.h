@@ -5,6 +5,7 @@
 
 #include "support/random_source.h"
 #include "tiles/agreement.h"
+#include "tiles/world_grid.h"
 
 #include <algorithm>
 #include <set>
@@ -34,7 +35,7 @@ public:
     for (std::size_t i = 0; i < by_cell.size(); ++i) {
       if (i == 0 || !(by_cell[i].first == by_cell[i - 1].first)) {
         tiling.tiles.emplace_back();
-        tiling.tiles.back().cell = by_cell[i].first;
+        tiling.tiles.back().box = by_cell[i].first.box();
         tiling.tiles.back().first = i;
         tiling.tiles.back().halo = halo + random_.uniform(0.0, 7.0);
       }
@@ -54,12 +55,12 @@ public:
   BorderMesh
   borderOf(std::size_t tile) const
   {
-    const CellsAround others = CellsAround::border(tiling, tile);
+    const TilesAround others = TilesAround::border(tiling, tile);
     const Tile& own = tiling.tiles[tile];
     BorderMesh border;
     std::set<WideIndex> near;
     for (WideIndex i = 0; i < points.size(); ++i)
-      if (own.cell.distance(points[i]) <= own.halo && others.isNear(points[i])) {
+      if (own.distance(points[i]) <= own.halo && others.isNear(points[i])) {
         border.points.push_back({i, points[i]});
         near.insert(i);
       }

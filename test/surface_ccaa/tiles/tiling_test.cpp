@@ -14,12 +14,12 @@ TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
   const Tiling& tiling = patchwork.tiling;
   ASSERT_EQ(tiling.tiles.size(), 9U);
   for (WideIndex i = 0; i < patchwork.points.size(); ++i)
-    ASSERT_EQ(tiling.tiles[tiling.ownerOf(i)].cell.distance(patchwork.points[i]), 0.0);
+    ASSERT_EQ(tiling.tiles[tiling.ownerOf(i)].distance(patchwork.points[i]), 0.0);
   for (std::size_t tile = 0; tile < 9; ++tile) {
     std::vector<std::size_t> expected;
     for (std::size_t other = 0; other < 9; ++other)
       if (other != tile &&
-          tiling.tiles[tile].cell.distance(tiling.tiles[other].cell) <=
+          tiling.tiles[tile].distance(tiling.tiles[other]) <=
               std::max(tiling.tiles[tile].halo, tiling.tiles[other].halo))
         expected.push_back(other);
     EXPECT_EQ(tiling.neighborsOf(tile), expected);
@@ -30,7 +30,33 @@ TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
   }
 }
 
-TEST(CellsAround, AreThoseWhoseDistanceIsWithinTheirLimit)
+TEST(Tile, IsAsFarAsItsBoxAlongTheFarthestAxis)
+{
+  RandomSource random(4);
+  const auto place = [&] {
+    return Position(random.uniform(-9.0, 9.0),
+                    random.uniform(-9.0, 9.0),
+                    random.uniform(-9.0, 9.0));
+  };
+  for (int round = 0; round < 500; ++round) {
+    Tile one, other;
+    one.box.extend(place()).extend(place());
+    other.box.extend(place()).extend(place());
+    const Position position = place();
+    double to_place = 0.0, to_other = 0.0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double low = one.box.min()[axis], high = one.box.max()[axis];
+      to_place = std::max({to_place, low - position[axis], position[axis] - high});
+      to_other = std::max(
+          {to_other, low - other.box.max()[axis], other.box.min()[axis] - high});
+    }
+    ASSERT_EQ(one.distance(position), to_place);
+    ASSERT_EQ(one.distance(other), to_other);
+    ASSERT_EQ(other.distance(one), to_other);
+  }
+}
+
+TEST(TilesAround, AreThoseWhoseDistanceIsWithinTheirLimit)
 {
   std::size_t near = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -39,8 +65,8 @@ TEST(CellsAround, AreThoseWhoseDistanceIsWithinTheirLimit)
     for (std::size_t tile = 0; tile < tiling.tiles.size(); ++tile) {
       const std::vector<std::size_t> neighbors = tiling.neighborsOf(tile);
       const double halo = tiling.tiles[tile].halo;
-      const CellsAround border = CellsAround::border(tiling, tile);
-      const CellsAround sight = CellsAround::sight(tiling, tile);
+      const TilesAround border = TilesAround::border(tiling, tile);
+      const TilesAround sight = TilesAround::sight(tiling, tile);
       for (const Position& point : patchwork.points) {
         std::vector<std::size_t> seers, expected;
         sight.forEachNear(point, [&](std::size_t i) { seers.push_back(i); });
@@ -49,7 +75,7 @@ TEST(CellsAround, AreThoseWhoseDistanceIsWithinTheirLimit)
           const Tile& other = tiling.tiles[neighbors[i]];
           if (other.sees(point))
             expected.push_back(i);
-          is_border = is_border || other.cell.distance(point) <=
+          is_border = is_border || other.distance(point) <=
                                        Tile::TRUSTED * other.halo +
                                            Tile::AROUND * std::max(other.halo, halo);
         }
@@ -81,7 +107,7 @@ TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
           continue;
         ++around;
         const std::size_t owner = tiling.ownerOf(j);
-        EXPECT_TRUE(CellsAround::border(tiling, owner).isNear(patchwork.points[j]));
+        EXPECT_TRUE(TilesAround::border(tiling, owner).isNear(patchwork.points[j]));
       }
     }
   }

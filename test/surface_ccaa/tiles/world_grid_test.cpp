@@ -63,7 +63,6 @@ TEST(WorldGrid, APositionLiesInJustOneCellOfALevel)
     ASSERT_EQ(cell.level, level);
     for (int step = 0; step < 27; ++step)
       ASSERT_EQ(holds(neighbor(cell, step), place), step == 13) << place.transpose();
-    ASSERT_EQ(cell.distance(place), 0.0);
   }
 }
 
@@ -108,46 +107,6 @@ TEST(WorldGrid, SplittingTellsApartAllPlacesThatFloatsDo)
       ASSERT_TRUE(cell.canSplit()) << one.transpose();
     }
   }
-}
-
-double
-slowDistance(double low, double high, double from, double to)
-{
-  return std::max({0.0, low - to, from - high});
-}
-
-TEST(WorldGrid, DistancesAreThoseAlongTheFarthestAxis)
-{
-  RandomSource random(4);
-  for (int round = 0; round < 2000; ++round) {
-    const GridCell one =
-        cellOf(randomPlace(random), static_cast<int>(random.below(12)));
-    const GridCell other =
-        cellOf(randomPlace(random), static_cast<int>(random.below(12)));
-    const Position place = randomPlace(random);
-    double to_place = 0.0, to_cell = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double edge = std::ldexp(1.0, one.level);
-      const double other_edge = std::ldexp(1.0, other.level);
-      const double low = double(one.at[axis]) * edge;
-      const double x = place[static_cast<Eigen::Index>(axis)];
-      to_place = std::max(to_place, slowDistance(low, low + edge, x, x));
-      const double from = double(other.at[axis]) * other_edge;
-      to_cell =
-          std::max(to_cell, slowDistance(low, low + edge, from, from + other_edge));
-    }
-    ASSERT_EQ(one.distance(place), to_place);
-    ASSERT_EQ(one.distance(other), to_cell);
-    ASSERT_EQ(other.distance(one), to_cell);
-  }
-}
-
-TEST(WorldGrid, NothingIsFarFromTheWholeSpace)
-{
-  const GridCell whole;
-  EXPECT_EQ(whole.distance(Position(1e14, -1e14, 0.0)), 0.0);
-  EXPECT_EQ(whole.distance(cellOf(Position(1e9, 0.0, 0.0), 3)), 0.0);
-  EXPECT_EQ(cellOf(Position(1e9, 0.0, 0.0), 3).distance(whole), 0.0);
 }
 
 TEST(WorldGrid, RoundedPlacesLessACornerAreExactFloats)
