@@ -137,7 +137,7 @@ TileBuckets::flush(Leaf& leaf)
       !file.flush())
     failToWrite(leaf.path);
   waiting_ -= leaf.waiting.size();
-  leaf.waiting = {};
+  leaf.waiting = std::vector<char>(); // {} would keep the memory
 }
 
 void
@@ -187,7 +187,7 @@ TileBuckets::drop(const GridCell& cell)
   Leaf& leaf = leaves_.at(cell);
   std::filesystem::remove(leaf.path);
   waiting_ -= leaf.waiting.size();
-  leaf.waiting = {};
+  leaf.waiting = std::vector<char>(); // {} would keep the memory
 }
 
 std::vector<PointSource>

@@ -111,7 +111,7 @@ FilterRun::dropDeleted()
     if (settings_.consistent_orientation)
       adjacency_.keep(alive_, fans_);
   }
-  alive_ = {};
+  alive_ = AliveFlags(); // {} would keep the memory
   report_.output_triangles = triangles_.size();
 }
 
@@ -131,7 +131,7 @@ FilterRun::orient()
     tally_ = oriented.tally;
   }
   adjacency_.clear();
-  positions_ = {};
+  positions_ = Positions();
 }
 
 OrientationReport
