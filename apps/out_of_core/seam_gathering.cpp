@@ -116,11 +116,16 @@ void
 SeamGathering::addTriangle(const WideTriangle& triangle)
 {
   std::set<std::size_t> groups;
-  for (const WideIndex corner : triangle) {
-    const auto known = known_.find(corner);
-    if (known == known_.end())
-      return;
-    groups.insert(known->second.groups.begin(), known->second.groups.end());
+  std::vector<Known*> corners;
+  for (const WideIndex corner : triangle)
+    if (const auto known = known_.find(corner); known != known_.end()) {
+      corners.push_back(&known->second);
+      groups.insert(known->second.groups.begin(), known->second.groups.end());
+    }
+  if (corners.size() < 3) {
+    for (Known* const corner : corners)
+      corner->lacks = true;
+    return;
   }
   for (const std::size_t group : groups)
     surroundings_[group].triangles.push_back(triangle);
@@ -163,6 +168,8 @@ SeamGathering::gather(std::size_t group, std::vector<WideIndex>& wide) const
     const bool is_free = nearness.in_reaches <= 1.0 && with_triangle.count(index) == 0;
     seam.is_open.push_back(is_disputed || is_free ? 1 : 0);
     seam.is_near.push_back(nearness.in_reaches <= NEAR ? 1 : 0);
+    seam.is_whole.push_back(near != around.near.end() && !known_.at(index).lacks ? 1
+                                                                                 : 0);
     seam.room.push_back(static_cast<float>(nearness.room));
   }
   for (const WideTriangle& triangle : around.triangles) {

@@ -54,6 +54,7 @@ private:
   struct Known {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::vector<std::size_t> groups; /**< that it is near */
+    bool lacks = false; /**< triangles, the other corners of which are none */
   };
 
   struct Surroundings {

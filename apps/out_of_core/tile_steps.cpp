@@ -57,44 +57,100 @@ public:
              std::size_t tile,
              const std::vector<WideIndex>& wide,
              const pcl::ccaa::PointView& positions)
-  : own_(plan.tiling.tiles[tile]), wide_(wide)
+  : own_(plan.tiling.tiles[tile]), wide_(wide), positions_(positions)
   {
     const auto others = pcl::ccaa::TilesAround::border(plan.tiling, tile);
+    const auto sight = pcl::ccaa::TilesAround::sight(plan.tiling, tile);
     for (std::size_t i = 0; i < wide.size(); ++i) {
       const Position position = positions[i];
       is_border_.push_back(others.isNear(position));
+      is_sighted_.push_back(is_border_.back() && sight.isNear(position));
       is_seen_.push_back(own_.sees(position));
-      if (is_border_.back())
-        mesh.border.points.push_back({wide[i], position});
     }
   }
 
   void
   add(const pcl::Indices& corners)
   {
-    WideTriangle triangle{};
-    bool is_inner = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto corner = static_cast<std::size_t>(corners[i]);
-      if (!is_seen_[corner])
-        return;
-      triangle[i] = wide_[corner];
-      is_inner = is_inner && !is_border_[corner] && own_.owns(triangle[i]);
-    }
-    if (!is_inner)
-      mesh.border.triangles.push_back(triangle);
-    else
-      mesh.inner.push_back({static_cast<std::uint32_t>(triangle[0] - own_.first),
-                            static_cast<std::uint32_t>(triangle[1] - own_.first),
-                            static_cast<std::uint32_t>(triangle[2] - own_.first)});
+    if (hasAny(is_seen_, corners, false))
+      return;
+    triangles_.push_back({corners[0], corners[1], corners[2]});
+    if (hasAny(is_sighted_, corners, true))
+      noteFarCorners(triangles_.back());
   }
 
-  TileMesh mesh;
+  TileMesh
+  take()
+  {
+    addAroundFarCorners();
+    TileMesh mesh;
+    std::vector<bool> is_told = is_border_;
+    for (const Triangle& triangle : triangles_) {
+      const WideTriangle wide{wide_[std::size_t(triangle[0])],
+                              wide_[std::size_t(triangle[1])],
+                              wide_[std::size_t(triangle[2])]};
+      const bool is_own = std::all_of(
+          wide.begin(), wide.end(), [&](WideIndex i) { return own_.owns(i); });
+      if (!is_own || hasAny(is_border_, triangle, true)) {
+        mesh.border.triangles.push_back(wide);
+        for (const pcl::index_t corner : triangle)
+          is_told[static_cast<std::size_t>(corner)] = true;
+      }
+      else
+        mesh.inner.push_back({static_cast<std::uint32_t>(wide[0] - own_.first),
+                              static_cast<std::uint32_t>(wide[1] - own_.first),
+                              static_cast<std::uint32_t>(wide[2] - own_.first)});
+    }
+    for (std::size_t i = 0; i < wide_.size(); ++i)
+      if (is_told[i])
+        mesh.border.points.push_back({wide_[i], positions_[i]});
+    return mesh;
+  }
 
 private:
+  using Triangle = pcl::ccaa::Triangle;
+
+  template <typename Corners>
+  static bool
+  hasAny(const std::vector<bool>& flags, const Corners& corners, bool value)
+  {
+    return std::any_of(corners.begin(), corners.end(), [&](pcl::index_t corner) {
+      return flags[static_cast<std::size_t>(corner)] == value;
+    });
+  }
+
+  /** A triangle that is too long to be believed is disputed at its other corners, too,
+   * however far they are from where tiles meet. */
+  void
+  noteFarCorners(const Triangle& triangle)
+  {
+    const auto at = [&](pcl::index_t i) { return positions_[std::size_t(i)]; };
+    const bool is_long =
+        pcl::ccaa::longestEdge({at(triangle[0]), at(triangle[1]), at(triangle[2])}) >
+        Tile::LONGEST * own_.halo;
+    for (const pcl::index_t corner : triangle)
+      if (is_long && !is_sighted_[static_cast<std::size_t>(corner)])
+        around_far_.push_back(
+            pcl::ccaa::widened(pcl::ccaa::Box(at(corner)), Tile::AROUND * own_.halo));
+  }
+
+  /** What is around them may be made anew as around others. */
+  void
+  addAroundFarCorners()
+  {
+    const pcl::ccaa::BoxTree tree(around_far_);
+    for (std::size_t i = 0; i < wide_.size() && !around_far_.empty(); ++i)
+      if (!is_border_[i])
+        is_border_[i] = tree.anyMeeting(pcl::ccaa::Box(positions_[i]),
+                                        [](pcl::index_t) { return true; });
+  }
+
   const Tile& own_;
   const std::vector<WideIndex>& wide_;
-  std::vector<bool> is_border_, is_seen_;
+  pcl::ccaa::PointView positions_;
+  std::vector<bool> is_border_, is_sighted_, is_seen_;
+  pcl::ccaa::Triangles triangles_;
+  std::vector<pcl::ccaa::Box> around_far_;
 };
 
 /** Those of the neighbors, too, where the tile does not know all corners of a triangle.
@@ -177,10 +233,11 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   const ReconstructResult result = reconstructTile(plan, tile, cloud, run);
   MeshSorter sorter(
       plan, tile, cloud.wide(), pcl::ccaa::positionView(result.model.mesh.cloud));
-  sorter.mesh.doubts = {result.chain.doubtful_handles, result.chain.touching_pieces};
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
-  writeMesh(plan, tile, std::move(sorter.mesh));
+  TileMesh mesh = sorter.take();
+  mesh.doubts = {result.chain.doubtful_handles, result.chain.touching_pieces};
+  writeMesh(plan, tile, std::move(mesh));
 }
 
 void

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what reconstructing tile by tile makes.
+#include "support/random_source.h"
 #include "tiles_fixture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace app_test {
@@ -36,6 +38,34 @@ TEST_F(TiledApp, AClosedSurfaceComesOutClosedWithAllFieldsBitForBit)
   for (const pcl::PCLPointField& field : cloud.fields)
     expectSameField(cloud, mesh.cloud, field.name);
   expectOneClosedBody(mesh);
+}
+
+/** A sheet of squares with stripes between them where hardly any points lie. */
+pcl::ccaa::Positions
+sheetWithSparseStripes(std::size_t count, std::uint64_t seed)
+{
+  pcl::ccaa::test::RandomSource random(seed);
+  const auto toStripe = [](double x) { return std::abs(std::fmod(x, 0.8) - 0.4); };
+  pcl::ccaa::Positions points;
+  while (points.size() < count) {
+    const double x = random.uniform(0.0, 4.0), y = random.uniform(0.0, 4.0);
+    const double height =
+        0.1 * std::sin(2.0 * x) * std::cos(3.0 * y) + random.uniform(0.0, 0.005);
+    if (std::min(toStripe(x), toStripe(y)) > 0.12 || random.uniform() < 0.02)
+      points.emplace_back(x, y, height);
+  }
+  return points;
+}
+
+TEST_F(TiledApp, LongTrianglesBesideCutsLeaveTheMeshSound)
+{
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    const auto points = sheetWithSparseStripes(20000, seed);
+    save(folder_.path("in.ply"), test::toRawCloud(points));
+    ASSERT_TRUE(hasMeshed(tiled({"in.ply"}, "out.ply", {"--tiles=5000"})));
+    expectSound(loadMesh(folder_.path("out.ply")).mesh);
+  }
 }
 
 TEST_F(TiledApp, ShardsAreTheSameForAnyThreadsAndMemory)

@@ -55,13 +55,16 @@ void
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
            bool keep_given,
-           RunControl* control)
+           RunControl* control,
+           const std::vector<std::uint8_t>* whole)
 {
   WorkCount work(control);
   std::vector<pcl::index_t> waiting = points;
   while (!waiting.empty() && work.add(SETTLING_WORK)) {
     const pcl::index_t vertex = waiting.back();
     waiting.pop_back();
+    if (whole != nullptr && (*whole)[static_cast<std::size_t>(vertex)] == 0)
+      continue;
     const Fans fans = fansAt(surface, vertex);
     if (fans.size() < 2)
       continue;

@@ -4,6 +4,7 @@
 
 #include "advancing_front/partial_surface.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -18,11 +19,14 @@ namespace pcl::ccaa {
  * at as well
  * \param[in] keep_given never take a given triangle; the given mesh must then have a
  * single fan at each point \param[in,out] control told the work, may be null; after
- * cancelling some points may have several */
+ * cancelling some points may have several
+ * \param[in] whole flags of the points all triangles of which are there: the others
+ * are not looked at; null: all are */
 void
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
            bool keep_given,
-           RunControl* control = nullptr);
+           RunControl* control = nullptr,
+           const std::vector<std::uint8_t>* whole = nullptr);
 
 } // namespace pcl::ccaa

@@ -72,8 +72,6 @@ private:
       agreed_.refused.push_back(cornersInOrder(triangle));
   }
 
-  /** A corner that is no border point is far from all others: with one that another
-   * tile sees, it makes a triangle too long to be believed. */
   bool
   isAgreed(const WideTriangle& triangle) const
   {
@@ -81,8 +79,6 @@ private:
     std::vector<std::size_t> seers; // once for each corner that they see
     for (const WideIndex corner : triangle) {
       const auto place = findPoint(own_.points, corner);
-      if (place == own_.points.end())
-        continue;
       corners.push_back(place->position);
       const auto p = static_cast<std::size_t>(place - own_.points.begin());
       const auto all = seers_.begin();
@@ -98,12 +94,11 @@ private:
         return false;
     if (seers.empty())
       return true;
-    return corners.size() == 3 &&
-           std::all_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
-             const Tile& owner = tiling_.tiles[tiling_.ownerOf(corner)];
-             return seenBy(owner, corners) == 3 &&
-                    longestEdge(corners) <= Tile::LONGEST * owner.halo;
-           });
+    return std::all_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
+      const Tile& owner = tiling_.tiles[tiling_.ownerOf(corner)];
+      return seenBy(owner, corners) == 3 &&
+             longestEdge(corners) <= Tile::LONGEST * owner.halo;
+    });
   }
 
   const Tiling& tiling_;

@@ -10,8 +10,8 @@ namespace pcl::ccaa {
 
 /** \brief What a tile made of the places where it meets others. */
 struct BorderMesh {
-  BorderPoints points;                 /**< all that it knows near other tiles */
-  std::vector<WideTriangle> triangles; /**< of which a corner is among them */
+  BorderPoints points; /**< all that it knows near other tiles, and all corners */
+  std::vector<WideTriangle> triangles; /**< of which a corner is near other tiles */
 };
 
 /** \brief What is certain of the triangles that belong to a tile: those of which it has

@@ -107,14 +107,38 @@ private:
         looked_at.insert(looked_at.end(), seam_.given[t].begin(), seam_.given[t].end());
         open(seam_.given[t], result);
       }
-    settleFans(surface, looked_at, false);
-    std::vector<pcl::index_t> gone;
+    settleFans(surface, looked_at, false, nullptr, &seam_.is_whole);
+    keepAtRim(goneFrom(surface), result);
+    hideAtRim(surface, result);
     for (std::size_t t = 0; t < seam_.given.size(); ++t)
       if (surface.isAlive(static_cast<pcl::index_t>(t)))
         result.given.push_back(given_[t]);
-      else
+  }
+
+  std::vector<pcl::index_t>
+  goneFrom(const PartialSurface& surface) const
+  {
+    std::vector<pcl::index_t> gone;
+    for (std::size_t t = 0; t < seam_.given.size(); ++t)
+      if (!surface.isAlive(static_cast<pcl::index_t>(t)))
         gone.push_back(static_cast<pcl::index_t>(t));
-    keepAtRim(gone, result);
+    return gone;
+  }
+
+  /** Where not all triangles of a point are given, the rest may look like several fans:
+   * what is not shown to the base algorithm for that stays, and nothing grows from it.
+   */
+  void
+  hideAtRim(PartialSurface& surface, Attempt& result) const
+  {
+    const std::vector<pcl::index_t> before = goneFrom(surface);
+    std::vector<pcl::index_t> all(seam_.points.size());
+    std::iota(all.begin(), all.end(), 0);
+    settleFans(surface, all, false);
+    for (const pcl::index_t t : goneFrom(surface))
+      if (!std::binary_search(before.begin(), before.end(), t))
+        for (const pcl::index_t corner : seam_.given[static_cast<std::size_t>(t)])
+          result.is_open[static_cast<std::size_t>(corner)] = 0;
   }
 
   /** Of triangles that are gone, those connected with open points by others of them go

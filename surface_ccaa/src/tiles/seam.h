@@ -39,6 +39,8 @@ struct Seam {
                                             the disputes and free points near them */
   std::vector<std::uint8_t> is_near;   /**< flags of those within one and a half reaches
                                             of a dispute: others keep their triangles */
+  std::vector<std::uint8_t> is_whole;  /**< flags of those all triangles of which are
+                                            given: at others some are missing */
   std::vector<float> room; /**< how far from each of them a new triangle may reach */
 };
 

@@ -158,6 +158,8 @@ TEST(Agreement, ATileThatIsAloneKeepsAll)
   tiling.tiles.emplace_back();
   tiling.tiles.back().count = 4;
   BorderMesh own;
+  for (WideIndex i = 0; i < 4; ++i)
+    own.points.push_back({i, Position(double(i), 0.0, 0.0)});
   own.triangles = {{0, 1, 2}, {3, 2, 1}};
   const Agreed agreed = agree(tiling, 0, own, {});
   EXPECT_EQ(agreed.triangles, own.triangles);

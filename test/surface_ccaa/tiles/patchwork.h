@@ -58,17 +58,20 @@ public:
     const TilesAround others = TilesAround::border(tiling, tile);
     const Tile& own = tiling.tiles[tile];
     BorderMesh border;
-    std::set<WideIndex> near;
+    std::set<WideIndex> near, told;
     for (WideIndex i = 0; i < points.size(); ++i)
-      if (own.distance(points[i]) <= own.halo && others.isNear(points[i])) {
-        border.points.push_back({i, points[i]});
+      if (own.distance(points[i]) <= own.halo && others.isNear(points[i]))
         near.insert(i);
-      }
     for (const WideTriangle& triangle : meshes[tile])
       if (std::any_of(triangle.begin(), triangle.end(), [&](WideIndex i) {
             return near.count(i) > 0 || tiling.ownerOf(i) != tile;
-          }))
+          })) {
         border.triangles.push_back(triangle);
+        told.insert(triangle.begin(), triangle.end());
+      }
+    told.insert(near.begin(), near.end());
+    for (const WideIndex i : told)
+      border.points.push_back({i, points[i]});
     return border;
   }
 

@@ -30,6 +30,7 @@ withGap(const Shape& shape, const std::function<bool(const Position&)>& is_dispu
     seam.points.push_back(position.cast<float>());
   seam.is_open.assign(seam.points.size(), 0);
   seam.is_near.assign(seam.points.size(), 1);
+  seam.is_whole = seam.is_near;
   seam.room.assign(seam.points.size(), ENDLESS);
   for (const Triangle& triangle : shape.triangles) {
     if (std::none_of(triangle.begin(), triangle.end(), [&](index_t i) {
@@ -158,6 +159,7 @@ TEST(Seam, FansInSeveralPiecesKeepTheLargest)
     seam.points.push_back(position.cast<float>());
   seam.is_open.assign(seam.points.size(), 0);
   seam.is_near.assign(seam.points.size(), 1);
+  seam.is_whole = seam.is_near;
   seam.room.assign(seam.points.size(), ENDLESS);
   int number = 0;
   for (const Triangle& triangle : sphere.triangles) {
@@ -222,6 +224,7 @@ TEST(Seam, AFewPointsAreNoSeam)
       seam.points[i][Eigen::Index(i) % 3] = 1.0F;
     seam.is_open.assign(count, 1);
     seam.is_near.assign(count, 1);
+    seam.is_whole = seam.is_near;
     seam.room.assign(count, ENDLESS);
     EXPECT_TRUE(close(seam).removed.empty());
   }
