@@ -2,8 +2,11 @@
 // Part of PclSurfaceRepair: what surrounds the places that a tile has to close.
 #include "out_of_core/seam_gathering.h"
 
+#include "mesh/sort_unique.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace app {
 namespace {
@@ -142,8 +145,31 @@ SeamGathering::read()
     candidates.insert(
         candidates.end(), joined.triangles.begin(), joined.triangles.end());
   }
+  addFarCorners(candidates);
   for (const WideTriangle& triangle : candidates)
     addTriangle(triangle);
+}
+
+/** Of triangles that reach from what is near a group to farther than others. */
+void
+SeamGathering::addFarCorners(const std::vector<WideTriangle>& triangles)
+{
+  std::vector<WideIndex> missing;
+  for (const WideTriangle& triangle : triangles)
+    if (std::any_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
+          const auto known = known_.find(corner);
+          return known != known_.end() && !known->second.groups.empty();
+        }))
+      std::copy_if(triangle.begin(),
+                   triangle.end(),
+                   std::back_inserter(missing),
+                   [&](WideIndex corner) { return known_.count(corner) == 0; });
+  pcl::ccaa::sortUnique(missing);
+  for (const std::size_t part : parts_)
+    if (!missing.empty())
+      for (const pcl::ccaa::BorderPoint& point : readOwnBorderPoints(plan_, part))
+        if (std::binary_search(missing.begin(), missing.end(), point.index))
+          known_[point.index].position = point.position;
 }
 
 pcl::ccaa::Seam

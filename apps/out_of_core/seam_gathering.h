@@ -73,6 +73,8 @@ private:
   void
   addPoint(const pcl::ccaa::BorderPoint& point);
   void
+  addFarCorners(const std::vector<pcl::ccaa::WideTriangle>& triangles);
+  void
   addTriangle(const pcl::ccaa::WideTriangle& triangle);
 
   const TilePlan& plan_;

@@ -59,7 +59,7 @@ sheetWithSparseStripes(std::size_t count, std::uint64_t seed)
 
 TEST_F(TiledApp, LongTrianglesBesideCutsLeaveTheMeshSound)
 {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+  for (const std::uint64_t seed : {1U, 2U}) {
     SCOPED_TRACE(seed);
     const auto points = sheetWithSparseStripes(20000, seed);
     save(folder_.path("in.ply"), test::toRawCloud(points));

@@ -49,6 +49,20 @@ fansAt(const PartialSurface& surface, pcl::index_t vertex)
   return fans;
 }
 
+/** Whether a corner of a fan is none of some points. */
+bool
+leavesThem(const PartialSurface& surface,
+           const std::vector<pcl::index_t>& fan,
+           const std::vector<std::uint8_t>& points)
+{
+  return std::any_of(fan.begin(), fan.end(), [&](pcl::index_t t) {
+    const Triangle& triangle = surface[t];
+    return std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+      return points[static_cast<std::size_t>(corner)] == 0;
+    });
+  });
+}
+
 } // namespace
 
 void
@@ -69,7 +83,10 @@ settleFans(PartialSurface& surface,
     if (fans.size() < 2)
       continue;
     const auto rank = [&](const std::vector<pcl::index_t>& fan) {
-      return std::make_tuple(surface.isGiven(fan.front()), fan.size(), -fan.front());
+      return std::make_tuple(surface.isGiven(fan.front()),
+                             whole != nullptr && leavesThem(surface, fan, *whole),
+                             fan.size(),
+                             -fan.front());
     };
     const auto stays =
         std::max_element(fans.begin(), fans.end(), [&](const auto& a, const auto& b) {

@@ -21,7 +21,8 @@ namespace pcl::ccaa {
  * single fan at each point \param[in,out] control told the work, may be null; after
  * cancelling some points may have several
  * \param[in] whole flags of the points all triangles of which are there: the others
- * are not looked at; null: all are */
+ * are not looked at, and of given fans one that reaches one of these stays; null: all
+ * are */
 void
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
