@@ -7,8 +7,8 @@
 #include "cli/run_facts.h"
 #include "io/point_columns.h"
 #include "mesh/morton_code.h"
+#include "out_of_core/point_sharing.h"
 #include "out_of_core/point_stream.h"
-#include "out_of_core/tile_buckets.h"
 #include "out_of_core/tile_points.h"
 
 #include <algorithm>
@@ -23,13 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using pcl::ccaa::Position;
 
-/** Tiles of a cloud that must be cut are filled to such a part of what one may hold: so
- * there are enough of them for several workers, and one of a larger cloud needs no more
- * memory than one of a smaller. */
-constexpr std::uint64_t FILLED = 4;
-/** Most points that are shared out as if they lay evenly, as a part of what a tile may
- * hold. */
-constexpr std::uint64_t PARTS_OF_MOST = 32;
 /** The spacing of a tile: mean distance to so many nearest points, at this quantile. */
 constexpr unsigned int NEAREST = 6;
 constexpr double QUANTILE = 0.9;
@@ -37,70 +30,6 @@ constexpr double QUANTILE = 0.9;
 constexpr std::size_t SAMPLES = 48;
 /** Bits of a whole number that floats hold exactly, beside its sign. */
 constexpr int EXACT_BITS = 24;
-
-/** Shares the points of buckets out to tiles. */
-class PointSharing {
-public:
-  /** What a tile may hold is one tile. */
-  PointSharing(TileBuckets& buckets, std::uint64_t most_points)
-  : buckets_(buckets), parts_(buckets.parts())
-  {
-    std::vector<pcl::ccaa::CountedBox> counted;
-    double points = 0.0;
-    for (const TileBuckets::Part& part : parts_) {
-      counted.push_back(part.points);
-      points += part.points.count;
-    }
-    tiles_ = pcl::ccaa::bisect(
-        counted, points > double(most_points) ? most_points / FILLED : most_points);
-    for (const TileBuckets::Part& part : parts_)
-      uses_.push_back(static_cast<std::size_t>(
-          std::count_if(tiles_.begin(), tiles_.end(), [&](const auto& tile) {
-            return mayShare(tile, part);
-          })));
-  }
-
-  std::size_t
-  tiles() const
-  {
-    return tiles_.size();
-  }
-
-  /** The entries of a tile; none in rare cases. Each tile is taken once. */
-  std::vector<char>
-  take(std::size_t tile, const pcl::ccaa::PointView& view)
-  {
-    const std::size_t bytes = buckets_.entryBytes();
-    std::vector<char> taken;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (!mayShare(tiles_[tile], parts_[i]))
-        continue;
-      const std::vector<char> entries = buckets_.read(parts_[i].cell);
-      for (auto entry = entries.begin(); entry != entries.end();
-           entry += std::ptrdiff_t(bytes))
-        if (pcl::ccaa::holds(
-                tiles_[tile],
-                view.tripleAt(reinterpret_cast<const std::uint8_t*>(&*entry))))
-          taken.insert(taken.end(), entry, entry + std::ptrdiff_t(bytes));
-      if (--uses_[i] == 0)
-        buckets_.drop(parts_[i].cell);
-    }
-    return taken;
-  }
-
-private:
-  static bool
-  mayShare(const pcl::ccaa::Box& tile, const TileBuckets::Part& part)
-  {
-    return (part.points.box.max().array() >= tile.min().array()).all() &&
-           (part.points.box.min().array() < tile.max().array()).all();
-  }
-
-  TileBuckets& buckets_;
-  std::vector<TileBuckets::Part> parts_;
-  std::vector<pcl::ccaa::Box> tiles_;
-  std::vector<std::size_t> uses_; /**< of a part: tiles that are still to be taken */
-};
 
 class Partition {
 public:
@@ -156,7 +85,7 @@ public:
     TileBuckets buckets(scratch.string(),
                         plan_.layout.point_step,
                         view_,
-                        std::max<std::uint64_t>(1, plan_.most_points / PARTS_OF_MOST));
+                        PointSharing::mostInBucket(plan_.most_points));
     if (!stream(buckets))
       return {};
     makeKey();
