@@ -40,7 +40,7 @@ public:
   , tiles_(plan.tiling.tiles.size())
   , tell_(tell)
   , memory_(memory)
-  , threads_(pcl::ccaa::resolveThreads(threads))
+  , threads_(static_cast<unsigned int>(pcl::ccaa::resolveThreads(threads)))
   {}
 
   void
