@@ -122,10 +122,10 @@ printSeams(const TilePlan& plan)
 void
 printRegions(const TilePlan& plan)
 {
+  const std::vector<std::uint64_t> points = repairPoints(plan);
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
-    const RepairLinks links = repairLinks(plan, tile);
-    std::cout << links.points;
-    print(links.parts);
+    std::cout << points[tile];
+    print(holeParts(plan, tile));
     std::cout << '\n';
   }
 }

@@ -217,7 +217,8 @@ mergeModels(std::vector<NamedModel>& parts, Model& whole)
     copyPoints(part.model.mesh.cloud, first, cloud);
     first += pointCount(part.model.mesh.cloud);
     cloud.is_dense = cloud.is_dense && part.model.mesh.cloud.is_dense;
-    std::vector<std::uint8_t>().swap(part.model.mesh.cloud.data);
+    part.model.mesh.cloud.data =
+        std::vector<std::uint8_t>(); // {} would keep the memory
   }
   whole.shift = pcl::GlobalShift::of(cloud);
 }

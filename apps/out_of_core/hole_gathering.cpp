@@ -31,7 +31,6 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
                          all.edges.begin() + static_cast<std::ptrdiff_t>(loop.begin),
                          all.edges.begin() + static_cast<std::ptrdiff_t>(loop.end));
     regions_.push_back(loop.region);
-    region_points_ += loop.points;
     cluster_of_.push_back(static_cast<std::uint32_t>(clusters_.size() - 1));
   }
   for (HoleCluster& cluster : clusters_)

@@ -35,13 +35,6 @@ public:
     return parts_;
   }
 
-  /** \brief In the regions of the tile's loops; those in several for each. */
-  std::uint64_t
-  points() const
-  {
-    return region_points_;
-  }
-
   /** \brief Points within the regions of a cluster's loops, the triangles of which a
    * corner is among them, and their other corners. */
   std::vector<HoleCluster>
@@ -74,7 +67,6 @@ private:
   std::vector<std::uint32_t> cluster_of_; /**< of these: index into clusters_ */
   pcl::ccaa::BoxTree own_tree_;           /**< over these regions */
   std::set<std::size_t> parts_;
-  std::uint64_t region_points_ = 0;
 };
 
 } // namespace app

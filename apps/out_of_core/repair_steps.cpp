@@ -176,20 +176,20 @@ findHoles(const TilePlan& plan)
   writeHoles(plan, holes);
 }
 
-RepairLinks
-repairLinks(const TilePlan& plan, std::size_t tile)
+std::vector<std::size_t>
+holeParts(const TilePlan& plan, std::size_t tile)
 {
   const HoleGathering gathering(plan, tile);
-  return {gathering.points(), {gathering.parts().begin(), gathering.parts().end()}};
+  return {gathering.parts().begin(), gathering.parts().end()};
 }
 
-std::uint64_t
-mostPointsOfRepair(const TilePlan& plan)
+std::vector<std::uint64_t>
+repairPoints(const TilePlan& plan)
 {
   std::vector<std::uint64_t> points(plan.tiling.tiles.size(), 0);
   for (const HoleLoop& loop : readHoles(plan).loops)
     points[loop.tile] += loop.points;
-  return points.empty() ? 0 : *std::max_element(points.begin(), points.end());
+  return points;
 }
 
 void

@@ -137,16 +137,20 @@ SeamGathering::addTriangle(const WideTriangle& triangle)
 void
 SeamGathering::read()
 {
-  std::vector<WideTriangle> candidates;
-  for (const std::size_t part : parts_) {
+  for (const std::size_t part : parts_)
     for (const pcl::ccaa::BorderPoint& point : readOwnBorderPoints(plan_, part))
       addPoint(point);
-    const JoinedTile joined = readJoined(plan_, part);
-    candidates.insert(
-        candidates.end(), joined.triangles.begin(), joined.triangles.end());
-  }
-  addFarCorners(candidates);
-  for (const WideTriangle& triangle : candidates)
+  const auto isNear = [this](WideIndex corner) {
+    const auto known = known_.find(corner);
+    return known != known_.end() && !known->second.groups.empty();
+  };
+  std::vector<WideTriangle> near;
+  for (const std::size_t part : parts_)
+    for (const WideTriangle& triangle : readJoined(plan_, part).triangles)
+      if (std::any_of(triangle.begin(), triangle.end(), isNear))
+        near.push_back(triangle);
+  addFarCorners(near);
+  for (const WideTriangle& triangle : near)
     addTriangle(triangle);
 }
 
@@ -156,14 +160,10 @@ SeamGathering::addFarCorners(const std::vector<WideTriangle>& triangles)
 {
   std::vector<WideIndex> missing;
   for (const WideTriangle& triangle : triangles)
-    if (std::any_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
-          const auto known = known_.find(corner);
-          return known != known_.end() && !known->second.groups.empty();
-        }))
-      std::copy_if(triangle.begin(),
-                   triangle.end(),
-                   std::back_inserter(missing),
-                   [&](WideIndex corner) { return known_.count(corner) == 0; });
+    std::copy_if(triangle.begin(),
+                 triangle.end(),
+                 std::back_inserter(missing),
+                 [&](WideIndex corner) { return known_.count(corner) == 0; });
   pcl::ccaa::sortUnique(missing);
   for (const std::size_t part : parts_)
     if (!missing.empty())

@@ -54,7 +54,7 @@ private:
   struct Known {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::vector<std::size_t> groups; /**< that it is near */
-    bool lacks = false; /**< triangles, the other corners of which are none */
+    bool lacks = false; /**< a triangle, as another corner of it is not known */
   };
 
   struct Surroundings {

@@ -27,7 +27,7 @@ struct Phase {
   double weight;
   std::function<void(std::size_t tile, const StepRun& run)> work; /**< empty: once */
   std::function<void()> once;
-  std::function<std::uint64_t()> most_points = {}; /**< of a tile; empty: its own */
+  std::function<std::vector<std::uint64_t>()> points = {}; /**< empty: the tiles' own */
 };
 
 class TileRun {
@@ -36,12 +36,14 @@ public:
           std::uint64_t memory,
           unsigned int threads,
           const Tell& tell)
-  : plan_(plan)
-  , tiles_(plan.tiling.tiles.size())
+  : tiles_(plan.tiling.tiles.size())
   , tell_(tell)
   , memory_(memory)
   , threads_(static_cast<unsigned int>(pcl::ccaa::resolveThreads(threads)))
-  {}
+  {
+    for (const pcl::ccaa::Tile& tile : plan.tiling.tiles)
+      own_points_.push_back(tile.count);
+  }
 
   void
   run(const std::vector<Phase>& phases)
@@ -66,11 +68,8 @@ private:
   workersFor(const Phase& phase) const
   {
     std::uint64_t most = 1;
-    if (phase.most_points)
-      most = std::max(most, phase.most_points());
-    else
-      for (const pcl::ccaa::Tile& tile : plan_.tiling.tiles)
-        most = std::max(most, tile.count);
+    for (const std::uint64_t points : phase.points ? phase.points() : own_points_)
+      most = std::max(most, points);
     const std::uint64_t fit = std::max<std::uint64_t>(1, memory_ / (most * TILE_BYTES));
     return std::min({fit, std::uint64_t{threads_}, std::max<std::uint64_t>(1, tiles_)});
   }
@@ -120,8 +119,8 @@ private:
       std::rethrow_exception(problem);
   }
 
-  const TilePlan& plan_;
   std::size_t tiles_;
+  std::vector<std::uint64_t> own_points_;
   const Tell& tell_;
   std::uint64_t memory_;
   unsigned int threads_;
@@ -161,9 +160,8 @@ runTiles(const TilePlan& plan,
   std::vector<Phase> phases = {{"outer side", 1, {}, [&] { decideAllSides(plan); }}};
   if (plan.repairs()) {
     phases.push_back({"holes", 1, {}, [&] { findHoles(plan); }});
-    phases.push_back({"repair", 30, forTile(repairTile), {}, [&] {
-                        return mostPointsOfRepair(plan);
-                      }});
+    phases.push_back(
+        {"repair", 30, forTile(repairTile), {}, [&] { return repairPoints(plan); }});
     phases.push_back({"repair", 0, {}, [&] { numberRepairs(plan); }});
   }
   if (keeps) {

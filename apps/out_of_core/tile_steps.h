@@ -70,19 +70,15 @@ readSurface(const TilePlan& plan, std::size_t tile);
 void
 findHoles(const TilePlan& plan);
 
-/** \brief What repairing a tile takes. */
-struct RepairLinks {
-  std::uint64_t points = 0; /**< in the regions of its loops; shared ones for each */
-  std::vector<std::size_t> parts; /**< tiles whose surface it reads, with the points of
-                                       those around them */
-};
+/** \brief Tiles whose surface repairing a tile reads, with the points of those around
+ * them. */
+std::vector<std::size_t>
+holeParts(const TilePlan& plan, std::size_t tile);
 
-RepairLinks
-repairLinks(const TilePlan& plan, std::size_t tile);
-
-/** \brief Most points that repairing a tile takes. */
-std::uint64_t
-mostPointsOfRepair(const TilePlan& plan);
+/** \brief How many points repairing takes, by tile: those in the regions of its loops,
+ * what is in several for each. */
+std::vector<std::uint64_t>
+repairPoints(const TilePlan& plan);
 
 /** \brief Repair the clusters of a tile, each with the surface around it as a mesh of
  * its own (pcl::ForceLineHoleRepair): what stays open at its cuts stays as it is. */

@@ -108,8 +108,9 @@ private:
         open(seam_.given[t], result);
       }
     settleFans(surface, looked_at, false, nullptr, &seam_.is_whole);
-    keepAtRim(goneFrom(surface), result);
-    hideAtRim(surface, result);
+    const std::vector<pcl::index_t> gone = goneFrom(surface);
+    keepAtRim(gone, result);
+    hideAtRim(gone, surface, result);
     for (std::size_t t = 0; t < seam_.given.size(); ++t)
       if (surface.isAlive(static_cast<pcl::index_t>(t)))
         result.given.push_back(given_[t]);
@@ -129,14 +130,17 @@ private:
    * what is not shown to the base algorithm for that stays, and nothing grows from it.
    */
   void
-  hideAtRim(PartialSurface& surface, Attempt& result) const
+  hideAtRim(const std::vector<pcl::index_t>& gone,
+            PartialSurface& surface,
+            Attempt& result) const
   {
-    const std::vector<pcl::index_t> before = goneFrom(surface);
-    std::vector<pcl::index_t> all(seam_.points.size());
-    std::iota(all.begin(), all.end(), 0);
-    settleFans(surface, all, false);
+    std::vector<pcl::index_t> rim;
+    for (std::size_t v = 0; v < seam_.points.size(); ++v)
+      if (seam_.is_whole[v] == 0)
+        rim.push_back(static_cast<pcl::index_t>(v));
+    settleFans(surface, rim, false);
     for (const pcl::index_t t : goneFrom(surface))
-      if (!std::binary_search(before.begin(), before.end(), t))
+      if (!std::binary_search(gone.begin(), gone.end(), t))
         for (const pcl::index_t corner : seam_.given[static_cast<std::size_t>(t)])
           result.is_open[static_cast<std::size_t>(corner)] = 0;
   }

@@ -18,20 +18,6 @@ constexpr std::int64_t FARTHEST = std::int64_t{1} << 50;
 
 } // namespace
 
-Eigen::AlignedBox3d
-GridCell::box() const
-{
-  if (isWhole())
-    return {Position::Constant(-WORLD_EDGE), Position::Constant(WORLD_EDGE)};
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto corner = double(at[static_cast<std::size_t>(axis)]);
-    box.min()[axis] = std::ldexp(corner, level);
-    box.max()[axis] = std::ldexp(corner + 1.0, level);
-  }
-  return box;
-}
-
 bool
 GridCell::canSplit() const
 {

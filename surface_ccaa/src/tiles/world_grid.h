@@ -2,8 +2,6 @@
 // Part of PclSurfaceRepair: cubes of the world into which a cloud is cut.
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "mesh/triangle.h"
 
 #include <array>
@@ -28,10 +26,6 @@ struct GridCell {
   {
     return level == WHOLE;
   }
-
-  /** \brief The cube; of the one cell that is the whole space all that has cells. */
-  Eigen::AlignedBox3d
-  box() const;
 
   /** \brief Whether doubles can tell the cubes of the next finer level apart. */
   bool

@@ -35,7 +35,11 @@ public:
     for (std::size_t i = 0; i < by_cell.size(); ++i) {
       if (i == 0 || !(by_cell[i].first == by_cell[i - 1].first)) {
         tiling.tiles.emplace_back();
-        tiling.tiles.back().box = by_cell[i].first.box();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto k = static_cast<Eigen::Index>(axis);
+          tiling.tiles.back().box.min()[k] = 16.0 * double(by_cell[i].first.at[axis]);
+          tiling.tiles.back().box.max()[k] = tiling.tiles.back().box.min()[k] + 16.0;
+        }
         tiling.tiles.back().first = i;
         tiling.tiles.back().halo = halo + random_.uniform(0.0, 7.0);
       }
