@@ -123,6 +123,36 @@ NearbyTriangles::sortAlongCurve(int threads)
   chosen_ = std::move(order);
 }
 
+std::vector<pcl::index_t>
+NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& open,
+                            std::size_t vertices,
+                            const LoopContext& context) const
+{
+  std::vector<std::uint8_t> is_open(vertices, 0);
+  for (const pcl::index_t vertex : open)
+    is_open[static_cast<std::size_t>(vertex)] = 1;
+  const auto isAsked = [&](pcl::index_t triangle) {
+    const Triangle& corners = triangles_[static_cast<std::size_t>(triangle)];
+    return alive_[static_cast<std::size_t>(triangle)] != 0 &&
+           std::any_of(corners.begin(), corners.end(), [&](pcl::index_t corner) {
+             return is_open[static_cast<std::size_t>(corner)] != 0;
+           });
+  };
+  std::vector<std::vector<pcl::index_t>> found(context.blockCount(chosen_.size()));
+  forEachBlock(chosen_.size(), context, [&](auto block, auto begin, auto end) {
+    std::vector<pcl::index_t> itself(1);
+    for (std::size_t place = begin; place < end; ++place) {
+      itself[0] = chosen_[place];
+      const Corners corners = cornersAt(place);
+      if (isAsked(itself[0]) && meets(corners, boxOf(corners), itself))
+        found[block].push_back(itself[0]);
+    }
+  });
+  std::vector<pcl::index_t> crossing = joinBlocks(found);
+  std::sort(crossing.begin(), crossing.end());
+  return crossing;
+}
+
 bool
 NearbyTriangles::meets(const Corners& corners,
                        const Box& box,

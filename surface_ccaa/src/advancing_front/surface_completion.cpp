@@ -10,6 +10,7 @@
 #include "mesh/block_loop.h"
 #include "mesh/contacts.h"
 #include "mesh/orientation.h"
+#include "mesh/sort_unique.h"
 
 #include <optional>
 #include <utility>
@@ -45,6 +46,12 @@ private:
   read();
   void
   findOpenPoints();
+  bool
+  searchOpenPoints();
+  void
+  openSurface();
+  bool
+  doubtCrossings();
   void
   advanceFront();
   void
@@ -106,19 +113,25 @@ Completion::read()
   result_.fault = given_.fault;
 }
 
+bool
+Completion::searchOpenPoints()
+{
+  open_ = openVertices(mesh_, given_, reopening_.alone);
+  report_.open_points = open_.size();
+  return control_.report("partial mesh", 0.9) &&
+         search_(open_, parameters_.neighbors, table_) && !control_.cancelled();
+}
+
 /** And lets islands agree before they are joined. */
 void
 Completion::findOpenPoints()
 {
-  open_ = openVertices(mesh_, given_, reopening_.alone);
-  report_.open_points = open_.size();
-  if (control_.report("partial mesh", 0.9) &&
-      search_(open_, parameters_.neighbors, table_) && !control_.cancelled())
+  if (searchOpenPoints())
     alignGiven(mesh_, given_, open_, table_, context_);
 }
 
 void
-Completion::advanceFront()
+Completion::openSurface()
 {
   surface_.emplace(
       mesh_.given, given_.adjacency, mesh_.points, hintsOf(mesh_, context_.threads));
@@ -131,14 +144,38 @@ Completion::advanceFront()
                  parameters_.neighbors,
                  search_,
                  &control_);
+  if (!control_.cancelled())
+    nearby_.emplace(mesh_.given,
+                    surface_->aliveGiven(),
+                    mesh_.points,
+                    gap_.open,
+                    cellSize(gap_.surface),
+                    context_.threads);
+}
+
+/** Umbrellas tell the neighbors of a point alone: given triangles may cross others.
+ * \return whether any do */
+bool
+Completion::doubtCrossings()
+{
+  if (control_.cancelled() || parameters_.keep_given || !reopening_.triangles.empty())
+    return false;
+  const std::vector<pcl::index_t> crossing =
+      nearby_->crossingAt(gap_.open, mesh_.points.size(), context_);
+  std::vector<pcl::index_t>& doubts = given_.doubts.triangles;
+  doubts.insert(doubts.end(), crossing.begin(), crossing.end());
+  sortUnique(doubts);
+  return !crossing.empty();
+}
+
+void
+Completion::advanceFront()
+{
+  openSurface();
+  if (doubtCrossings() && searchOpenPoints())
+    openSurface();
   if (control_.cancelled())
     return;
-  nearby_.emplace(mesh_.given,
-                  surface_->aliveGiven(),
-                  mesh_.points,
-                  gap_.open,
-                  cellSize(gap_.surface),
-                  context_.threads);
   const LoopContext growth{context_.threads, &control_, "growth"};
   obstructed_ =
       growInto(gap_, *nearby_, parameters_, componentRule(), growth, *surface_);

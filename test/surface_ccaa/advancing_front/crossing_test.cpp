@@ -150,6 +150,54 @@ TEST(NearbyTriangles, AreNotMetWhenTheyAreToBeIgnored)
   EXPECT_FALSE(nearby.meets(corners, boxOf(corners), {0}));
 }
 
+/** Two of them that run through each other. */
+Shape
+twoTatters(std::uint64_t seed)
+{
+  return joined(tatters(2 * seed), translated(tatters(2 * seed + 1), {0.3, 0.2, 0.1}));
+}
+
+TEST(NearbyTriangles, ThatCrossOthersAreThoseThatMeetAnyOfAll)
+{
+  std::size_t crossing = 0, free = 0;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const PartialShape partial(twoTatters(seed));
+    const Triangles& all = partial.shape.triangles;
+    const std::vector<index_t> open = partial.openVertices();
+    const AliveFlags alive(all.size(), 1);
+    const NearbyTriangles nearby(all, alive, partial.shape.vertices, open, 4.0);
+    std::vector<index_t> expected;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+      Triangles others = all;
+      others.erase(others.begin() + std::ptrdiff_t(t));
+      const bool is_open = std::any_of(all[t].begin(), all[t].end(), [&](index_t v) {
+        return std::binary_search(open.begin(), open.end(), v);
+      });
+      if (is_open && meetsAny(partial.shape.vertices, others, all[t]))
+        expected.push_back(index_t(t));
+    }
+    for (const int threads : {1, 3})
+      EXPECT_EQ(nearby.crossingAt(open, partial.shape.vertices.size(), {threads}),
+                expected);
+    crossing += expected.size();
+    free += all.size() - expected.size();
+  }
+  EXPECT_GT(crossing, 0u);
+  EXPECT_GT(free, 100u);
+}
+
+TEST_F(CompletionTest, GivenTrianglesThatCrossAreMadeAnew)
+{
+  completion_.setKeepGiven(false);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Shape given = twoTatters(seed);
+    RunControl control;
+    EXPECT_TRUE(findSelfIntersections(complete(given), given.vertices, 1, control)
+                    .pairs.empty())
+        << seed;
+  }
+}
+
 TEST(NearbyTriangles, AreFewerThanAll)
 {
   HoledSphere sphere;
