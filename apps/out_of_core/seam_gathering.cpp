@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace app {
 namespace {
@@ -36,8 +37,14 @@ SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
     }
   for (const PlacedDispute& dispute : disputes_)
     edge_ = std::max(edge_, 2.0 * AROUND * dispute.reach);
-  for (std::size_t i = 0; i < disputes_.size(); ++i)
+  std::vector<pcl::ccaa::Box> around;
+  for (std::size_t i = 0; i < disputes_.size(); ++i) {
     addToGrid(i);
+    around.push_back(pcl::ccaa::widened(
+        pcl::ccaa::Box(Eigen::Vector3d(disputes_[i].position.data())),
+        AROUND * disputes_[i].reach));
+  }
+  around_ = pcl::ccaa::BoxTree(around);
   findParts();
 }
 
@@ -115,12 +122,34 @@ SeamGathering::addPoint(const pcl::ccaa::BorderPoint& point)
   }
 }
 
-void
-SeamGathering::addTriangle(const WideTriangle& triangle)
+/** None where a corner is not known: it is that of a short triangle far from all.
+ * \param[in] own points of the tile that has the triangle */
+std::vector<std::size_t>
+SeamGathering::groupsPassed(const WideTriangle& triangle,
+                            const pcl::ccaa::BorderPoints& own) const
 {
-  std::set<std::size_t> groups;
+  std::vector<std::size_t> groups;
+  pcl::ccaa::Box box;
+  for (const WideIndex corner : triangle) {
+    const auto known = known_.find(corner);
+    const auto place =
+        known == known_.end() ? pcl::ccaa::findPoint(own, corner) : own.end();
+    if (known == known_.end() && place == own.end())
+      return groups;
+    box.extend(place == own.end() ? known->second.position : place->position);
+  }
+  around_.forEachMeeting(
+      box, [&](pcl::index_t i) { groups.push_back(group_of_[std::size_t(i)]); });
+  pcl::ccaa::sortUnique(groups);
+  return groups;
+}
+
+void
+SeamGathering::addTriangle(const Passing& passing)
+{
+  std::set<std::size_t> groups(passing.groups.begin(), passing.groups.end());
   std::vector<Known*> corners;
-  for (const WideIndex corner : triangle)
+  for (const WideIndex corner : passing.triangle)
     if (const auto known = known_.find(corner); known != known_.end()) {
       corners.push_back(&known->second);
       groups.insert(known->second.groups.begin(), known->second.groups.end());
@@ -131,7 +160,7 @@ SeamGathering::addTriangle(const WideTriangle& triangle)
     return;
   }
   for (const std::size_t group : groups)
-    surroundings_[group].triangles.push_back(triangle);
+    surroundings_[group].triangles.push_back(passing.triangle);
 }
 
 void
@@ -144,24 +173,28 @@ SeamGathering::read()
     const auto known = known_.find(corner);
     return known != known_.end() && !known->second.groups.empty();
   };
-  std::vector<WideTriangle> near;
-  for (const std::size_t part : parts_)
-    for (const WideTriangle& triangle : readJoined(plan_, part).triangles)
-      if (std::any_of(triangle.begin(), triangle.end(), isNear))
-        near.push_back(triangle);
+  std::vector<Passing> near;
+  for (const std::size_t part : parts_) {
+    const pcl::ccaa::BorderPoints points = readOwnBorderPoints(plan_, part);
+    for (const WideTriangle& triangle : readJoined(plan_, part).triangles) {
+      std::vector<std::size_t> groups = groupsPassed(triangle, points);
+      if (!groups.empty() || std::any_of(triangle.begin(), triangle.end(), isNear))
+        near.push_back({triangle, std::move(groups)});
+    }
+  }
   addFarCorners(near);
-  for (const WideTriangle& triangle : near)
-    addTriangle(triangle);
+  for (const Passing& passing : near)
+    addTriangle(passing);
 }
 
 /** Of triangles that reach from what is near a group to farther than others. */
 void
-SeamGathering::addFarCorners(const std::vector<WideTriangle>& triangles)
+SeamGathering::addFarCorners(const std::vector<Passing>& triangles)
 {
   std::vector<WideIndex> missing;
-  for (const WideTriangle& triangle : triangles)
-    std::copy_if(triangle.begin(),
-                 triangle.end(),
+  for (const Passing& passing : triangles)
+    std::copy_if(passing.triangle.begin(),
+                 passing.triangle.end(),
                  std::back_inserter(missing),
                  [&](WideIndex corner) { return known_.count(corner) == 0; });
   pcl::ccaa::sortUnique(missing);

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: what surrounds the places that a tile has to close.
 #pragma once
 
+#include "mesh/box_tree.h"
 #include "out_of_core/tile_files.h"
 
 #include <map>
@@ -34,11 +35,11 @@ public:
   void
   read();
 
-  /** \brief Points within four reaches of a dispute of a group, the triangles of these
-   * that the tiles agree about, and the other corners of those. Open are the disputes,
-   * and within one reach the points without triangles. Positions are relative to the
-   * tile's corner.
-   * \param[out] wide the points of the seam in the whole, ascending
+  /** \brief Points within four reaches of a dispute of a group, the triangles that the
+   * tiles agree about of these and of what passes there, and the other corners of
+   * those. Open are the disputes, and within one reach the points without triangles.
+   * Positions are relative to the tile's corner. \param[out] wide the points of the
+   * seam in the whole, ascending
    */
   pcl::ccaa::Seam
   gather(std::size_t group, std::vector<pcl::ccaa::WideIndex>& wide) const;
@@ -57,6 +58,12 @@ private:
     bool lacks = false; /**< a triangle, as another corner of it is not known */
   };
 
+  /** A triangle, and groups of which it comes near a dispute, whatever its corners. */
+  struct Passing {
+    pcl::ccaa::WideTriangle triangle;
+    std::vector<std::size_t> groups; /**< ascending */
+  };
+
   struct Surroundings {
     std::map<pcl::ccaa::WideIndex, Nearness> near;
     std::vector<pcl::ccaa::WideTriangle> triangles;
@@ -72,10 +79,13 @@ private:
   nearness(const Eigen::Vector3d& position) const;
   void
   addPoint(const pcl::ccaa::BorderPoint& point);
+  std::vector<std::size_t>
+  groupsPassed(const pcl::ccaa::WideTriangle& triangle,
+               const pcl::ccaa::BorderPoints& own) const;
   void
-  addFarCorners(const std::vector<pcl::ccaa::WideTriangle>& triangles);
+  addFarCorners(const std::vector<Passing>& triangles);
   void
-  addTriangle(const pcl::ccaa::WideTriangle& triangle);
+  addTriangle(const Passing& passing);
 
   const TilePlan& plan_;
   std::size_t tile_;
@@ -84,7 +94,8 @@ private:
   std::set<std::size_t> parts_;         /**< tiles that may have something near them */
   double edge_ = 0.0;                   /**< of the grid's cells */
   std::map<GridPlace, std::vector<std::size_t>>
-      grid_; /**< disputes in or beside cells */
+      grid_;                  /**< disputes in or beside cells */
+  pcl::ccaa::BoxTree around_; /**< what is near each dispute */
   std::map<pcl::ccaa::WideIndex, Known> known_;
   std::vector<Surroundings> surroundings_; /**< by group */
 };

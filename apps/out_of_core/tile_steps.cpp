@@ -50,7 +50,8 @@ reconstructTile(const TilePlan& plan,
   return result;
 }
 
-/** Sorts the triangles that a tile may keep into those at its border and the others. */
+/** Sorts the triangles that a tile may keep into those of which seams have to know and
+ * the others. */
 class MeshSorter {
 public:
   MeshSorter(const TilePlan& plan,
@@ -89,9 +90,11 @@ public:
       const WideTriangle wide{wide_[std::size_t(triangle[0])],
                               wide_[std::size_t(triangle[1])],
                               wide_[std::size_t(triangle[2])]};
-      const bool is_own = std::all_of(
-          wide.begin(), wide.end(), [&](WideIndex i) { return own_.owns(i); });
-      if (!is_own || hasAny(is_border_, triangle, true)) {
+      const bool is_inner = std::all_of(wide.begin(),
+                                        wide.end(),
+                                        [&](WideIndex i) { return own_.owns(i); }) &&
+                            !hasAny(is_border_, triangle, true) && !isLong(triangle);
+      if (!is_inner) {
         mesh.border.triangles.push_back(wide);
         for (const pcl::index_t corner : triangle)
           is_told[static_cast<std::size_t>(corner)] = true;
@@ -119,19 +122,31 @@ private:
     });
   }
 
+  Position
+  at(pcl::index_t i) const
+  {
+    return positions_[static_cast<std::size_t>(i)];
+  }
+
+  /** Such a triangle may reach from within the tile to where others meet it. */
+  bool
+  isLong(const Triangle& triangle) const
+  {
+    return pcl::ccaa::longestEdge({at(triangle[0]), at(triangle[1]), at(triangle[2])}) >
+           Tile::LONGEST * own_.halo;
+  }
+
   /** A triangle that is too long to be believed is disputed at its other corners, too,
    * however far they are from where tiles meet. */
   void
   noteFarCorners(const Triangle& triangle)
   {
-    const auto at = [&](pcl::index_t i) { return positions_[std::size_t(i)]; };
-    const bool is_long =
-        pcl::ccaa::longestEdge({at(triangle[0]), at(triangle[1]), at(triangle[2])}) >
-        Tile::LONGEST * own_.halo;
+    if (!isLong(triangle))
+      return;
     for (const pcl::index_t corner : triangle)
-      if (is_long && !is_sighted_[static_cast<std::size_t>(corner)])
+      if (!is_sighted_[static_cast<std::size_t>(corner)])
         around_far_.push_back(
-            pcl::ccaa::widened(pcl::ccaa::Box(at(corner)), Tile::AROUND * own_.halo));
+            pcl::ccaa::widened(pcl::ccaa::Box(at(corner)), Tile::TOLD * own_.halo));
   }
 
   /** What is around them may be made anew as around others. */

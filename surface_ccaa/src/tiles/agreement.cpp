@@ -2,9 +2,15 @@
 // Part of PclSurfaceRepair: what tiles that see the same place make of it alike.
 #include "tiles/agreement.h"
 
+#include <pcl/kdtree/kdtree_flann.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include "mesh/disjoint_sets.h"
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace pcl::ccaa {
 namespace {
@@ -119,6 +125,34 @@ agree(const Tiling& tiling,
       const std::vector<std::vector<WideTriangle>>& others)
 {
   return Bargain(tiling, tile, own, others).run();
+}
+
+std::vector<std::size_t>
+groupDisputes(const std::vector<Dispute>& disputes)
+{
+  if (disputes.empty())
+    return {};
+  auto places = std::make_shared<PointCloud<PointXYZ>>();
+  for (const Dispute& dispute : disputes)
+    places->emplace_back(
+        dispute.position.x(), dispute.position.y(), dispute.position.z());
+  KdTreeFLANN<PointXYZ> tree;
+  tree.setInputCloud(places);
+  DisjointSets sets(disputes.size());
+  Indices near;
+  std::vector<float> sqr_distances;
+  for (std::size_t i = 0; i < disputes.size(); ++i) {
+    tree.radiusSearch((*places)[i], 2.0F * disputes[i].room, near, sqr_distances);
+    for (const pcl::index_t other : near)
+      sets.join(i, static_cast<std::size_t>(other));
+  }
+  std::vector<std::size_t> groups(disputes.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < disputes.size(); ++i) {
+    const std::size_t root = sets.find(i); // the lowest of its group
+    groups[i] = root == i ? count++ : groups[root];
+  }
+  return groups;
 }
 
 } // namespace pcl::ccaa

@@ -2,13 +2,11 @@
 // Part of PclSurfaceRepair: closes what is open where tiles disagreed.
 #include "tiles/seam.h"
 
-#include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/surface_ccaa/impl/cloud_runs.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
 
 #include "advancing_front/fan_settlement.h"
-#include "mesh/disjoint_sets.h"
+#include "mesh/box_tree.h"
+#include "mesh/intersection.h"
 #include "mesh/winding.h"
 #include "tiles/facing.h"
 
@@ -26,6 +24,8 @@ constexpr int RINGS = 2;
 struct Attempt {
   Triangles given;                   /**< that stay */
   std::vector<pcl::index_t> removed; /**< of the seam's, ascending */
+  Triangles hidden;                  /**< given ones that stay, too, but that the base
+                                          algorithm does not see */
   std::vector<std::uint8_t> is_open;
   Triangles added;
   std::vector<pcl::index_t> flawed; /**< open points that are free or on a boundary */
@@ -82,7 +82,7 @@ private:
     result.is_open = seam_.is_open;
     settle(goes, result);
     complete(result);
-    keepInRoom(result);
+    keepClear(result);
     findFlaws(result);
     return result;
   }
@@ -112,8 +112,10 @@ private:
     keepAtRim(gone, result);
     hideAtRim(gone, surface, result);
     for (std::size_t t = 0; t < seam_.given.size(); ++t)
-      if (surface.isAlive(static_cast<pcl::index_t>(t)))
+      if (const auto i = static_cast<pcl::index_t>(t); surface.isAlive(i))
         result.given.push_back(given_[t]);
+      else if (!std::binary_search(result.removed.begin(), result.removed.end(), i))
+        result.hidden.push_back(given_[t]);
   }
 
   std::vector<pcl::index_t>
@@ -233,13 +235,29 @@ private:
     return false;
   }
 
-  /** What leaves the room could meet what closes another group. */
-  void
-  keepInRoom(Attempt& result) const
+  Corners
+  cornersAt(const Triangle& triangle) const
   {
+    return cornersOf(triangle, PointView(seam_.points));
+  }
+
+  /** What leaves the room could meet what closes another group. What meets a triangle
+   * that the base algorithm did not see goes as well. */
+  void
+  keepClear(Attempt& result) const
+  {
+    std::vector<Box> boxes;
+    for (const Triangle& triangle : result.hidden)
+      boxes.push_back(boxOf(cornersAt(triangle)));
+    const BoxTree hidden(boxes);
+    const auto meetsHidden = [&](const Corners& corners) {
+      return hidden.anyMeeting(boxOf(corners), [&](pcl::index_t t) {
+        return trianglesMeet(corners, cornersAt(result.hidden[std::size_t(t)]));
+      });
+    };
     std::vector<pcl::index_t> outside, corners;
     for (std::size_t t = 0; t < result.added.size(); ++t)
-      if (!isInRoom(result.added[t])) {
+      if (!isInRoom(result.added[t]) || meetsHidden(cornersAt(result.added[t]))) {
         outside.push_back(static_cast<pcl::index_t>(t));
         corners.insert(corners.end(), result.added[t].begin(), result.added[t].end());
       }
@@ -310,34 +328,6 @@ private:
 };
 
 } // namespace
-
-std::vector<std::size_t>
-groupDisputes(const std::vector<Dispute>& disputes)
-{
-  if (disputes.empty())
-    return {};
-  auto places = std::make_shared<PointCloud<PointXYZ>>();
-  for (const Dispute& dispute : disputes)
-    places->emplace_back(
-        dispute.position.x(), dispute.position.y(), dispute.position.z());
-  KdTreeFLANN<PointXYZ> tree;
-  tree.setInputCloud(places);
-  DisjointSets sets(disputes.size());
-  Indices near;
-  std::vector<float> sqr_distances;
-  for (std::size_t i = 0; i < disputes.size(); ++i) {
-    tree.radiusSearch((*places)[i], 2.0F * disputes[i].room, near, sqr_distances);
-    for (const pcl::index_t other : near)
-      sets.join(i, static_cast<std::size_t>(other));
-  }
-  std::vector<std::size_t> groups(disputes.size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < disputes.size(); ++i) {
-    const std::size_t root = sets.find(i); // the lowest of its group
-    groups[i] = root == i ? count++ : groups[root];
-  }
-  return groups;
-}
 
 SeamFilling
 closeSeam(const Seam& seam,

@@ -15,21 +15,6 @@
 
 namespace pcl::ccaa {
 
-/** \brief A point at which a triangle was refused. */
-struct Dispute {
-  WideIndex index = 0;
-  Eigen::Vector3f position = Eigen::Vector3f::Zero(); /**< relative to any origin */
-  float room =
-      0.0F; /**< within which what closes it has to lie, in units of the cloud */
-};
-
-/** \brief Numbers the groups of disputes that may have to do with each other: those
- * with a chain of disputes between them, each less than twice the larger room from the
- * next, so that what closes two groups never meets. By the first dispute of each group.
- * Cost: n log n. */
-std::vector<std::size_t>
-groupDisputes(const std::vector<Dispute>& disputes);
-
 /** \brief What surrounds some disputes. */
 struct Seam {
   std::vector<Eigen::Vector3f> points; /**< one per place */

@@ -81,8 +81,7 @@ TilesAround::border(const Tiling& tiling, std::size_t tile)
 {
   const double own = tiling.tiles[tile].halo;
   return {tiling, tile, [own](const Tile& other) {
-            return Tile::TRUSTED * other.halo +
-                   Tile::AROUND * std::max(other.halo, own);
+            return Tile::TRUSTED * other.halo + Tile::TOLD * std::max(other.halo, own);
           }};
 }
 

@@ -51,6 +51,9 @@ struct Tile {
   static constexpr double AROUND = 0.4;
   /** \brief Longest edge of a triangle near a cut, as a share of the halo. */
   static constexpr double LONGEST = 0.2;
+  /** \brief How far from it corners of such a triangle may be that reaches into what is
+   * known: AROUND and the radius around an equilateral one. */
+  static constexpr double TOLD = AROUND + 0.58 * LONGEST;
 
   double
   spacing() const

@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "patchwork.h"
+#include "support/edge_sets.h"
 #include "support/mesh_asserts.h"
+#include "support/random_source.h"
+#include "tiles/agreement.h"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -164,6 +168,42 @@ TEST(Agreement, ATileThatIsAloneKeepsAll)
   const Agreed agreed = agree(tiling, 0, own, {});
   EXPECT_EQ(agreed.triangles, own.triangles);
   EXPECT_TRUE(agreed.refused.empty());
+}
+
+/** \param[in] spread of the places: more of it, more groups */
+std::vector<Dispute>
+randomDisputes(std::uint64_t seed, std::size_t count, double spread)
+{
+  RandomSource random(seed);
+  std::vector<Dispute> disputes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    disputes[i].index = 3 * i;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      disputes[i].position[axis] = float(random.uniform(0.0, spread));
+    disputes[i].room = float(random.uniform(0.2, 0.8));
+  }
+  return disputes;
+}
+
+TEST(DisputeGroups, AreThoseWithChainsOfShortSteps)
+{
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const auto disputes = randomDisputes(seed, 150, 2.0 + double(seed));
+    Sets sets(disputes.size());
+    for (std::size_t i = 0; i < disputes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if ((disputes[i].position - disputes[j].position).norm() <
+            2.0F * std::max(disputes[i].room, disputes[j].room))
+          sets.join(i, j);
+    const auto groups = groupDisputes(disputes);
+    std::vector<std::size_t> expected;
+    std::map<std::size_t, std::size_t> number_of;
+    for (std::size_t i = 0; i < disputes.size(); ++i)
+      expected.push_back(
+          number_of.emplace(sets.find(i), number_of.size()).first->second);
+    EXPECT_EQ(groups, expected) << seed;
+  }
+  EXPECT_TRUE(groupDisputes({}).empty());
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: closing what is open between frozen triangles.
 #include <gtest/gtest.h>
 
+#include "mesh/intersection.h"
 #include "support/completion_shapes.h"
 #include "support/edge_sets.h"
 #include "support/mesh_asserts.h"
@@ -230,40 +231,32 @@ TEST(Seam, AFewPointsAreNoSeam)
   }
 }
 
-/** \param[in] spread of the places: more of it, more groups */
-std::vector<Dispute>
-randomDisputes(std::uint64_t seed, std::size_t count, double spread)
+/** Two triangles that have one corner in common stand in the gap; not all of that
+ * corner is given, so that the base algorithm is shown one of them only. */
+TEST(Seam, NothingCrossesATriangleThatTheBaseAlgorithmIsNotShown)
 {
-  RandomSource random(seed);
-  std::vector<Dispute> disputes(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    disputes[i].index = 3 * i;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      disputes[i].position[axis] = float(random.uniform(0.0, spread));
-    disputes[i].room = float(random.uniform(0.2, 0.8));
+  Seam seam = withGap(noisyIcosphere(4, 0.003, 1), isInBelt);
+  const auto first = static_cast<index_t>(seam.points.size());
+  for (const Eigen::Vector3f& point : {Eigen::Vector3f(0.9F, 0.0F, 0.0F),
+                                       Eigen::Vector3f(1.1F, 0.1F, 0.02F),
+                                       Eigen::Vector3f(1.1F, 0.2F, 0.0F),
+                                       Eigen::Vector3f(1.1F, -0.1F, 0.02F),
+                                       Eigen::Vector3f(1.1F, -0.2F, 0.0F)}) {
+    seam.points.push_back(point);
+    seam.is_open.push_back(0);
+    seam.is_near.push_back(0);
+    seam.is_whole.push_back(0);
+    seam.room.push_back(ENDLESS);
   }
-  return disputes;
-}
-
-TEST(DisputeGroups, AreThoseWithChainsOfShortSteps)
-{
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const auto disputes = randomDisputes(seed, 150, 2.0 + double(seed));
-    Sets sets(disputes.size());
-    for (std::size_t i = 0; i < disputes.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if ((disputes[i].position - disputes[j].position).norm() <
-            2.0F * std::max(disputes[i].room, disputes[j].room))
-          sets.join(i, j);
-    const auto groups = groupDisputes(disputes);
-    std::vector<std::size_t> expected;
-    std::map<std::size_t, std::size_t> number_of;
-    for (std::size_t i = 0; i < disputes.size(); ++i)
-      expected.push_back(
-          number_of.emplace(sets.find(i), number_of.size()).first->second);
-    EXPECT_EQ(groups, expected) << seed;
-  }
-  EXPECT_TRUE(groupDisputes({}).empty());
+  const std::size_t standing = seam.given.size();
+  seam.given.push_back({first, first + 1, first + 2});
+  seam.given.push_back({first, first + 3, first + 4});
+  const SeamFilling filling = close(seam);
+  EXPECT_GT(filling.added.size(), 500U);
+  for (const Triangle& triangle : filling.added)
+    for (std::size_t t = standing; t < seam.given.size(); ++t)
+      EXPECT_FALSE(trianglesMeet(cornersOf(triangle, PointView(seam.points)),
+                                 cornersOf(seam.given[t], PointView(seam.points))));
 }
 
 } // namespace

@@ -77,7 +77,7 @@ TEST(TilesAround, AreThoseWhoseDistanceIsWithinTheirLimit)
             expected.push_back(i);
           is_border = is_border || other.distance(point) <=
                                        Tile::TRUSTED * other.halo +
-                                           Tile::AROUND * std::max(other.halo, halo);
+                                           Tile::TOLD * std::max(other.halo, halo);
         }
         ASSERT_EQ(expected, seers);
         ASSERT_EQ(is_border, border.isNear(point));
@@ -103,7 +103,7 @@ TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
           }))
         continue;
       for (WideIndex j = 0; j < patchwork.points.size(); ++j) {
-        if ((patchwork.points[i] - patchwork.points[j]).norm() > Tile::AROUND * halo)
+        if ((patchwork.points[i] - patchwork.points[j]).norm() > Tile::TOLD * halo)
           continue;
         ++around;
         const std::size_t owner = tiling.ownerOf(j);
