@@ -16,8 +16,22 @@
 #include <thread>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace app {
 namespace {
+
+/** Freed memory goes back to the system: 100 million points leave a heap of 104 MB when
+ * they are cut, on top of which a tile would be meshed. */
+void
+releaseFreed()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 using Tell = std::function<bool(const char*, double)>;
 
@@ -54,6 +68,7 @@ public:
     for (const Phase& phase : phases) {
       if (!tell_(phase.name, done / sum))
         throw Failure(stopped_by_signal);
+      releaseFreed();
       if (phase.once)
         phase.once();
       else
