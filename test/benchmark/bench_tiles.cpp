@@ -21,13 +21,16 @@ namespace {
 
 constexpr const char* HELP =
     "usage: bench_tiles PROGRAMS FOLDER [PART...] [--tiles N] [--large N] [--small N]\n"
+    "                   [--seeds N]\n"
     "       bench_tiles make WHAT POINTS PATH\n"
     "\n"
     "  PROGRAMS  folder with pcl_ccaa_reconstruct and pcl_mesh_quality\n"
     "  FOLDER    for clouds and meshes; some 200 bytes for each point of --large\n"
     "  scale     us/point and memory of --large points in tiles (10 M), of a tenth of\n"
     "            it, and of --small points at once (5 M), one thread\n"
-    "  same      --small points in tiles and at once: what the meshes are\n"
+    "  same      --small points in tiles and at once: what the meshes are, and the "
+    "open\n"
+    "            edges of --seeds such clouds (1): how many a cloud has is chance\n"
     "  shift     --small points, and these moved by half a tile\n"
     "  workers   --small points in tiles on one and on two threads\n"
     "  city      --small points of a city block, 16 scans\n"
@@ -39,7 +42,7 @@ using Json = nlohmann::json;
 struct Settings {
   std::string programs, folder;
   std::vector<std::string> parts;
-  std::uint64_t tiles = 4000000, large = 10000000, small = 5000000;
+  std::uint64_t tiles = 4000000, large = 10000000, small = 5000000, seeds = 1;
 };
 
 /** One run of a program. */
@@ -120,12 +123,16 @@ reconstruct(const Settings& settings,
 }
 
 std::string
-bumpy(const Settings& settings, std::uint64_t points, double shift = 0.0)
+bumpy(const Settings& settings,
+      std::uint64_t points,
+      double shift = 0.0,
+      std::uint64_t seed = 1)
 {
   std::string path = settings.folder + "/bumpy_" + std::to_string(points) +
+                     (seed > 1 ? "_" + std::to_string(seed) : "") +
                      (shift > 0.0 ? "_moved" : "") + ".ply";
   if (!fs::exists(path))
-    bench::writeBumpy(path, points, 1, shift);
+    bench::writeBumpy(path, points, seed, shift);
   return path;
 }
 
@@ -144,11 +151,12 @@ tell(const char* what, std::uint64_t points, const Run& made)
 }
 
 /** What pcl_mesh_quality finds. */
-void
+Json
 judge(const Settings& settings, const char* what, const std::string& mesh)
 {
-  const Json facts = run(settings, "pcl_mesh_quality", {mesh}).report;
+  Json facts = run(settings, "pcl_mesh_quality", {mesh}).report;
   std::printf("%s: %s\n", what, facts.dump().substr(0, 1500).c_str());
+  return facts;
 }
 
 void
@@ -174,14 +182,21 @@ scale(const Settings& settings)
 void
 same(const Settings& settings)
 {
-  const std::string cloud = bumpy(settings, settings.small);
   const std::string mesh = settings.folder + "/mesh.ply";
-  tell("at once", settings.small, reconstruct(settings, {cloud}, mesh, 0, 1));
-  judge(settings, "at once", mesh);
-  const Run made = reconstruct(settings, {cloud}, mesh, settings.tiles, 1);
-  tell("in tiles", settings.small, made);
-  std::printf("seams: %s\n", made.report["seams"].dump().c_str());
-  judge(settings, "in tiles", mesh);
+  double sums[] = {0.0, 0.0};
+  for (std::uint64_t seed = 1; seed <= settings.seeds; ++seed)
+    for (const bool in_tiles : {false, true}) {
+      const char* what = in_tiles ? "in tiles" : "at once";
+      const std::string cloud = bumpy(settings, settings.small, 0.0, seed);
+      const Run made =
+          reconstruct(settings, {cloud}, mesh, in_tiles ? settings.tiles : 0, 1);
+      tell(what, settings.small, made);
+      if (in_tiles)
+        std::printf("seams: %s\n", made.report["seams"].dump().c_str());
+      sums[in_tiles ? 1 : 0] += double(judge(settings, what, mesh)["boundary_edges"]);
+    }
+  std::printf(
+      "open edges: %.0f and %.0f, ratio %.3f\n", sums[0], sums[1], sums[1] / sums[0]);
 }
 
 void
@@ -234,7 +249,8 @@ readSettings(const std::vector<std::string>& words)
   settings.folder = words.at(1);
   const std::map<std::string, std::uint64_t*> counts = {{"--tiles", &settings.tiles},
                                                         {"--large", &settings.large},
-                                                        {"--small", &settings.small}};
+                                                        {"--small", &settings.small},
+                                                        {"--seeds", &settings.seeds}};
   for (std::size_t i = 2; i < words.size(); ++i) {
     const auto count = counts.find(words[i]);
     if (count == counts.end())

@@ -114,37 +114,40 @@ public:
   seenFrom(std::size_t loop, ccaa::RunControl* control) const
   {
     const LookingLoop& own = loops_[loop];
-    const double widest = WIDEST * own.length;
-    std::vector<std::size_t> others{loop};
-    tree_.forEachMeeting(ccaa::widened(own.box, widest), [&](pcl::index_t i) {
-      if (static_cast<std::size_t>(i) != loop)
-        others.push_back(static_cast<std::size_t>(i));
-    });
-    std::sort(others.begin() + 1, others.end());
     std::map<std::size_t, std::size_t> seeing; // points, by the loop they see
     for (std::size_t i = 0; i < own.points.size(); ++i) {
-      if (!ccaa::spend(control, LOOKING_WORK * others.size()))
+      std::uint64_t looks = 1;
+      ++seeing[firstSeen(own, i, looks)];
+      if (!ccaa::spend(control, LOOKING_WORK * looks))
         return NONE;
-      double nearest = widest;
-      std::size_t seen = NONE;
-      for (const std::size_t other : others) {
-        if (loops_[other].box.squaredExteriorDistance(own.points[i]) >
-            BOX_ROUNDING * nearest * nearest)
-          continue;
-        const double distance =
-            nearestSeen(own.points[i], own.conormals[i], loops_[other]);
-        if (distance < nearest) {
-          nearest = distance;
-          seen = other;
-        }
-      }
-      ++seeing[seen];
     }
     const std::size_t most = seenByMost(seeing, own.points.size());
     return most == loop ? NONE : most;
   }
 
 private:
+  /** Of equally near loops the first. */
+  std::size_t
+  firstSeen(const LookingLoop& own, std::size_t point, std::uint64_t& looks) const
+  {
+    const Position& from = own.points[point];
+    double nearest = WIDEST * own.length;
+    std::size_t seen = NONE;
+    const auto look = [&](pcl::index_t place) {
+      ++looks;
+      const auto loop = static_cast<std::size_t>(place);
+      const double distance = nearestSeen(from, own.conormals[point], loops_[loop]);
+      const bool is_tie = distance == nearest && seen != NONE;
+      if (distance < nearest || (is_tie && loop < seen)) {
+        nearest = distance;
+        seen = loop;
+      }
+      return BOX_ROUNDING * nearest * nearest;
+    };
+    tree_.forEachNear(ccaa::Box(from), BOX_ROUNDING * nearest * nearest, look);
+    return seen;
+  }
+
   std::vector<LookingLoop> loops_;
   ccaa::BoxTree tree_;
 };

@@ -65,9 +65,13 @@ GrowingSurface::weld(const std::vector<std::size_t>& some,
 bool
 GrowingSurface::hasPatchIn(const ccaa::Box& box, ccaa::RunControl* control) const
 {
-  const std::vector<std::size_t> found = near(box, control);
-  return std::any_of(
-      found.begin(), found.end(), [&](std::size_t t) { return hole[t] != NONE; });
+  ccaa::spend(control, NEAR_WORK + LOOK_WORK * (triangles.size() - in_tree_));
+  const auto isPatch = [&](std::size_t t) { return hole[t] != NONE && isIn(box, t); };
+  bool has = tree_.anyMeeting(
+      box, [&](pcl::index_t t) { return isPatch(static_cast<std::size_t>(t)); });
+  for (std::size_t t = in_tree_; t < triangles.size() && !has; ++t)
+    has = isPatch(t);
+  return has;
 }
 
 std::vector<std::size_t>
@@ -103,13 +107,19 @@ GrowingSurface::gone() const
   return boxes;
 }
 
+bool
+GrowingSurface::isIn(const ccaa::Box& box, std::size_t t) const
+{
+  return is_there[t] &&
+         ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)).intersects(box);
+}
+
 std::vector<std::size_t>
 GrowingSurface::near(const ccaa::Box& box, ccaa::RunControl* control) const
 {
   std::vector<std::size_t> found;
   const auto look = [&](std::size_t t) {
-    if (is_there[t] &&
-        ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)).intersects(box))
+    if (isIn(box, t))
       found.push_back(t);
   };
   tree_.forEachMeeting(box, [&](pcl::index_t t) { look(static_cast<std::size_t>(t)); });

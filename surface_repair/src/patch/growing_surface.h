@@ -86,6 +86,8 @@ public:
   std::vector<bool> is_there;                /**< of each triangle */
 
 private:
+  bool
+  isIn(const ccaa::Box& box, std::size_t t) const;
   void
   buildTree(ccaa::RunControl* control);
 
