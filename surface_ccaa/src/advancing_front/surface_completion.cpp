@@ -172,7 +172,7 @@ void
 Completion::advanceFront()
 {
   openSurface();
-  if (doubtCrossings() && searchOpenPoints())
+  while (doubtCrossings() && searchOpenPoints()) // each time there are more in doubt
     openSurface();
   if (control_.cancelled())
     return;
