@@ -86,6 +86,20 @@ private:
   ccaa::BoxTree tree_;
 };
 
+/** Whether a new vertex of a triangle lies exactly at another corner. Rims may have
+ * corners in line; a new vertex can be anywhere else. */
+bool
+hasCollapsed(const Patch& patch, const Triangle& triangle)
+{
+  for (std::size_t i = 0; i < 3; ++i) {
+    const pcl::index_t a = triangle[i], b = triangle[(i + 1) % 3];
+    if (static_cast<std::size_t>(std::max(a, b)) >= patch.rim.size() &&
+        patch.positions[std::size_t(a)] == patch.positions[std::size_t(b)])
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
@@ -226,8 +240,10 @@ obstructedTriangles(const Patch& patch,
   std::vector<bool> obstructed(triangles.size(), false);
   std::vector<std::size_t> found;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (ccaa::isCollinear(triangles[t]))
+    if (ccaa::isCollinear(triangles[t])) {
+      obstructed[t] = hasCollapsed(patch, patch.triangles[t]);
       continue;
+    }
     if (obstacle.meets(triangles[t], control))
       obstructed[t] = true;
     std::uint64_t work = SEARCH_WORK;

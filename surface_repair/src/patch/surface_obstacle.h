@@ -84,8 +84,9 @@ crossedEdges(const BoundaryCurve& polygon,
              const SurfaceObstacle& obstacle,
              ccaa::RunControl* control = nullptr);
 
-/** \brief Triangles of a patch that run through the surface or through each other,
- * ascending. */
+/** \brief Triangles of a patch that run through the surface or through each other, or
+ * of which a new vertex lies exactly at another corner; ascending. Others without an
+ * area are passed over: corners of a rim may lie in line. */
 std::vector<std::size_t>
 obstructedTriangles(const Patch& patch,
                     const SurfaceObstacle& obstacle,

@@ -277,6 +277,17 @@ TEST(ObstructedTriangles, ThoseThatRunThroughEachOtherAreBothFound)
   EXPECT_EQ((std::vector<std::size_t>{0, 2}), found);
 }
 
+TEST(ObstructedTriangles, OfThoseWithoutAnAreaTheOnesThatANewVertexMakes)
+{
+  const SurfaceObstacle obstacle(modelOf(icosphere(1, 0.01)), {});
+  Shape shape;
+  shape.vertices = {{1, 1, 5}, {2, 1, 5}, {3, 1, 5}, {1, 1, 5}, {2, 1, 5}};
+  shape.triangles = {{0, 1, 2}, {0, 3, 1}, {4, 2, 1}};
+  Patch patch = patchOf(shape);
+  patch.rim = {0, 1, 2, 3};
+  EXPECT_EQ((std::vector<std::size_t>{2}), obstructedTriangles(patch, obstacle));
+}
+
 TEST(ObstructedTriangles, APatchBesideTheSurfaceHasNone)
 {
   const Shape sphere = icosphere(3);
