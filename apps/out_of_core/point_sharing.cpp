@@ -14,6 +14,7 @@ constexpr std::uint64_t FILLED = 4;
 /** Most points that are shared out as if they lay evenly, as a part of what a tile may
  * hold. */
 constexpr std::uint64_t PARTS_OF_MOST = 32;
+
 bool
 mayShare(const pcl::ccaa::Box& tile, const TileBuckets::Part& part)
 {

@@ -5,7 +5,6 @@
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -21,6 +20,13 @@ constexpr double AROUND = 4.0;
 /** Up to where given triangles may be made anew. */
 constexpr double NEAR = 1.5;
 
+pcl::ccaa::Box
+boxAround(const PlacedDispute& dispute, double reaches)
+{
+  const Eigen::Vector3d position(dispute.position.data());
+  return pcl::ccaa::widened(pcl::ccaa::Box(position), reaches * dispute.reach);
+}
+
 } // namespace
 
 SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
@@ -35,16 +41,10 @@ SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
       group_of_.resize(disputes_.size(), surroundings_.size());
       surroundings_.emplace_back();
     }
+  std::vector<pcl::ccaa::Box> boxes;
   for (const PlacedDispute& dispute : disputes_)
-    edge_ = std::max(edge_, 2.0 * AROUND * dispute.reach);
-  std::vector<pcl::ccaa::Box> around;
-  for (std::size_t i = 0; i < disputes_.size(); ++i) {
-    addToGrid(i);
-    around.push_back(pcl::ccaa::widened(
-        pcl::ccaa::Box(Eigen::Vector3d(disputes_[i].position.data())),
-        AROUND * disputes_[i].reach));
-  }
-  around_ = pcl::ccaa::BoxTree(around);
+    boxes.push_back(boxAround(dispute, 2.0 * AROUND));
+  tree_ = pcl::ccaa::BoxTree(boxes);
   findParts();
 }
 
@@ -66,46 +66,23 @@ SeamGathering::findParts()
   }
 }
 
-SeamGathering::GridPlace
-SeamGathering::gridPlace(const Eigen::Vector3d& position) const
-{
-  GridPlace place{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    place[axis] = static_cast<std::int64_t>(
-        std::floor(position[static_cast<Eigen::Index>(axis)] / edge_));
-  return place;
-}
-
-/** In its cell and all beside it: what is near is in one of these. */
-void
-SeamGathering::addToGrid(std::size_t dispute)
-{
-  const GridPlace own = gridPlace(Eigen::Vector3d(disputes_[dispute].position.data()));
-  for (std::int64_t x = -1; x <= 1; ++x)
-    for (std::int64_t y = -1; y <= 1; ++y)
-      for (std::int64_t z = -1; z <= 1; ++z)
-        grid_[{own[0] + x, own[1] + y, own[2] + z}].push_back(dispute);
-}
-
 /** By group, as far as the distance is below twice AROUND. */
 std::map<std::size_t, SeamGathering::Nearness>
 SeamGathering::nearness(const Eigen::Vector3d& position) const
 {
   std::map<std::size_t, Nearness> by_group;
-  const auto cell = grid_.find(gridPlace(position));
-  if (cell == grid_.end())
-    return by_group;
-  for (const std::size_t i : cell->second) {
-    const PlacedDispute& dispute = disputes_[i];
+  tree_.forEachMeeting(pcl::ccaa::Box(position), [&](pcl::index_t i) {
+    const PlacedDispute& dispute = disputes_[std::size_t(i)];
     const double distance =
         (Eigen::Vector3d(dispute.position.data()) - position).norm();
     if (distance >= 2.0 * AROUND * dispute.reach)
-      continue;
+      return;
     Nearness& nearness =
-        by_group.emplace(group_of_[i], Nearness{2.0 * AROUND, 0.0}).first->second;
+        by_group.emplace(group_of_[std::size_t(i)], Nearness{2.0 * AROUND, 0.0})
+            .first->second;
     nearness.in_reaches = std::min(nearness.in_reaches, distance / dispute.reach);
     nearness.room = std::max(nearness.room, dispute.room - distance);
-  }
+  });
   return by_group;
 }
 
@@ -138,8 +115,10 @@ SeamGathering::groupsPassed(const WideTriangle& triangle,
       return groups;
     box.extend(place == own.end() ? known->second.position : place->position);
   }
-  around_.forEachMeeting(
-      box, [&](pcl::index_t i) { groups.push_back(group_of_[std::size_t(i)]); });
+  tree_.forEachMeeting(box, [&](pcl::index_t i) {
+    if (boxAround(disputes_[std::size_t(i)], AROUND).intersects(box))
+      groups.push_back(group_of_[std::size_t(i)]);
+  });
   pcl::ccaa::sortUnique(groups);
   return groups;
 }

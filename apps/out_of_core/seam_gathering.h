@@ -45,8 +45,6 @@ public:
   gather(std::size_t group, std::vector<pcl::ccaa::WideIndex>& wide) const;
 
 private:
-  using GridPlace = std::array<std::int64_t, 3>;
-
   struct Nearness {
     double in_reaches = 0.0; /**< distance from the nearest dispute, in reaches of it */
     double room = 0.0;       /**< how far it is to the end of a dispute's room */
@@ -69,10 +67,6 @@ private:
     std::vector<pcl::ccaa::WideTriangle> triangles;
   };
 
-  GridPlace
-  gridPlace(const Eigen::Vector3d& position) const;
-  void
-  addToGrid(std::size_t dispute);
   void
   findParts();
   std::map<std::size_t, Nearness>
@@ -92,10 +86,7 @@ private:
   std::vector<PlacedDispute> disputes_; /**< group by group */
   std::vector<std::size_t> group_of_;   /**< of each of them */
   std::set<std::size_t> parts_;         /**< tiles that may have something near them */
-  double edge_ = 0.0;                   /**< of the grid's cells */
-  std::map<GridPlace, std::vector<std::size_t>>
-      grid_;                  /**< disputes in or beside cells */
-  pcl::ccaa::BoxTree around_; /**< what is near each dispute */
+  pcl::ccaa::BoxTree tree_;             /**< over what is near each dispute */
   std::map<pcl::ccaa::WideIndex, Known> known_;
   std::vector<Surroundings> surroundings_; /**< by group */
 };

@@ -203,7 +203,6 @@ addDisputes(const TilePlan& plan,
             std::vector<PlacedDispute>& disputes)
 {
   std::vector<PlacedDispute> corners;
-  std::vector<pcl::ccaa::Position> positions;
   for (const WideIndex index : triangle)
     if (const auto place = findPoint(points, index); place != points.end()) {
       PlacedDispute dispute;
@@ -212,10 +211,10 @@ addDisputes(const TilePlan& plan,
       dispute.reach = REACH * plan.tiling.tiles[plan.tiling.ownerOf(index)].halo;
       dispute.room = MOST_ROOM * dispute.reach;
       corners.push_back(dispute);
-      positions.push_back(place->position);
     }
   if (corners.size() == 3) {
-    const double room = 2.0 * pcl::ccaa::longestEdge(positions);
+    const auto at = [&](std::size_t i) { return Position(corners[i].position.data()); };
+    const double room = 2.0 * pcl::ccaa::longestEdge({at(0), at(1), at(2)});
     for (PlacedDispute& dispute : corners)
       dispute.room =
           std::clamp(room, LEAST_ROOM * dispute.reach, MOST_ROOM * dispute.reach);

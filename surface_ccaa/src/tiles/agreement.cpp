@@ -17,7 +17,7 @@ namespace {
 
 /** How many of the corners a tile sees. */
 std::size_t
-seenBy(const Tile& tile, const Positions& corners)
+seenBy(const Tile& tile, const Corners& corners)
 {
   return static_cast<std::size_t>(
       std::count_if(corners.begin(), corners.end(), [&](const Position& corner) {
@@ -81,11 +81,11 @@ private:
   bool
   isAgreed(const WideTriangle& triangle) const
   {
-    Positions corners;
+    Corners corners;
     std::vector<std::size_t> seers; // once for each corner that they see
-    for (const WideIndex corner : triangle) {
-      const auto place = findPoint(own_.points, corner);
-      corners.push_back(place->position);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto place = findPoint(own_.points, triangle[i]);
+      corners[i] = place->position;
       const auto p = static_cast<std::size_t>(place - own_.points.begin());
       const auto all = seers_.begin();
       seers.insert(seers.end(),

@@ -24,7 +24,7 @@ cornersInOrder(const WideTriangle& triangle)
 }
 
 double
-longestEdge(const std::vector<Position>& corners)
+longestEdge(const Corners& corners)
 {
   return std::max({(corners[0] - corners[1]).norm(),
                    (corners[1] - corners[2]).norm(),

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/box_tree.h"
+#include "mesh/corners.h"
 #include "mesh/triangle.h"
 
 #include <algorithm>
@@ -26,9 +27,8 @@ using WideTriangle = std::array<WideIndex, 3>;
 WideTriangle
 cornersInOrder(const WideTriangle& triangle);
 
-/** \brief Of a triangle with three corners. */
 double
-longestEdge(const std::vector<Position>& corners);
+longestEdge(const Corners& corners);
 
 /** \brief One tile: some points, and how far around them what is computed of a part of
  * the cloud counts. */
