@@ -84,9 +84,7 @@ HoleGathering::addPart(std::size_t part, const std::vector<std::uint64_t>& compo
         clusters.insert(at->second);
     for (const std::uint32_t c : clusters) {
       clusters_[c].components.push_back(components[piece]);
-      clusters_[c].triangles.push_back({surface.wideOf(own, triangle[0]),
-                                        surface.wideOf(own, triangle[1]),
-                                        surface.wideOf(own, triangle[2])});
+      clusters_[c].triangles.push_back(surface.wideOf(own, triangle));
     }
   }
 }

@@ -11,6 +11,7 @@
 namespace app {
 namespace {
 
+using pcl::ccaa::cornersInOrder;
 using pcl::ccaa::WideIndex;
 using pcl::ccaa::WideTriangle;
 
@@ -29,23 +30,53 @@ boxAround(const PlacedDispute& dispute, double reaches)
 
 } // namespace
 
+std::vector<WideTriangle>
+trianglesAfter(const TilePlan& plan,
+               std::size_t tile,
+               const std::set<std::size_t>& closers)
+{
+  std::vector<WideTriangle> triangles = readJoined(plan, tile).triangles;
+  for (const std::size_t closer : closers) {
+    ClosedTile closed = readClosed(plan, closer);
+    pcl::ccaa::sortUnique(closed.removed);
+    const auto isRemoved = [&](const WideTriangle& triangle) {
+      return std::binary_search(
+          closed.removed.begin(), closed.removed.end(), cornersInOrder(triangle));
+    };
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isRemoved),
+                    triangles.end());
+    for (const WideTriangle& triangle : closed.added)
+      if (plan.tiling.tiles[tile].owns(cornersInOrder(triangle).front()))
+        triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
 SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
 : plan_(plan), tile_(tile)
 {
   const AllDisputes all = readDisputes(plan);
-  for (const DisputeGroup& group : all.groups)
-    if (group.tile == tile) {
-      disputes_.insert(disputes_.end(),
-                       all.disputes.begin() + static_cast<std::ptrdiff_t>(group.begin),
-                       all.disputes.begin() + static_cast<std::ptrdiff_t>(group.end));
-      group_of_.resize(disputes_.size(), surroundings_.size());
-      surroundings_.emplace_back();
-    }
+  const std::vector<std::size_t> around = plan.tiling.neighborsOf(tile);
+  for (std::size_t g = 0; g < all.groups.size(); ++g) {
+    const DisputeGroup& group = all.groups[g];
+    if (group.tile != tile)
+      continue;
+    disputes_.insert(disputes_.end(),
+                     all.disputes.begin() + static_cast<std::ptrdiff_t>(group.begin),
+                     all.disputes.begin() + static_cast<std::ptrdiff_t>(group.end));
+    group_of_.resize(disputes_.size(), surroundings_.size());
+    surroundings_.emplace_back();
+    for (std::size_t part = group.whole; part < g; ++part)
+      if (std::count(around.begin(), around.end(), all.groups[part].tile) > 0)
+        earlier_.insert(all.groups[part].tile);
+  }
   std::vector<pcl::ccaa::Box> boxes;
   for (const PlacedDispute& dispute : disputes_)
     boxes.push_back(boxAround(dispute, 2.0 * AROUND));
   tree_ = pcl::ccaa::BoxTree(boxes);
   findParts();
+  if (!earlier_.empty()) // whose triangles are longer than others
+    parts_.insert(around.begin(), around.end());
 }
 
 /** Tiles of disputes, and those around these whose own points may be near one. */
@@ -152,28 +183,33 @@ SeamGathering::read()
     const auto known = known_.find(corner);
     return known != known_.end() && !known->second.groups.empty();
   };
+  for (const std::size_t tile : earlier_)
+    addCorners(readClosed(plan_, tile).added);
   std::vector<Passing> near;
+  std::vector<WideTriangle> triangles;
   for (const std::size_t part : parts_) {
     const pcl::ccaa::BorderPoints points = readOwnBorderPoints(plan_, part);
-    for (const WideTriangle& triangle : readJoined(plan_, part).triangles) {
+    for (const WideTriangle& triangle : trianglesAfter(plan_, part, earlier_)) {
       std::vector<std::size_t> groups = groupsPassed(triangle, points);
-      if (!groups.empty() || std::any_of(triangle.begin(), triangle.end(), isNear))
-        near.push_back({triangle, std::move(groups)});
+      if (groups.empty() && std::none_of(triangle.begin(), triangle.end(), isNear))
+        continue;
+      near.push_back({triangle, std::move(groups)});
+      triangles.push_back(triangle);
     }
   }
-  addFarCorners(near);
+  addCorners(triangles);
   for (const Passing& passing : near)
     addTriangle(passing);
 }
 
 /** Of triangles that reach from what is near a group to farther than others. */
 void
-SeamGathering::addFarCorners(const std::vector<Passing>& triangles)
+SeamGathering::addCorners(const std::vector<WideTriangle>& triangles)
 {
   std::vector<WideIndex> missing;
-  for (const Passing& passing : triangles)
-    std::copy_if(passing.triangle.begin(),
-                 passing.triangle.end(),
+  for (const WideTriangle& triangle : triangles)
+    std::copy_if(triangle.begin(),
+                 triangle.end(),
                  std::back_inserter(missing),
                  [&](WideIndex corner) { return known_.count(corner) == 0; });
   pcl::ccaa::sortUnique(missing);
@@ -211,6 +247,7 @@ SeamGathering::gather(std::size_t group, std::vector<WideIndex>& wide) const
     seam.room.push_back(static_cast<float>(nearness.room));
   }
   for (const WideTriangle& triangle : around.triangles) {
+    seam.tile_of.push_back(plan_.tiling.ownerOf(cornersInOrder(triangle).front()));
     seam.given.emplace_back();
     for (std::size_t i = 0; i < 3; ++i)
       seam.given.back()[i] = static_cast<pcl::index_t>(

@@ -11,6 +11,12 @@
 
 namespace app {
 
+/** \brief The border triangles of a tile after some tiles have closed their groups. */
+std::vector<pcl::ccaa::WideTriangle>
+trianglesAfter(const TilePlan& plan,
+               std::size_t tile,
+               const std::set<std::size_t>& closers);
+
 /** \brief The groups of disputes that a tile closes, with the points and triangles
  * around them, from all tiles that have any. */
 class SeamGathering {
@@ -29,6 +35,13 @@ public:
   parts() const
   {
     return parts_;
+  }
+
+  /** \brief Tiles with lower numbers that close other parts of a group before. */
+  const std::set<std::size_t>&
+  earlier() const
+  {
+    return earlier_;
   }
 
   /** \brief Read what is near the disputes. */
@@ -77,7 +90,7 @@ private:
   groupsPassed(const pcl::ccaa::WideTriangle& triangle,
                const pcl::ccaa::BorderPoints& own) const;
   void
-  addFarCorners(const std::vector<Passing>& triangles);
+  addCorners(const std::vector<pcl::ccaa::WideTriangle>& triangles);
   void
   addTriangle(const Passing& passing);
 
@@ -86,6 +99,7 @@ private:
   std::vector<PlacedDispute> disputes_; /**< group by group */
   std::vector<std::size_t> group_of_;   /**< of each of them */
   std::set<std::size_t> parts_;         /**< tiles that may have something near them */
+  std::set<std::size_t> earlier_;       /**< that have closed what is around them */
   pcl::ccaa::BoxTree tree_;             /**< over what is near each dispute */
   std::map<pcl::ccaa::WideIndex, Known> known_;
   std::vector<Surroundings> surroundings_; /**< by group */

@@ -310,6 +310,7 @@ writeSides(const TilePlan& plan, const pcl::ccaa::Sides& sides)
   file.put(sides.open_edges);
   file.put(sides.doubts);
   file.putAll(sides.torn);
+  file.putAll(sides.gone);
   for (std::size_t tile = 0; tile < sides.turn.size(); ++tile) {
     file.putAll(sides.turn[tile]);
     file.putAll(sides.components_of[tile]);
@@ -327,6 +328,7 @@ readSides(const TilePlan& plan)
   sides.open_edges = file.get<std::uint64_t>();
   sides.doubts = file.get<pcl::ccaa::TopologyDoubts>();
   sides.torn = file.getAll<std::array<WideIndex, 2>>();
+  sides.gone = file.getAll<WideTriangle>();
   for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i) {
     sides.turn.push_back(file.getAll<std::uint8_t>());
     sides.components_of.push_back(file.getAll<std::uint64_t>());

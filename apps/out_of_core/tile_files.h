@@ -69,6 +69,9 @@ readJoined(const TilePlan& plan, std::size_t tile);
 /** \brief Disputes that are closed together. */
 struct DisputeGroup {
   std::uint64_t tile = 0; /**< that closes it */
+  std::uint64_t whole =
+      0; /**< number of the first part of its group: the parts come one
+              behind the other, and are closed one after the other */
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
 };
@@ -115,6 +118,12 @@ struct TileSurface {
   wideOf(const pcl::ccaa::Tile& own, std::uint32_t corner) const
   {
     return corner < own.count ? own.first + corner : foreign[corner - own.count];
+  }
+  pcl::ccaa::WideTriangle
+  wideOf(const pcl::ccaa::Tile& own, const CoreTriangle& triangle) const
+  {
+    return {
+        wideOf(own, triangle[0]), wideOf(own, triangle[1]), wideOf(own, triangle[2])};
   }
 };
 

@@ -3,6 +3,7 @@
 #include "out_of_core/tile_run.h"
 
 #include "cli/cli.h"
+#include "out_of_core/seam_gathering.h"
 #include "out_of_core/shards.h"
 #include "out_of_core/step_file.h"
 #include "run/threads.h"
@@ -13,6 +14,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -44,6 +46,8 @@ struct Phase {
   std::function<void(std::size_t tile, const StepRun& run)> work; /**< empty: once */
   std::function<void()> once;
   std::function<std::vector<std::uint64_t>()> points = {}; /**< empty: the tiles' own */
+  std::function<std::set<std::size_t>(std::size_t tile)> before =
+      {}; /**< lower tiles that come before one; empty: none */
 };
 
 class TileRun {
@@ -96,6 +100,7 @@ private:
     const std::uint64_t count = workersFor(phase);
     std::atomic<std::size_t> next{0}, finished{0};
     std::atomic<bool> stop{false};
+    std::vector<std::atomic<bool>> is_done(tiles_);
     std::exception_ptr problem;
     std::mutex mutex;
     const auto work = [&] {
@@ -105,7 +110,14 @@ private:
       try {
         for (std::size_t tile = next++; tile < tiles_ && !stop; tile = next++) {
           releaseFreed();
+          if (phase.before)
+            for (const std::size_t earlier : phase.before(tile))
+              while (!is_done[earlier] && !stop)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          if (stop)
+            break;
           phase.work(tile, run);
+          is_done[tile] = true;
           ++finished;
         }
       }
@@ -192,7 +204,12 @@ runTiles(const TilePlan& plan,
       {"meshing tiles", 80, forTile(meshTile), {}},
       {"joining tiles", 2, forPart(joinTile), {}},
       {"disputes", 1, {}, [&] { groupAllDisputes(plan); }},
-      {"closing seams", 5, forTile(closeTile), {}},
+      {"closing seams",
+       5,
+       forTile(closeTile),
+       {},
+       {},
+       [&](std::size_t tile) { return SeamGathering(plan, tile).earlier(); }},
       {"winding", 6, wind, {}},
       {"winding", 0, {}, [&] {
          removeAll(plan, MESH_STEP);

@@ -30,6 +30,12 @@ constexpr double REACH = 0.1;
 /** Least and most room for what closes it, in reaches: up to where all is known. */
 constexpr double LEAST_ROOM = 2.0, MOST_ROOM = 4.0;
 
+/** Groups of more disputes are closed in parts: around each dispute there are 10 to 27
+ * points, and of a cloud with noise of half its spacing nearly all disputes are one
+ * group. 300 000 points with noise of 0.35 and 0.5 spacings in twelve tiles: 507 and
+ * 5001 open edges, with whole groups 507 and 5230. */
+constexpr std::size_t LARGE_GROUP = 500;
+
 /** The chain on one tile. */
 ReconstructResult
 reconstructTile(const TilePlan& plan,
@@ -236,6 +242,25 @@ keepWidest(std::vector<PlacedDispute>& disputes)
       disputes.end());
 }
 
+/** A large group as parts: the disputes that are of one tile. */
+void
+addGroup(const TilePlan& plan,
+         const std::vector<PlacedDispute>& group,
+         AllDisputes& grouped)
+{
+  const std::uint64_t whole = grouped.groups.size();
+  const bool in_parts = group.size() > LARGE_GROUP;
+  for (const PlacedDispute& dispute : group) {
+    const std::uint64_t owner = plan.tiling.ownerOf(dispute.index);
+    if (grouped.groups.size() == whole ||
+        (in_parts && grouped.groups.back().tile != owner))
+      grouped.groups.push_back(
+          {owner, whole, grouped.disputes.size(), grouped.disputes.size()});
+    grouped.disputes.push_back(dispute);
+    ++grouped.groups.back().end;
+  }
+}
+
 } // namespace
 
 void
@@ -300,13 +325,8 @@ groupAllDisputes(const TilePlan& plan)
       by_group.emplace_back();
     by_group[group_of[i]].push_back(all[i]);
   }
-  for (const std::vector<PlacedDispute>& group : by_group) {
-    const std::uint64_t begin = grouped.disputes.size();
-    grouped.disputes.insert(grouped.disputes.end(), group.begin(), group.end());
-    grouped.groups.push_back({plan.tiling.ownerOf(group.front().index),
-                              begin,
-                              std::uint64_t{grouped.disputes.size()}});
-  }
+  for (const std::vector<PlacedDispute>& group : by_group)
+    addGroup(plan, group, grouped);
   writeDisputes(plan, grouped);
 }
 

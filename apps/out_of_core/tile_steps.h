@@ -8,6 +8,7 @@
 #include "out_of_core/tile_files.h"
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace app {
@@ -34,18 +35,20 @@ void
 joinTile(const TilePlan& plan, std::size_t tile);
 
 /** \brief Group the places where tiles did not agree; each group belongs to the tile of
- * its first point. */
+ * its first point. Of a large one each tile gets the part that is its own. */
 void
 groupAllDisputes(const TilePlan& plan);
 
-/** \brief Close the groups of a tile (pcl::ccaa::closeSeam()). */
+/** \brief Close the groups of a tile (pcl::ccaa::closeSeam()), after the tiles that
+ * close other parts of them before. */
 void
 closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run);
 
 /** \brief Tiles whose files closing and winding a tile read, beside those around it. */
 struct SeamLinks {
-  std::vector<std::size_t> parts;   /**< whose triangles closeTile() reads */
-  std::vector<std::size_t> closers; /**< whose closing windTile() reads */
+  std::set<std::size_t> parts;   /**< whose triangles closeTile() reads */
+  std::set<std::size_t> closers; /**< whose closing windTile() reads */
+  std::set<std::size_t> earlier; /**< whose closing closeTile() reads: all lower */
 };
 SeamLinks
 seamLinks(const TilePlan& plan, std::size_t tile);

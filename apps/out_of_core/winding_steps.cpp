@@ -10,6 +10,7 @@
 #include "out_of_core/tile_cloud.h"
 #include "out_of_core/tile_steps.h"
 #include "run/threads.h"
+#include "tiles/tearing.h"
 
 #include <algorithm>
 #include <numeric>
@@ -38,31 +39,6 @@ closersAround(const TilePlan& plan, std::size_t tile, const AllDisputes& dispute
       if (parts.count(plan.tiling.ownerOf(disputes.disputes[i].index)) > 0)
         closers.insert(static_cast<std::size_t>(group.tile));
   return closers;
-}
-
-/** Triangles of the border of a tile after all seams were closed. */
-std::vector<WideTriangle>
-finalBorder(const TilePlan& plan, std::size_t tile)
-{
-  const std::set<std::size_t> closers = closersAround(plan, tile, readDisputes(plan));
-  std::set<WideTriangle> removed; // some of them are added again
-  std::vector<WideTriangle> added;
-  const Tile& own = plan.tiling.tiles[tile];
-  for (const std::size_t closer : closers) {
-    const ClosedTile closed = readClosed(plan, closer);
-    removed.insert(closed.removed.begin(), closed.removed.end());
-    for (const WideTriangle& triangle : closed.added)
-      if (own.owns(cornersInOrder(triangle).front()))
-        added.push_back(triangle);
-  }
-  std::vector<WideTriangle> triangles = readJoined(plan, tile).triangles;
-  const auto is_removed = [&](const WideTriangle& triangle) {
-    return removed.count(cornersInOrder(triangle)) > 0;
-  };
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), is_removed),
-                  triangles.end());
-  triangles.insert(triangles.end(), added.begin(), added.end());
-  return triangles;
 }
 
 /** The corners that other tiles have. */
@@ -147,6 +123,30 @@ hintsFor(const TilePlan& plan,
   return hints;
 }
 
+/** What has to go where the surface is one-sided. */
+void
+tear(const TilePlan& plan, pcl::ccaa::Sides& sides)
+{
+  pcl::ccaa::Tearing tearing(sides.torn);
+  while (!tearing.asked().empty()) {
+    std::set<std::size_t> owners;
+    for (const WideIndex point : tearing.asked())
+      owners.insert(plan.tiling.ownerOf(point));
+    std::set<std::size_t> parts = owners;
+    for (const std::size_t owner : owners)
+      for (const std::size_t part : plan.tiling.neighborsOf(owner))
+        parts.insert(part);
+    for (const std::size_t part : parts) {
+      const TileSurface surface = readPiecesSurface(plan, part);
+      for (const CoreTriangle& triangle : surface.triangles)
+        tearing.see(surface.wideOf(plan.tiling.tiles[part], triangle));
+    }
+    tearing.settle();
+  }
+  sides.gone.assign(tearing.gone().begin(), tearing.gone().end());
+  sides.open_edges += static_cast<std::uint64_t>(tearing.openEdges());
+}
+
 } // namespace
 
 void
@@ -154,7 +154,8 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
 {
   if (isDone(plan.file(tile, PIECES_STEP), plan.key))
     return;
-  const std::vector<WideTriangle> border = finalBorder(plan, tile);
+  const std::vector<WideTriangle> border =
+      trianglesAfter(plan, tile, closersAround(plan, tile, readDisputes(plan)));
   const TileCloud cloud(plan, tile, foreignCorners(plan.tiling.tiles[tile], border));
   const Position corner = plan.corners[tile];
   const TileMesh mesh = readInner(plan, tile);
@@ -186,15 +187,19 @@ decideAllSides(const TilePlan& plan)
   std::vector<pcl::ccaa::TilePieces> tiles;
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile)
     tiles.push_back(readPiecesSums(plan, tile));
-  writeSides(plan, decideSides(tiles, true));
+  pcl::ccaa::Sides sides = decideSides(tiles, true);
+  tiles.clear();
+  tear(plan, sides);
+  writeSides(plan, sides);
 }
 
 SeamLinks
 seamLinks(const TilePlan& plan, std::size_t tile)
 {
-  const std::set<std::size_t> parts = SeamGathering(plan, tile).parts();
-  const std::set<std::size_t> closers = closersAround(plan, tile, readDisputes(plan));
-  return {{parts.begin(), parts.end()}, {closers.begin(), closers.end()}};
+  const SeamGathering gathering(plan, tile);
+  return {gathering.parts(),
+          closersAround(plan, tile, readDisputes(plan)),
+          gathering.earlier()};
 }
 
 TileSurface
@@ -203,16 +208,10 @@ readSurface(const TilePlan& plan, std::size_t tile)
   TileSurface surface = readPiecesSurface(plan, tile);
   const pcl::ccaa::Sides sides = readSides(plan);
   const Tile& own = plan.tiling.tiles[tile];
-  const std::set<std::array<WideIndex, 2>> torn(sides.torn.begin(), sides.torn.end());
-  const auto isTorn = [&](const CoreTriangle& triangle) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::array<WideIndex, 2> edge{surface.wideOf(own, triangle[i]),
-                                    surface.wideOf(own, triangle[(i + 1) % 3])};
-      std::sort(edge.begin(), edge.end());
-      if (torn.count(edge) > 0)
-        return true;
-    }
-    return false;
+  const auto isGone = [&](const CoreTriangle& triangle) {
+    return std::binary_search(sides.gone.begin(),
+                              sides.gone.end(),
+                              cornersInOrder(surface.wideOf(own, triangle)));
   };
   std::vector<CoreTriangle> left;
   std::size_t t = 0;
@@ -221,7 +220,7 @@ readSurface(const TilePlan& plan, std::size_t tile)
       CoreTriangle triangle = surface.triangles[t];
       if (sides.turn[tile][piece] != 0)
         std::swap(triangle[1], triangle[2]);
-      if (torn.empty() || !isTorn(triangle))
+      if (sides.gone.empty() || !isGone(triangle))
         left.push_back(triangle);
     }
     surface.piece_ends[piece] = left.size();

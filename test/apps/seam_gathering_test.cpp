@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: what a seam is told of the triangles around it.
 #include "out_of_core/seam_gathering.h"
 #include "out_of_core/tile_points.h"
+#include "out_of_core/tile_steps.h"
 #include "tiles_fixture.h"
 
 #include <algorithm>
@@ -38,9 +39,10 @@ protected:
     return nearest;
   }
 
-  /** What is gathered where this is all that the tiles agree about. */
-  pcl::ccaa::Seam
-  gather(const WideTriangle& triangle)
+  /** This is all that the tiles agree about, and the place is that of the disputes:
+   * one for each group. */
+  void
+  agree(const WideTriangle& triangle, const std::vector<app::DisputeGroup>& groups)
   {
     const pcl::ccaa::Tile& own = plan_.tiling.tiles[0];
     const app::TilePoints points(plan_, 0);
@@ -57,16 +59,35 @@ protected:
     }
     const Position place = points.position(at(0.0, 0.0));
     app::AllDisputes disputes;
-    disputes.groups = {{0, 0, 1}};
-    disputes.disputes = {{at(0.0, 0.0),
-                          {place.x(), place.y(), place.z()},
-                          0.1 * own.halo,
-                          0.4 * own.halo}};
+    disputes.groups = groups;
+    for (const app::DisputeGroup& group : groups)
+      disputes.disputes.push_back({plan_.tiling.tiles[group.tile].first,
+                                   {place.x(), place.y(), place.z()},
+                                   0.1 * own.halo,
+                                   0.4 * own.halo});
     app::writeDisputes(plan_, disputes);
-    app::SeamGathering gathering(plan_, 0);
+  }
+
+  /** The triangles that a tile is told, in numbers of the whole. */
+  std::vector<WideTriangle>
+  gathered(std::size_t tile)
+  {
+    app::SeamGathering gathering(plan_, tile);
     gathering.read();
     std::vector<WideIndex> wide;
-    return gathering.gather(0, wide);
+    std::vector<WideTriangle> triangles;
+    for (const pcl::ccaa::Triangle& given : gathering.gather(0, wide).given)
+      triangles.push_back({wide[std::size_t(given[0])],
+                           wide[std::size_t(given[1])],
+                           wide[std::size_t(given[2])]});
+    return triangles;
+  }
+
+  std::size_t
+  gather(const WideTriangle& triangle)
+  {
+    agree(triangle, {{0, 0, 0, 1}});
+    return gathered(0).size();
   }
 
   app::TilePlan plan_;
@@ -75,17 +96,73 @@ protected:
 TEST_F(SeamGathering, TakesTrianglesWithACornerNearby)
 {
   ASSERT_GE(plan_.tiling.tiles.size(), 4U);
-  EXPECT_EQ(gather({at(0.3, 0.0), at(0.5, 0.0), at(0.5, 0.1)}).given.size(), 1U);
+  EXPECT_EQ(gather({at(0.3, 0.0), at(0.5, 0.0), at(0.5, 0.1)}), 1U);
 }
 
 TEST_F(SeamGathering, TakesTrianglesThatPassWithAllCornersFarther)
 {
-  EXPECT_EQ(gather({at(-0.5, 0.0), at(0.5, 0.0), at(0.5, 0.1)}).given.size(), 1U);
+  EXPECT_EQ(gather({at(-0.5, 0.0), at(0.5, 0.0), at(0.5, 0.1)}), 1U);
 }
 
 TEST_F(SeamGathering, LeavesTrianglesFartherAway)
 {
-  EXPECT_TRUE(gather({at(0.5, 0.3), at(0.5, 0.0), at(0.6, 0.1)}).given.empty());
+  EXPECT_EQ(gather({at(0.5, 0.3), at(0.5, 0.0), at(0.6, 0.1)}), 0U);
+}
+
+TEST_F(SeamGathering, ALaterPartSeesWhatEarlierOnesHaveLeftAndMade)
+{
+  const WideTriangle before{at(0.1, 0.0), at(0.2, 0.0), at(0.2, 0.1)};
+  const WideTriangle after{at(0.1, 0.0), at(0.2, 0.1), at(0.1, 0.2)};
+  agree(before, {{0, 0, 0, 1}, {1, 0, 1, 2}});
+  app::ClosedTile closed;
+  closed.removed = {pcl::ccaa::cornersInOrder(before)};
+  closed.added = {after};
+  app::writeClosed(plan_, 0, closed);
+  EXPECT_EQ(gathered(0), std::vector<WideTriangle>{before});
+  EXPECT_EQ(gathered(1), std::vector<WideTriangle>{after});
+}
+
+TEST_F(SeamGathering, PartsOfOtherGroupsAreNoneThatComeBefore)
+{
+  agree({0, 1, 2}, {{0, 0, 0, 1}, {1, 1, 1, 2}});
+  EXPECT_TRUE(app::SeamGathering(plan_, 1).earlier().empty());
+}
+
+/** All points of some tiles are disputes. */
+app::AllDisputes
+groupsOf(const app::TilePlan& plan, std::size_t tiles)
+{
+  for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
+    const app::TilePoints points(plan, tile);
+    app::JoinedTile joined;
+    for (std::size_t i = 0; tile < tiles && i < points.size(); ++i) {
+      const Position place = points.position(i);
+      joined.disputes.push_back({plan.tiling.tiles[tile].first + i,
+                                 {place.x(), place.y(), place.z()},
+                                 2.0,
+                                 4.0});
+    }
+    app::writeJoined(plan, tile, joined);
+  }
+  app::groupAllDisputes(plan);
+  return app::readDisputes(plan);
+}
+
+TEST_F(SeamGathering, ALargeGroupHasAPartForEachTile)
+{
+  const std::vector<app::DisputeGroup> groups =
+      groupsOf(plan_, plan_.tiling.tiles.size()).groups;
+  ASSERT_EQ(groups.size(), plan_.tiling.tiles.size());
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    EXPECT_EQ(groups[i].tile, i);
+    EXPECT_EQ(groups[i].whole, 0U);
+    EXPECT_EQ(groups[i].end - groups[i].begin, plan_.tiling.tiles[i].count);
+  }
+}
+
+TEST_F(SeamGathering, AGroupOfOneTileIsNotCut)
+{
+  EXPECT_EQ(groupsOf(plan_, 1).groups.size(), 1U);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <regex>
 
 namespace app_test {
 namespace {
@@ -80,6 +81,30 @@ TEST_F(TiledApp, ShardsAreTheSameForAnyThreadsAndMemory)
   ASSERT_TRUE(
       hasMeshed(intoFolder({"in.ply"}, "three", {"--threads", "3", "--memory", "8G"})));
   EXPECT_TRUE(shards == shardsIn("three"));
+}
+
+/** With so much noise nearly all disputes are one group. */
+TEST_F(TiledApp, TilesThatWaitMakeASoundMeshForAnyNumberOfThreads)
+{
+  test::RandomSource random(1);
+  pcl::ccaa::Positions points;
+  for (int i = 0; i < 5000; ++i)
+    points.emplace_back(i / 25 + 0.8 * random.normal(),
+                        i % 25 + 0.8 * random.normal(),
+                        0.8 * random.normal());
+  save(folder_.path("in.ply"), test::toRawCloud(points));
+  for (const char* threads : {"1", "2"})
+    ASSERT_EQ(2,
+              intoFolder({"in.ply"},
+                         threads,
+                         {"--tiles=4000", std::string("--threads=") + threads})
+                  .exit_code);
+  // Behind the second colon are the tiles that one waits for.
+  EXPECT_TRUE(
+      std::regex_search(step("seams", "1").output, std::regex(": [0-9 ]+: [0-9]")));
+  EXPECT_TRUE(shardsIn("1") == shardsIn("2"));
+  ASSERT_TRUE(hasMeshed(step("merge", "1", {folder_.path("out.ply")})));
+  expectSound(loadMesh(folder_.path("out.ply")).mesh);
 }
 
 TEST_F(TiledApp, ShardsAreTheSameForAnyOrderOfTheInputs)

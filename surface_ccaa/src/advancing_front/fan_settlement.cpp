@@ -12,41 +12,13 @@ namespace {
 /** Operations for a point that is looked at. */
 constexpr std::uint64_t SETTLING_WORK = 30;
 
-using Fans = std::vector<std::vector<pcl::index_t>>;
-
-bool
-shareEdgeAt(const Triangle& one, const Triangle& other, pcl::index_t vertex)
-{
-  for (const pcl::index_t corner : one)
-    if (corner != vertex &&
-        std::find(other.begin(), other.end(), corner) != other.end())
-      return true;
-  return false;
-}
-
-/** Triangles at a vertex, those together that are connected by edges at the vertex. */
 Fans
 fansAt(const PartialSurface& surface, pcl::index_t vertex)
 {
-  std::vector<pcl::index_t> waiting;
-  surface.forTrianglesAt(vertex, [&](pcl::index_t t) { waiting.push_back(t); });
-  std::sort(waiting.begin(), waiting.end());
-  Fans fans;
-  while (!waiting.empty()) {
-    std::vector<pcl::index_t> fan{waiting.front()};
-    waiting.erase(waiting.begin());
-    for (std::size_t i = 0; i < fan.size(); ++i)
-      for (std::size_t j = 0; j < waiting.size();)
-        if (shareEdgeAt(surface[fan[i]], surface[waiting[j]], vertex)) {
-          fan.push_back(waiting[j]);
-          waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(j));
-        }
-        else
-          ++j;
-    std::sort(fan.begin(), fan.end());
-    fans.push_back(std::move(fan));
-  }
-  return fans;
+  std::vector<pcl::index_t> around;
+  surface.forTrianglesAt(vertex, [&](pcl::index_t t) { around.push_back(t); });
+  return fansOf(
+      around, vertex, [&](pcl::index_t t) -> const Triangle& { return surface[t]; });
 }
 
 /** Whether a corner of a fan is none of some points. */

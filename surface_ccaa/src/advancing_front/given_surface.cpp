@@ -5,44 +5,12 @@
 #include "advancing_front/island_alignment.h"
 #include "mesh/given_votes.h"
 #include "mesh/sort_unique.h"
+#include "mesh/winding.h"
 
 #include <limits>
 
 namespace pcl::ccaa {
 namespace {
-
-/** Whether the next triangle over an edge runs through it the other way. */
-bool
-isWoundLike(const Triangle& triangle, int corner, const Triangle& other)
-{
-  const pcl::index_t from = triangle[static_cast<std::size_t>(corner)];
-  const pcl::index_t to = triangle[static_cast<std::size_t>((corner + 1) % 3)];
-  for (std::size_t i = 0; i < 3; ++i)
-    if (other[i] == to && other[(i + 1) % 3] == from)
-      return true;
-  return false;
-}
-
-/** One flag for each triangle: it disagrees with a neighbor about the winding. */
-std::vector<std::uint8_t>
-findDisagreements(const Triangles& triangles,
-                  const TriangleAdjacency& adjacency,
-                  const LoopContext& context)
-{
-  std::vector<std::uint8_t> disagrees(triangles.size(), 0);
-  forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
-    for (std::size_t t = begin; t < end; ++t)
-      for (int corner = 0; corner < 3; ++corner) {
-        const pcl::index_t other =
-            adjacency.across(static_cast<pcl::index_t>(t), corner);
-        if (other >= 0 && !isWoundLike(triangles[t],
-                                       corner,
-                                       triangles[static_cast<std::size_t>(other)]))
-          disagrees[t] = 1;
-      }
-  });
-  return disagrees;
-}
 
 /** The first fault of edges or vertices; windings are not looked at. */
 PartialMeshFault

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: components of a mesh and the winding that suits each.
 #include "mesh/winding.h"
 
+#include "mesh/block_loop.h"
 #include "mesh/label_sets.h"
 #include "mesh/mesh_part.h"
 
@@ -130,6 +131,26 @@ Winding::find(const Triangles& triangles,
       state_[t] = merger.newState(index, state_[t]);
   }
   return true;
+}
+
+std::vector<std::uint8_t>
+findDisagreements(const Triangles& triangles,
+                  const TriangleAdjacency& adjacency,
+                  const LoopContext& context)
+{
+  std::vector<std::uint8_t> disagrees(triangles.size(), 0);
+  forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
+    for (std::size_t t = begin; t < end; ++t)
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const pcl::index_t other =
+            adjacency.across(static_cast<pcl::index_t>(t), static_cast<int>(corner));
+        if (other >= 0 && runsAlong(triangles[static_cast<std::size_t>(other)],
+                                    triangles[t][corner],
+                                    triangles[t][(corner + 1) % 3]) != 0)
+          disagrees[t] = 1;
+      }
+  });
+  return disagrees;
 }
 
 } // namespace pcl::ccaa

@@ -7,9 +7,12 @@
 #include "run/run_control.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::ccaa {
+
+struct LoopContext;
 
 /** \brief What the walk over one component found. */
 struct WoundComponent {
@@ -62,5 +65,12 @@ private:
   std::vector<pcl::index_t> state_; /**< 2 * component + turned */
   std::vector<WoundComponent> components_;
 };
+
+/** \brief Flags of the triangles that run through an edge as the neighbor there does.
+ */
+std::vector<std::uint8_t>
+findDisagreements(const Triangles& triangles,
+                  const TriangleAdjacency& adjacency,
+                  const LoopContext& context);
 
 } // namespace pcl::ccaa

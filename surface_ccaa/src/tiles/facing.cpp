@@ -8,11 +8,9 @@
 
 #include "mesh/corners.h"
 #include "mesh/label_sets.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -21,12 +19,6 @@ namespace {
 
 /** Nearest triangles among which that across a gap is looked for. */
 constexpr unsigned int ACROSS = 24;
-
-/** Numbers of two pieces, the lower first. */
-using Pair = std::array<std::size_t, 2>;
-
-/** Sums of cosines between triangles of two pieces that lie before each other. */
-using FacingVotes = std::map<Pair, double>;
 
 /** Triangles with an open corner. */
 std::vector<std::size_t>
@@ -39,8 +31,9 @@ rimOf(const Seam& seam, const Triangles& given)
   return rim;
 }
 
-FacingVotes
-vote(const Seam& seam, const Winding& pieces, const Triangles& given)
+/** Sums of cosines between triangles of two pieces that lie before each other. */
+LabelVotes
+facingVotes(const Seam& seam, const Winding& pieces, const Triangles& given)
 {
   const std::vector<std::size_t> rim = rimOf(seam, given);
   if (rim.empty())
@@ -55,16 +48,19 @@ vote(const Seam& seam, const Winding& pieces, const Triangles& given)
   }
   KdTreeFLANN<PointXYZ> tree;
   tree.setInputCloud(places);
-  FacingVotes votes;
+  const auto pieceOf = [&](std::size_t t) {
+    return static_cast<pcl::index_t>(pieces.componentOf(t));
+  };
+  LabelVotes votes;
   Indices near;
   std::vector<float> sqr_distances;
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const auto count = std::min(ACROSS, static_cast<unsigned int>(rim.size()));
     tree.nearestKSearch((*places)[i], count, near, sqr_distances);
-    const std::size_t own = pieces.componentOf(rim[i]);
+    const pcl::index_t own = pieceOf(rim[i]);
     for (const pcl::index_t k : near) {
       const auto faced = static_cast<std::size_t>(k);
-      const std::size_t its = pieces.componentOf(rim[faced]);
+      const pcl::index_t its = pieceOf(rim[faced]);
       if (its == own)
         continue;
       votes[{std::min(own, its), std::max(own, its)}] += normals[i].dot(normals[faced]);
@@ -74,25 +70,17 @@ vote(const Seam& seam, const Winding& pieces, const Triangles& given)
   return votes;
 }
 
-} // namespace
-
+/** \param[in] labels of the pieces, and others \return whether any was turned */
 bool
-turnToFace(const Seam& seam, const Winding& pieces, Triangles& given)
+turnByVotes(const LabelVotes& votes,
+            std::size_t labels,
+            const Winding& pieces,
+            Triangles& given)
 {
-  if (pieces.components().size() < 2)
-    return false;
-  std::vector<std::pair<Pair, double>> clearest;
-  for (const auto& votes : vote(seam, pieces, given))
-    clearest.emplace_back(votes);
-  std::stable_sort(clearest.begin(), clearest.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.second) > std::abs(b.second);
-  });
   LabelSets sides;
-  for (std::size_t i = 0; i < pieces.components().size(); ++i)
+  for (std::size_t i = 0; i < labels; ++i)
     sides.add();
-  for (const auto& [pair, votes] : clearest)
-    sides.join(2 * static_cast<pcl::index_t>(pair[0]),
-               2 * static_cast<pcl::index_t>(pair[1]) + (votes < 0.0 ? 1 : 0));
+  joinClearest(votes, sides);
   bool has_turned = false;
   for (std::size_t t = 0; t < given.size(); ++t)
     if ((sides.find(2 * static_cast<pcl::index_t>(pieces.componentOf(t))) & 1) != 0) {
@@ -100,6 +88,31 @@ turnToFace(const Seam& seam, const Winding& pieces, Triangles& given)
       has_turned = true;
     }
   return has_turned;
+}
+
+} // namespace
+
+void
+turnAsMade(const Seam& seam, const Winding& pieces, Triangles& given)
+{
+  std::vector<std::size_t> tiles = seam.tile_of;
+  sortUnique(tiles);
+  const std::size_t count = pieces.components().size();
+  LabelVotes votes;
+  for (std::size_t t = 0; t < seam.tile_of.size(); ++t) {
+    const auto tile = std::lower_bound(tiles.begin(), tiles.end(), seam.tile_of[t]);
+    votes[{static_cast<pcl::index_t>(pieces.componentOf(t)),
+           static_cast<pcl::index_t>(count + std::size_t(tile - tiles.begin()))}] +=
+        pieces.sign(t);
+  }
+  turnByVotes(votes, count + tiles.size(), pieces, given);
+}
+
+bool
+turnToFace(const Seam& seam, const Winding& pieces, Triangles& given)
+{
+  return turnByVotes(
+      facingVotes(seam, pieces, given), pieces.components().size(), pieces, given);
 }
 
 } // namespace pcl::ccaa

@@ -5,6 +5,7 @@
 #include <pcl/surface_ccaa/impl/cloud_runs.h>
 
 #include "advancing_front/fan_settlement.h"
+#include "mesh/block_loop.h"
 #include "mesh/box_tree.h"
 #include "mesh/intersection.h"
 #include "mesh/winding.h"
@@ -49,9 +50,8 @@ public:
   run()
   {
     given_ = seam_.given;
-    Winding pieces;
-    if (!wind(given_, pieces))
-      return {{}, {}, "the surface around is one-sided"};
+    const Winding pieces = wind();
+    turnAsMade(seam_, pieces, given_);
     Attempt best = widen();
     if (!best.flawed.empty() && turnToFace(seam_, pieces, given_)) {
       Attempt faced = widen();
@@ -102,10 +102,11 @@ private:
           fan == Fan::SEVERAL || fan == Fan::OVERFULL)
         looked_at.push_back(static_cast<pcl::index_t>(v));
     for (std::size_t t = 0; t < goes.size(); ++t)
-      if (goes[t] != 0) {
+      if (goes[t] != 0 || is_twisted_[t] != 0) {
         surface.remove(static_cast<pcl::index_t>(t));
         looked_at.insert(looked_at.end(), seam_.given[t].begin(), seam_.given[t].end());
-        open(seam_.given[t], result);
+        if (goes[t] != 0)
+          open(seam_.given[t], result);
       }
     settleFans(surface, looked_at, false, nullptr, &seam_.is_whole);
     const std::vector<pcl::index_t> gone = goneFrom(surface);
@@ -148,12 +149,16 @@ private:
   }
 
   /** Of triangles that are gone, those connected with open points by others of them go
-   * for good, and their corners are open. */
+   * for good, and their corners are open. Those at the rim stay: what is left there
+   * could be several fans, of which one is not given. */
   void
   keepAtRim(std::vector<pcl::index_t> gone, Attempt& result) const
   {
     const auto goesForGood = [&](pcl::index_t t) {
-      return anyCorner(seam_.given[static_cast<std::size_t>(t)], result.is_open);
+      const Triangle& triangle = seam_.given[static_cast<std::size_t>(t)];
+      return anyCorner(triangle, seam_.is_open) ||
+             (anyCorner(triangle, result.is_open) &&
+              allCorners(triangle, seam_.is_whole));
     };
     for (auto more = gone.end(); !gone.empty(); gone.erase(more, gone.end())) {
       more = std::stable_partition(
@@ -174,20 +179,21 @@ private:
       result.is_open[static_cast<std::size_t>(corner)] = 1;
   }
 
-  /** All triangles of a piece alike, whichever way. */
-  bool
-  wind(Triangles& triangles, Winding& winding) const
+  /** All triangles of a piece alike, whichever way. Those of a one-sided piece that
+   * cannot be are twisted: by one thread, as others would find other ones. */
+  Winding
+  wind()
   {
     TriangleAdjacency adjacency;
-    adjacency.build(triangles, seam_.points.size(), threads_);
+    adjacency.build(given_, seam_.points.size(), threads_);
+    Winding winding;
     RunControl control;
-    winding.find(triangles, adjacency, threads_, control);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
+    winding.find(given_, adjacency, 1, control);
+    for (std::size_t t = 0; t < given_.size(); ++t)
       if (winding.isTurned(t))
-        std::swap(triangles[t][1], triangles[t][2]);
-    return std::none_of(winding.components().begin(),
-                        winding.components().end(),
-                        [](const WoundComponent& piece) { return piece.one_sided; });
+        std::swap(given_[t][1], given_[t][2]);
+    is_twisted_ = findDisagreements(given_, adjacency, {threads_});
+    return winding;
   }
 
   void
@@ -310,18 +316,15 @@ private:
       goes[static_cast<std::size_t>(t)] = 1;
     for (std::size_t t = 0; t < goes.size(); ++t) {
       const Triangle& corners = seam_.given[t];
-      const bool is_near =
-          std::all_of(corners.begin(), corners.end(), [&](pcl::index_t v) {
-            return seam_.is_near[static_cast<std::size_t>(v)] != 0;
-          });
-      if (is_near && anyCorner(corners, is_flawed))
+      if (allCorners(corners, seam_.is_near) && anyCorner(corners, is_flawed))
         goes[t] = 1;
     }
     return goes;
   }
 
   const Seam& seam_;
-  Triangles given_; /**< the seam's, each piece wound alike */
+  Triangles given_;                      /**< the seam's, each piece wound alike */
+  std::vector<std::uint8_t> is_twisted_; /**< flags of those that cannot be */
   CompletionParameters parameters_;
   int threads_;
   const ProgressCallback& progress_;

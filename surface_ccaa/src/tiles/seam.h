@@ -18,8 +18,9 @@ namespace pcl::ccaa {
 /** \brief What surrounds some disputes. */
 struct Seam {
   std::vector<Eigen::Vector3f> points; /**< one per place */
-  Triangles given;                     /**< of these, wound in any way, no edge with
-                                            more than two */
+  Triangles given;                     /**< of these, no edge with more than two */
+  std::vector<std::size_t> tile_of;    /**< by given triangle: those that one tile has
+                                            are wound as it made them; empty: any way */
   std::vector<std::uint8_t> is_open;   /**< flags of the points that may get triangles:
                                             the disputes and free points near them */
   std::vector<std::uint8_t> is_near;   /**< flags of those within one and a half reaches
@@ -38,6 +39,15 @@ anyCorner(const Triangle& triangle, const std::vector<std::uint8_t>& flags)
   });
 }
 
+/** \brief Whether all corners of a triangle are. */
+inline bool
+allCorners(const Triangle& triangle, const std::vector<std::uint8_t>& flags)
+{
+  return std::all_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
+    return flags[static_cast<std::size_t>(corner)] != 0;
+  });
+}
+
 /** \brief What closes it. */
 struct SeamFilling {
   Triangles added;                   /**< wound in any way */
@@ -48,6 +58,7 @@ struct SeamFilling {
 /** \brief Complete the surface around disputes by the base algorithm: triangles that
  * cut fans leave in several pieces at a dispute go (all but the largest piece), the
  * other given ones stay frozen, and all points that are not open count as cut points.
+ * Pieces of the given triangles are wound as their tiles have made them.
  * Where that leaves open points free or on a boundary, the triangles around these are
  * made anew, too, twice at most, and that stays if fewer such points are left. If still
  * some are left, all is tried again with pieces turned that lie against each other

@@ -25,6 +25,13 @@ struct Half {
   pcl::index_t label;
 };
 
+/** An edge that two pieces have. */
+struct Common {
+  std::array<WideIndex, 2> ends;
+  std::array<pcl::index_t, 2> labels;
+  bool is_against; /**< wound as they are, the pieces do not agree */
+};
+
 class SideGraph {
 public:
   explicit SideGraph(const std::vector<TilePieces>& tiles) : tiles_(tiles)
@@ -84,9 +91,9 @@ private:
     return (state & 1) != 0 ? -1.0 : 1.0;
   }
 
-  /** Two triangles on an edge are wound alike when they run through it both ways. */
-  void
-  joinPieces()
+  /** Edges that two pieces have. */
+  std::vector<Common>
+  commonEdges() const
   {
     std::vector<Half> halves;
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
@@ -97,18 +104,37 @@ private:
       return std::tie(a.edge->ends, a.tile, a.edge->piece) <
              std::tie(b.edge->ends, b.tile, b.edge->piece);
     });
+    std::vector<Common> common;
     for (std::size_t i = 1; i < halves.size(); ++i) {
       const Half &one = halves[i - 1], &other = halves[i];
-      if (one.edge->ends != other.edge->ends)
+      if (one.edge->ends == other.edge->ends)
+        common.push_back({one.edge->ends,
+                          {one.label, other.label},
+                          one.edge->falls == other.edge->falls});
+    }
+    return common;
+  }
+
+  /** Two triangles on an edge are wound alike when they run through it both ways. Those
+   * pieces come first that most edges tell about: a few may be those of a handle that
+   * turns the surface over. */
+  void
+  joinPieces()
+  {
+    const std::vector<Common> common = commonEdges();
+    LabelVotes votes;
+    for (const Common& edge : common)
+      votes[edge.labels] += edge.is_against ? -1.0 : 1.0;
+    joinClearest(votes, labels_);
+    for (const Common& edge : common) {
+      const pcl::index_t one = labels_.find(2 * edge.labels[0]);
+      const pcl::index_t other = labels_.find(2 * edge.labels[1]);
+      if (((one ^ other) & 1) != (edge.is_against ? 1 : 0)) {
+        sides_.torn.push_back(edge.ends);
         continue;
-      const auto is_against =
-          static_cast<pcl::index_t>(one.edge->falls == other.edge->falls);
-      if (labels_.join(2 * one.label, 2 * other.label + is_against)) {
-        --sums_[static_cast<std::size_t>(one.label)].open_edges;
-        --sums_[static_cast<std::size_t>(other.label)].open_edges;
       }
-      else
-        sides_.torn.push_back(one.edge->ends);
+      for (const pcl::index_t label : edge.labels)
+        --sums_[static_cast<std::size_t>(label)].open_edges;
     }
   }
 

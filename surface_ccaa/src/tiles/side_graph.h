@@ -95,7 +95,8 @@ struct Sides {
       components_of;                          /**< by tile and piece: the
                                                  surface, by its first piece */
   std::vector<std::array<WideIndex, 2>> torn; /**< edges over which windings cannot
-                                                   agree: their triangles have to go */
+                                                   agree */
+  std::vector<WideTriangle> gone;             /**< that have to go for it (Tearing) */
   SideTally tally;                            /**< triangles by rule */
   std::uint64_t components = 0;
   std::uint64_t open_edges = 0;

@@ -8,6 +8,7 @@
 #include "support/mesh_asserts.h"
 #include "support/mesh_topology.h"
 #include "support/random_source.h"
+#include "tiles/facing.h"
 #include "tiles/seam.h"
 
 #include <algorithm>
@@ -207,13 +208,54 @@ TEST(Seam, RandomDamageIsMendedWithoutLosingWhatIsNotTold)
   EXPECT_EQ(open, 0U);
 }
 
-TEST(Seam, OneSidedSurroundingsAreLeftAsTheyAre)
+/** A Moebius band beside a sphere that lacks its belt. */
+Seam
+besideABand()
 {
-  Seam seam = withGap(moebiusBand(30), [](const Position&) { return false; });
-  seam.is_open[0] = 1;
+  const Shape sphere = noisyIcosphere(4, 0.003, 1);
+  const Shape band = translated(moebiusBand(60), {5.0, 0.0, 0.0});
+  return withGap(joined(sphere, band), [](const Position& position) {
+    return position.x() < 2.0 && isInBelt(position);
+  });
+}
+
+TEST(Seam, ABeltIsClosedBesideAOneSidedPiece)
+{
+  const Seam seam = besideABand();
   const SeamFilling filling = close(seam);
-  EXPECT_NE(filling.error, "");
-  EXPECT_TRUE(filling.added.empty());
+  EXPECT_TRUE(filling.removed.empty());
+  EXPECT_EQ(countBoundaryEdges(closed(seam, filling)), 120U); // those of the band
+}
+
+TEST(Seam, AGapInAOneSidedPieceLeavesOneFanAtEachPoint)
+{
+  Seam seam = besideABand();
+  const auto first =
+      static_cast<std::size_t>(noisyIcosphere(4, 0.003, 1).vertices.size());
+  for (std::size_t v = first + 20; v < first + 26; ++v)
+    seam.is_open[v] = 1;
+  closed(seam, close(seam));
+}
+
+TEST(Seam, PiecesLieAsTheirTileHasMadeThem)
+{
+  Seam seam = withGap(noisyIcosphere(4, 0.003, 1), isInBelt);
+  const Triangles made = seam.given;
+  seam.tile_of.assign(seam.given.size(), 3);
+  // That of a piece would be that of its first triangle, which another tile has turned.
+  std::swap(seam.given[0][1], seam.given[0][2]);
+  TriangleAdjacency adjacency;
+  adjacency.build(seam.given, seam.points.size());
+  RunControl control;
+  Winding pieces;
+  ASSERT_TRUE(pieces.find(seam.given, adjacency, 1, control));
+  ASSERT_EQ(pieces.components().size(), 2U);
+  Triangles given = seam.given;
+  for (std::size_t t = 0; t < given.size(); ++t)
+    if (pieces.isTurned(t))
+      std::swap(given[t][1], given[t][2]);
+  turnAsMade(seam, pieces, given);
+  EXPECT_TRUE(sameTriangles(made, given) || sameTriangles(reversed(made), given));
 }
 
 TEST(Seam, AFewPointsAreNoSeam)

@@ -181,6 +181,22 @@ TEST(SideGraph, AMoebiusBandOfOneTileTears)
   expectTorn(1, [](const Position&) { return std::size_t{0}; });
 }
 
+/** Two pieces with edges in common, of which the first tells the other way round. */
+TEST(SideGraph, WhatMostEdgesTellCounts)
+{
+  std::vector<TilePieces> tiles(2);
+  for (std::uint32_t tile = 0; tile < 2; ++tile) {
+    tiles[tile].sums.resize(1);
+    for (WideIndex i = 0; i < 7; ++i)
+      tiles[tile].edges.push_back({{i, i + 10}, 0, i == 0 ? 1 - tile : 1});
+    tiles[tile].sums[0].open_edges = 7;
+  }
+  const Sides sides = decideSides(tiles, true);
+  EXPECT_EQ(sides.torn, (std::vector<std::array<WideIndex, 2>>{{0, 10}}));
+  EXPECT_NE(sides.turn[0][0], sides.turn[1][0]);
+  EXPECT_EQ(sides.open_edges, 2U);
+}
+
 TEST(SideGraph, NoTilesAndEmptyTilesHaveNoSides)
 {
   EXPECT_TRUE(decideSides({}, true).turn.empty());
