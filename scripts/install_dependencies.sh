@@ -17,7 +17,7 @@ packages=(build-essential cmake ninja-build ccache libpcl-dev libeigen3-dev
           libflann-dev libboost-program-options-dev nlohmann-json3-dev
           libnanoflann-dev xvfb xauth)
 python_packages=(pybind11-dev python3-dev python3-numpy python3-pip python3-venv)
-test_packages=("${python_packages[@]}" python3-pytest python3-tqdm mypy clang-format libgtest-dev clang libclang-rt-14-dev libomp-dev llvm doxygen
+test_packages=("${python_packages[@]}" python3-pytest python3-tqdm mypy clang-format libgtest-dev clang lld libclang-rt-14-dev libomp-dev llvm doxygen
                man-db pkgconf dpkg-dev file pcl-tools xdotool)
 package_packages=("${python_packages[@]}" doxygen dpkg-dev file lintian)
 # Some 90 packages, and minutes until they are set up.

@@ -4,16 +4,10 @@
 
 #include "cli/cli.h"
 #include "cli/repair_run.h"
-#include "mesh/side_hints.h"
-#include "mesh/sort_unique.h"
-#include "out_of_core/seam_gathering.h"
 #include "out_of_core/step_file.h"
 #include "out_of_core/tile_cloud.h"
-#include "run/threads.h"
 
 #include <algorithm>
-#include <numeric>
-#include <set>
 #include <utility>
 
 namespace app {
@@ -328,38 +322,6 @@ groupAllDisputes(const TilePlan& plan)
   for (const std::vector<PlacedDispute>& group : by_group)
     addGroup(plan, group, grouped);
   writeDisputes(plan, grouped);
-}
-
-void
-closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
-{
-  if (isDone(plan.file(tile, CLOSE_STEP), plan.key))
-    return;
-  ClosedTile closed;
-  SeamGathering gathering(plan, tile);
-  if (gathering.size() > 0)
-    gathering.read();
-  std::vector<WideIndex> wide;
-  const auto toWide = [&wide](const pcl::ccaa::Triangle& triangle) {
-    return WideTriangle{wide[std::size_t(triangle[0])],
-                        wide[std::size_t(triangle[1])],
-                        wide[std::size_t(triangle[2])]};
-  };
-  for (std::size_t group = 0; group < gathering.size(); ++group) {
-    const pcl::ccaa::Seam seam = gathering.gather(group, wide);
-    const pcl::ccaa::SeamFilling filling =
-        closeSeam(seam,
-                  pcl::ccaa::CompletionParameters(),
-                  pcl::ccaa::resolveThreads(run.threads),
-                  run.progress);
-    for (const pcl::index_t t : filling.removed)
-      closed.removed.push_back(
-          cornersInOrder(toWide(seam.given[static_cast<std::size_t>(t)])));
-    for (const pcl::ccaa::Triangle& triangle : filling.added)
-      closed.added.push_back(toWide(triangle));
-    closed.failed += filling.error.empty() ? 0 : 1;
-  }
-  writeClosed(plan, tile, closed);
 }
 
 } // namespace app

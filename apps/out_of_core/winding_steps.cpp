@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: the last steps of a reconstruction tile by tile: the whole
-// surface, outward.
+// Part of PclSurfaceRepair: the last steps of a reconstruction tile by tile: seams, and
+// the whole surface, outward.
 #include "cli/cli.h"
 #include "cli/repair_run.h"
 #include "mesh/side_hints.h"
@@ -148,6 +148,38 @@ tear(const TilePlan& plan, pcl::ccaa::Sides& sides)
 }
 
 } // namespace
+
+void
+closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
+{
+  if (isDone(plan.file(tile, CLOSE_STEP), plan.key))
+    return;
+  ClosedTile closed;
+  SeamGathering gathering(plan, tile);
+  if (gathering.size() > 0)
+    gathering.read();
+  std::vector<WideIndex> wide;
+  const auto toWide = [&wide](const pcl::ccaa::Triangle& triangle) {
+    return WideTriangle{wide[std::size_t(triangle[0])],
+                        wide[std::size_t(triangle[1])],
+                        wide[std::size_t(triangle[2])]};
+  };
+  for (std::size_t group = 0; group < gathering.size(); ++group) {
+    const pcl::ccaa::Seam seam = gathering.gather(group, wide);
+    const pcl::ccaa::SeamFilling filling =
+        closeSeam(seam,
+                  pcl::ccaa::CompletionParameters(),
+                  pcl::ccaa::resolveThreads(run.threads),
+                  run.progress);
+    for (const pcl::index_t t : filling.removed)
+      closed.removed.push_back(
+          cornersInOrder(toWide(seam.given[static_cast<std::size_t>(t)])));
+    for (const pcl::ccaa::Triangle& triangle : filling.added)
+      closed.added.push_back(toWide(triangle));
+    closed.failed += filling.error.empty() ? 0 : 1;
+  }
+  writeClosed(plan, tile, closed);
+}
 
 void
 windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
