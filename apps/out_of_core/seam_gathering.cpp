@@ -30,22 +30,31 @@ boxAround(const PlacedDispute& dispute, double reaches)
 
 } // namespace
 
+std::vector<ClosedTile>
+readAllClosed(const TilePlan& plan, const std::set<std::size_t>& closers)
+{
+  std::vector<ClosedTile> all;
+  for (const std::size_t closer : closers) {
+    all.push_back(readClosed(plan, closer));
+    pcl::ccaa::sortUnique(all.back().removed);
+  }
+  return all;
+}
+
 std::vector<WideTriangle>
 trianglesAfter(const TilePlan& plan,
                std::size_t tile,
-               const std::set<std::size_t>& closers)
+               const std::vector<ClosedTile>& closed)
 {
   std::vector<WideTriangle> triangles = readJoined(plan, tile).triangles;
-  for (const std::size_t closer : closers) {
-    ClosedTile closed = readClosed(plan, closer);
-    pcl::ccaa::sortUnique(closed.removed);
+  for (const ClosedTile& one : closed) {
     const auto isRemoved = [&](const WideTriangle& triangle) {
       return std::binary_search(
-          closed.removed.begin(), closed.removed.end(), cornersInOrder(triangle));
+          one.removed.begin(), one.removed.end(), cornersInOrder(triangle));
     };
     triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isRemoved),
                     triangles.end());
-    for (const WideTriangle& triangle : closed.added)
+    for (const WideTriangle& triangle : one.added)
       if (plan.tiling.tiles[tile].owns(cornersInOrder(triangle).front()))
         triangles.push_back(triangle);
   }
@@ -183,13 +192,14 @@ SeamGathering::read()
     const auto known = known_.find(corner);
     return known != known_.end() && !known->second.groups.empty();
   };
-  for (const std::size_t tile : earlier_)
-    addCorners(readClosed(plan_, tile).added);
+  const std::vector<ClosedTile> before = readAllClosed(plan_, earlier_);
+  for (const ClosedTile& closed : before)
+    addCorners(closed.added);
   std::vector<Passing> near;
   std::vector<WideTriangle> triangles;
   for (const std::size_t part : parts_) {
     const pcl::ccaa::BorderPoints points = readOwnBorderPoints(plan_, part);
-    for (const WideTriangle& triangle : trianglesAfter(plan_, part, earlier_)) {
+    for (const WideTriangle& triangle : trianglesAfter(plan_, part, before)) {
       std::vector<std::size_t> groups = groupsPassed(triangle, points);
       if (groups.empty() && std::none_of(triangle.begin(), triangle.end(), isNear))
         continue;

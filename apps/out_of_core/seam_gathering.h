@@ -11,11 +11,16 @@
 
 namespace app {
 
-/** \brief The border triangles of a tile after some tiles have closed their groups. */
+/** \brief What some tiles have made of their groups, in the order in which they did;
+ * what was removed is ascending. */
+std::vector<ClosedTile>
+readAllClosed(const TilePlan& plan, const std::set<std::size_t>& closers);
+
+/** \brief The border triangles of a tile after that. */
 std::vector<pcl::ccaa::WideTriangle>
 trianglesAfter(const TilePlan& plan,
                std::size_t tile,
-               const std::set<std::size_t>& closers);
+               const std::vector<ClosedTile>& closed);
 
 /** \brief The groups of disputes that a tile closes, with the points and triangles
  * around them, from all tiles that have any. */

@@ -3,7 +3,6 @@
 #include "out_of_core/tile_run.h"
 
 #include "cli/cli.h"
-#include "out_of_core/seam_gathering.h"
 #include "out_of_core/shards.h"
 #include "out_of_core/step_file.h"
 #include "run/threads.h"
@@ -14,7 +13,6 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
-#include <set>
 #include <thread>
 #include <vector>
 
@@ -46,8 +44,6 @@ struct Phase {
   std::function<void(std::size_t tile, const StepRun& run)> work; /**< empty: once */
   std::function<void()> once;
   std::function<std::vector<std::uint64_t>()> points = {}; /**< empty: the tiles' own */
-  std::function<std::set<std::size_t>(std::size_t tile)> before =
-      {}; /**< lower tiles that come before one; empty: none */
 };
 
 class TileRun {
@@ -107,15 +103,15 @@ private:
       StepRun run;
       run.threads = static_cast<unsigned int>(threads_ / count);
       run.progress = [&](const std::string&, double) { return !stop.load(); };
+      run.wait = [&](std::size_t tile) {
+        while (!is_done[tile] && !stop)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (stop)
+          throw Failure(stopped_by_signal);
+      };
       try {
         for (std::size_t tile = next++; tile < tiles_ && !stop; tile = next++) {
           releaseFreed();
-          if (phase.before)
-            for (const std::size_t earlier : phase.before(tile))
-              while (!is_done[earlier] && !stop)
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          if (stop)
-            break;
           phase.work(tile, run);
           is_done[tile] = true;
           ++finished;
@@ -204,12 +200,7 @@ runTiles(const TilePlan& plan,
       {"meshing tiles", 80, forTile(meshTile), {}},
       {"joining tiles", 2, forPart(joinTile), {}},
       {"disputes", 1, {}, [&] { groupAllDisputes(plan); }},
-      {"closing seams",
-       5,
-       forTile(closeTile),
-       {},
-       {},
-       [&](std::size_t tile) { return SeamGathering(plan, tile).earlier(); }},
+      {"closing seams", 5, forTile(closeTile), {}},
       {"winding", 6, wind, {}},
       {"winding", 0, {}, [&] {
          removeAll(plan, MESH_STEP);

@@ -8,6 +8,7 @@
 #include "out_of_core/tile_files.h"
 
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace app {
 struct StepRun {
   unsigned int threads = 1;                  /**< 0: all */
   pcl::ccaa::ProgressCallback progress = {}; /**< false from it stops the step */
+  std::function<void(std::size_t tile)> wait =
+      {}; /**< until the step is done for a lower tile; empty: it is */
 };
 
 // Each step reads what the steps before it have written for its tile and the tiles

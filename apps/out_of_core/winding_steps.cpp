@@ -156,6 +156,9 @@ closeTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
     return;
   ClosedTile closed;
   SeamGathering gathering(plan, tile);
+  for (const std::size_t earlier : gathering.earlier())
+    if (run.wait)
+      run.wait(earlier);
   if (gathering.size() > 0)
     gathering.read();
   std::vector<WideIndex> wide;
@@ -186,8 +189,8 @@ windTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
 {
   if (isDone(plan.file(tile, PIECES_STEP), plan.key))
     return;
-  const std::vector<WideTriangle> border =
-      trianglesAfter(plan, tile, closersAround(plan, tile, readDisputes(plan)));
+  const std::vector<WideTriangle> border = trianglesAfter(
+      plan, tile, readAllClosed(plan, closersAround(plan, tile, readDisputes(plan))));
   const TileCloud cloud(plan, tile, foreignCorners(plan.tiling.tiles[tile], border));
   const Position corner = plan.corners[tile];
   const TileMesh mesh = readInner(plan, tile);
