@@ -31,6 +31,8 @@ constexpr const char* HELP =
     "  same      --small points in tiles and at once: what the meshes are, and the "
     "open\n"
     "            edges of --seeds such clouds (1): how many a cloud has is chance\n"
+    "  noise     --small points with noise of 0.2 to 0.5 spacings, at once and in "
+    "tiles\n"
     "  shift     --small points, and these moved by half a tile\n"
     "  workers   --small points in tiles on one and on two threads\n"
     "  city      --small points of a city block, 16 scans\n"
@@ -126,13 +128,15 @@ std::string
 bumpy(const Settings& settings,
       std::uint64_t points,
       double shift = 0.0,
-      std::uint64_t seed = 1)
+      std::uint64_t seed = 1,
+      double noise = 0.0)
 {
   std::string path = settings.folder + "/bumpy_" + std::to_string(points) +
                      (seed > 1 ? "_" + std::to_string(seed) : "") +
-                     (shift > 0.0 ? "_moved" : "") + ".ply";
+                     (shift > 0.0 ? "_moved" : "") +
+                     (noise > 0.0 ? "_" + std::to_string(noise) : "") + ".ply";
   if (!fs::exists(path))
-    bench::writeBumpy(path, points, seed, shift);
+    bench::writeBumpy(path, points, seed, shift, noise);
   return path;
 }
 
@@ -155,7 +159,17 @@ Json
 judge(const Settings& settings, const char* what, const std::string& mesh)
 {
   Json facts = run(settings, "pcl_mesh_quality", {mesh}).report;
-  std::printf("%s: %s\n", what, facts.dump().substr(0, 1500).c_str());
+  std::printf("%s:", what);
+  for (const char* fact : {"boundary_edges",
+                           "components",
+                           "euler_characteristic",
+                           "free_vertices",
+                           "non_manifold_edges",
+                           "non_manifold_vertices",
+                           "misoriented_edges",
+                           "self_intersections"})
+    std::printf(" %s %s", fact, facts[fact].dump().c_str());
+  std::printf("\n");
   return facts;
 }
 
@@ -197,6 +211,21 @@ same(const Settings& settings)
     }
   std::printf(
       "open edges: %.0f and %.0f, ratio %.3f\n", sums[0], sums[1], sums[1] / sums[0]);
+}
+
+void
+noise(const Settings& settings)
+{
+  const std::string mesh = settings.folder + "/mesh.ply";
+  for (const double noise : {0.2, 0.35, 0.5})
+    for (const std::uint64_t tiles : {std::uint64_t{0}, settings.tiles}) {
+      const std::string cloud = bumpy(settings, settings.small, 0.0, 1, noise);
+      const std::string what =
+          (tiles > 0 ? "in tiles " : "at once ") + std::to_string(noise).substr(0, 4);
+      tell(
+          what.c_str(), settings.small, reconstruct(settings, {cloud}, mesh, tiles, 1));
+      judge(settings, what.c_str(), mesh);
+    }
 }
 
 void
@@ -270,7 +299,7 @@ runAll(const std::vector<std::string>& words)
   if (words.front() == "make") {
     const std::uint64_t points = std::stoull(words.at(2));
     if (words.at(1) == "bumpy")
-      bench::writeBumpy(words.at(3), points, 1, 0.0);
+      bench::writeBumpy(words.at(3), points, 1);
     else
       bench::writeCity(words.at(3), points, 1, 16);
     return;
@@ -279,6 +308,7 @@ runAll(const std::vector<std::string>& words)
   const std::vector<std::pair<std::string, void (*)(const Settings&)>> parts = {
       {"scale", scale},
       {"same", same},
+      {"noise", noise},
       {"shift", shift},
       {"workers", workers},
       {"city", city}};

@@ -93,14 +93,18 @@ distanceToCity(const Eigen::Vector3d& from, const Eigen::Vector3d& along)
   return nearest;
 }
 
+constexpr double BUMPY_AREA = 15.2;
+
 } // namespace
 
 void
 writeBumpy(const std::string& path,
            std::uint64_t points,
            std::uint64_t seed,
-           double shift)
+           double shift,
+           double noise)
 {
+  const double deviation = noise * std::sqrt(BUMPY_AREA / double(points));
   FloatFile file(path,
                  "ply\nformat binary_little_endian 1.0\nelement vertex " +
                      std::to_string(points) +
@@ -111,7 +115,10 @@ writeBumpy(const std::string& path,
     const Eigen::Vector3d d = randomDirection(random, -1.0, 1.0);
     const double bumps =
         std::sin(15.0 * d.x()) * std::sin(12.0 * d.y()) * std::sin(12.0 * d.z());
-    file.put((1.0 + 0.1 * bumps) * d + Eigen::Vector3d(shift, 0.0, 0.0));
+    Eigen::Vector3d point = (1.0 + 0.1 * bumps) * d + Eigen::Vector3d(shift, 0.0, 0.0);
+    for (Eigen::Index axis = 0; noise > 0.0 && axis < 3; ++axis)
+      point[axis] += deviation * random.normal();
+    file.put(point);
   }
   file.finish();
 }

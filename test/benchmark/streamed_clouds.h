@@ -9,12 +9,14 @@
 namespace bench {
 
 /** \brief Write points of a closed bumpy surface, of radius 1 and no handle, in random
- * order, as binary PLY. \param[in] shift added to all x, to move it against the grid */
+ * order, as binary PLY. \param[in] shift added to all x, to move it against the grid
+ * \param[in] noise deviation of each coordinate, in mean distances of points */
 void
 writeBumpy(const std::string& path,
            std::uint64_t points,
            std::uint64_t seed,
-           double shift);
+           double shift = 0.0,
+           double noise = 0.0);
 
 /** \brief Write what scanners between five times five houses of 20 by 20 units see of
  * them and the ground, each scan as binary PCD with its viewpoint: rays spread evenly
