@@ -14,13 +14,22 @@ namespace {
 
 /** Highest class of folds that are not doubtful. */
 std::size_t
-sharpestTrusted(const EdgeFolds& folds, std::size_t triangles)
+sharpestTrusted(const EdgeFolds& folds, std::size_t triangles, std::size_t sharp)
 {
   FoldStatistics all;
   for (std::size_t t = 0; t < triangles; ++t)
     folds.addTo(all, t);
-  return std::max(all.exceededBy(tuning::RARE_SHARE),
-                  FoldStatistics::classOf(std::cos(tuning::SHARP_FOLD)));
+  return std::max(all.exceededBy(tuning::RARE_SHARE), sharp);
+}
+
+bool
+foldsAbove(const EdgeFolds& folds, std::size_t triangle, std::size_t limit)
+{
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    if (const auto fold = folds(triangle, corner);
+        fold != EdgeFolds::NO_FOLD && fold > limit)
+      return true;
+  return false;
 }
 
 } // namespace
@@ -43,15 +52,13 @@ doubtfulTriangles(const Triangles& triangles,
   std::vector<std::uint8_t> crumpled;
   for (const FoldStatistics& island : by_island)
     crumpled.push_back(island.median() > crumpledFold(doubts.typical_fold));
-  const std::size_t limit = sharpestTrusted(folds, triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    bool doubt = crumpled[islands[t]] != 0;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      doubt =
-          doubt || (folds(t, corner) != EdgeFolds::NO_FOLD && folds(t, corner) > limit);
-    if (doubt)
+  const std::size_t sharp = FoldStatistics::classOf(std::cos(tuning::SHARP_FOLD));
+  const std::size_t limit = sharpestTrusted(folds, triangles.size(), sharp);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (crumpled[islands[t]] != 0 || foldsAbove(folds, t, limit))
       doubts.triangles.push_back(static_cast<index_t>(t));
-  }
+    else if (foldsAbove(folds, t, sharp))
+      doubts.folded.push_back(static_cast<index_t>(t));
   return doubts;
 }
 

@@ -15,6 +15,8 @@ namespace pcl::ccaa {
 /** \brief What doubtfulTriangles() found. */
 struct Doubts {
   std::vector<pcl::index_t> triangles; /**< ascending */
+  std::vector<pcl::index_t> folded; /**< others with an edge that folds by more than 55
+                                         degrees, ascending: they may cross others */
   double typical_fold = 0.0; /**< median fold of the largest island, in radians */
 };
 

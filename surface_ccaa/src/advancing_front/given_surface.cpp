@@ -114,8 +114,10 @@ readGiven(const PartialMesh& mesh,
   surface.doubts = doubtfulTriangles(
       mesh.given, surface.adjacency, surface.islands, mesh.points, context);
   std::vector<pcl::index_t>& doubts = surface.doubts.triangles;
-  if (keep_given || !reopening.triangles.empty())
+  if (keep_given || !reopening.triangles.empty()) {
     doubts = reopening.triangles;
+    surface.doubts.folded.clear();
+  }
   doubts.insert(doubts.end(), disagreeing.begin(), disagreeing.end());
   sortUnique(doubts);
   return surface;

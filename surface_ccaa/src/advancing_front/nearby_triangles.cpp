@@ -124,18 +124,18 @@ NearbyTriangles::sortAlongCurve(int threads)
 }
 
 std::vector<pcl::index_t>
-NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& open,
+NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& watched,
                             std::size_t vertices,
                             const LoopContext& context) const
 {
-  std::vector<std::uint8_t> is_open(vertices, 0);
-  for (const pcl::index_t vertex : open)
-    is_open[static_cast<std::size_t>(vertex)] = 1;
+  std::vector<std::uint8_t> is_watched(vertices, 0);
+  for (const pcl::index_t vertex : watched)
+    is_watched[static_cast<std::size_t>(vertex)] = 1;
   const auto isAsked = [&](pcl::index_t triangle) {
     const Triangle& corners = triangles_[static_cast<std::size_t>(triangle)];
     return alive_[static_cast<std::size_t>(triangle)] != 0 &&
            std::any_of(corners.begin(), corners.end(), [&](pcl::index_t corner) {
-             return is_open[static_cast<std::size_t>(corner)] != 0;
+             return is_watched[static_cast<std::size_t>(corner)] != 0;
            });
   };
   std::vector<std::vector<pcl::index_t>> found(context.blockCount(chosen_.size()));

@@ -45,13 +45,12 @@ public:
         const Box& box,
         const std::vector<pcl::index_t>& ignored) const;
 
-  /** \brief The live ones with an open corner that meet another live one elsewhere than
-   * in common corners and edges, ascending. In scans each pair that meets has such a
-   * corner (3 000 of a table with objects). Cost: about 1 us for each with an open
-   * corner. \param[in] open vertices \param[in] vertices how many there are
+  /** \brief The live ones with a watched corner that meet another live one elsewhere
+   * than in common corners and edges, ascending. Cost: about 1 us for each with such a
+   * corner. \param[in] watched vertices \param[in] vertices how many there are
    * \return nothing of use after cancelling */
   std::vector<pcl::index_t>
-  crossingAt(const std::vector<pcl::index_t>& open,
+  crossingAt(const std::vector<pcl::index_t>& watched,
              std::size_t vertices,
              const LoopContext& context) const;
 

@@ -81,7 +81,7 @@ usualSpacing(const Triangles& given, const PointView& points)
 }
 
 double
-cellSize(const OpenSurface& open)
+cellSize(const OpenSurface& open, double usual)
 {
   std::vector<double> distances;
   for (std::size_t i = 0; i < open.open_points; ++i) {
@@ -94,7 +94,8 @@ cellSize(const OpenSurface& open)
                                    open.neighbors.row(point)[count - 1])])
               .norm());
   }
-  return tuning::CELL_FACTOR * medianOf(std::move(distances));
+  return tuning::CELL_FACTOR *
+         (distances.empty() ? usual : medianOf(std::move(distances)));
 }
 
 } // namespace pcl::ccaa

@@ -29,8 +29,9 @@ double
 usualSpacing(const Triangles& given, const PointView& points);
 
 /** \brief Size of the cells of NearbyTriangles: several times the typical distance of
- * an open point from the sixth of its neighbors, which new edges seldom exceed. */
+ * an open point from the sixth of its neighbors, which new edges seldom exceed.
+ * \param[in] usual spacing, for where no point is open */
 double
-cellSize(const OpenSurface& open);
+cellSize(const OpenSurface& open, double usual);
 
 } // namespace pcl::ccaa

@@ -80,6 +80,7 @@ private:
   std::vector<pcl::index_t> open_, table_; /**< open points with their neighbors */
   std::optional<PartialSurface> surface_;
   Gap gap_;
+  std::vector<pcl::index_t> watched_; /**< points at which given triangles may cross */
   std::optional<NearbyTriangles> nearby_;
   std::vector<pcl::index_t> obstructed_;
   TriangleAdjacency adjacency_; /**< of the result */
@@ -137,31 +138,39 @@ Completion::openSurface()
       mesh_.given, given_.adjacency, mesh_.points, hintsOf(mesh_, context_.threads));
   for (const pcl::index_t t : given_.doubts.triangles)
     surface_->remove(t);
+  const double spacing = usualSpacing(mesh_.given, mesh_.points);
   gap_ = openGap(*surface_,
                  std::move(open_),
                  std::move(table_),
-                 usualSpacing(mesh_.given, mesh_.points),
+                 spacing,
                  parameters_.neighbors,
                  search_,
                  &control_);
+  watched_ = gap_.open;
+  for (const pcl::index_t t : std::exchange(given_.doubts.folded, {}))
+    watched_.insert(watched_.end(),
+                    mesh_.given[static_cast<std::size_t>(t)].begin(),
+                    mesh_.given[static_cast<std::size_t>(t)].end());
+  sortUnique(watched_);
   if (!control_.cancelled())
     nearby_.emplace(mesh_.given,
                     surface_->aliveGiven(),
                     mesh_.points,
-                    gap_.open,
-                    cellSize(gap_.surface),
+                    watched_,
+                    cellSize(gap_.surface, spacing),
                     context_.threads);
 }
 
 /** Umbrellas tell the neighbors of a point alone: given triangles may cross others.
- * \return whether any do */
+ * Those that do have an open corner, or an edge that folds sharply, which is asked
+ * once: \return whether any do */
 bool
 Completion::doubtCrossings()
 {
   if (control_.cancelled() || parameters_.keep_given || !reopening_.triangles.empty())
     return false;
   const std::vector<pcl::index_t> crossing =
-      nearby_->crossingAt(gap_.open, mesh_.points.size(), context_);
+      nearby_->crossingAt(watched_, mesh_.points.size(), context_);
   std::vector<pcl::index_t>& doubts = given_.doubts.triangles;
   doubts.insert(doubts.end(), crossing.begin(), crossing.end());
   sortUnique(doubts);
@@ -174,6 +183,7 @@ Completion::advanceFront()
   openSurface();
   while (doubtCrossings() && searchOpenPoints()) // each time there are more in doubt
     openSurface();
+  watched_ = {};
   if (control_.cancelled())
     return;
   const LoopContext growth{context_.threads, &control_, "growth"};

@@ -221,5 +221,25 @@ TEST(NearbyTriangles, OfNothingAreNone)
   EXPECT_FALSE(nearby.meets(corners, boxOf(corners), {}));
 }
 
+/** No corner is open, but the surface folds where it crosses itself. */
+TEST_F(CompletionTest, CrossingsOfAClosedSurfaceAreMadeAnew)
+{
+  completion_.setKeepGiven(false);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Shape given = icosphere(3);
+    RandomSource random(seed);
+    for (Position& vertex : given.vertices)
+      for (double& coordinate : vertex.reshaped())
+        coordinate += random.uniform(-0.12, 0.12);
+    given = roundedToFloat(given);
+    RunControl control;
+    ASSERT_FALSE(findSelfIntersections(given.triangles, given.vertices, 1, control)
+                     .pairs.empty());
+    EXPECT_TRUE(findSelfIntersections(complete(given), given.vertices, 1, control)
+                    .pairs.empty())
+        << seed;
+  }
+}
+
 } // namespace
 } // namespace pcl::ccaa::test
