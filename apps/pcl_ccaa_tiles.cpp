@@ -45,8 +45,9 @@ come once holes, for all tiles repair, and once numbers. 'count' prints the numb
 numbered from 0. 'neighbors' prints for each a line with its number of points and the
 tiles around it: it is meshed from points of these, joined with their meshes. 'seams',
 after disputes, prints which tiles' meshes 'close' reads and, behind a colon, which
-closed seams 'wind' reads, and behind another one which 'close' does; 'regions', after holes, the number of points around the holes
-that 'repair' works on, and of which tiles it reads the surface.)";
+closed seams 'wind' reads, and behind another one which 'close' does; 'regions', after
+holes, the number of points around the holes that 'repair' works on, and of which tiles
+it reads the surface.)";
   usage.examples = R"(  pcl_ccaa_tiles cut work scan1.ply scan2.ply --tiles=2000000
   pcl_ccaa_tiles mesh work 0
 )";
@@ -90,8 +91,9 @@ merge(const Task& task, const TilePlan& plan)
   require(file.commit());
 }
 
+template <typename Tiles>
 void
-print(const std::set<std::size_t>& tiles)
+print(const Tiles& tiles)
 {
   for (const std::size_t tile : tiles)
     std::cout << ' ' << tile;
@@ -102,8 +104,7 @@ printNeighbors(const TilePlan& plan)
 {
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
     std::cout << plan.tiling.tiles[tile].count;
-    const std::vector<std::size_t> neighbors = plan.tiling.neighborsOf(tile);
-    print({neighbors.begin(), neighbors.end()});
+    print(plan.tiling.neighborsOf(tile));
     std::cout << '\n';
   }
 }
@@ -128,8 +129,7 @@ printRegions(const TilePlan& plan)
   const std::vector<std::uint64_t> points = repairPoints(plan);
   for (std::size_t tile = 0; tile < plan.tiling.tiles.size(); ++tile) {
     std::cout << points[tile];
-    const std::vector<std::size_t> parts = holeParts(plan, tile);
-    print({parts.begin(), parts.end()});
+    print(holeParts(plan, tile));
     std::cout << '\n';
   }
 }

@@ -5,7 +5,6 @@
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace app {
@@ -193,10 +192,12 @@ SeamGathering::read()
     return known != known_.end() && !known->second.groups.empty();
   };
   const std::vector<ClosedTile> before = readAllClosed(plan_, earlier_);
+  std::vector<WideIndex> corners;
   for (const ClosedTile& closed : before)
-    addCorners(closed.added);
+    for (const WideTriangle& triangle : closed.added)
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+  addCorners(std::exchange(corners, {}));
   std::vector<Passing> near;
-  std::vector<WideTriangle> triangles;
   for (const std::size_t part : parts_) {
     const pcl::ccaa::BorderPoints points = readOwnBorderPoints(plan_, part);
     for (const WideTriangle& triangle : trianglesAfter(plan_, part, before)) {
@@ -204,24 +205,23 @@ SeamGathering::read()
       if (groups.empty() && std::none_of(triangle.begin(), triangle.end(), isNear))
         continue;
       near.push_back({triangle, std::move(groups)});
-      triangles.push_back(triangle);
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
     }
   }
-  addCorners(triangles);
+  addCorners(std::move(corners));
   for (const Passing& passing : near)
     addTriangle(passing);
 }
 
 /** Of triangles that reach from what is near a group to farther than others. */
 void
-SeamGathering::addCorners(const std::vector<WideTriangle>& triangles)
+SeamGathering::addCorners(std::vector<WideIndex> missing)
 {
-  std::vector<WideIndex> missing;
-  for (const WideTriangle& triangle : triangles)
-    std::copy_if(triangle.begin(),
-                 triangle.end(),
-                 std::back_inserter(missing),
-                 [&](WideIndex corner) { return known_.count(corner) == 0; });
+  missing.erase(
+      std::remove_if(missing.begin(),
+                     missing.end(),
+                     [&](WideIndex corner) { return known_.count(corner) > 0; }),
+      missing.end());
   pcl::ccaa::sortUnique(missing);
   for (const std::size_t part : parts_)
     if (!missing.empty())

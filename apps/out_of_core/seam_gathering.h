@@ -95,7 +95,7 @@ private:
   groupsPassed(const pcl::ccaa::WideTriangle& triangle,
                const pcl::ccaa::BorderPoints& own) const;
   void
-  addCorners(const std::vector<pcl::ccaa::WideTriangle>& triangles);
+  addCorners(std::vector<pcl::ccaa::WideIndex> missing);
   void
   addTriangle(const Passing& passing);
 

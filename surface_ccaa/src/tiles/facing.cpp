@@ -111,6 +111,8 @@ turnAsMade(const Seam& seam, const Winding& pieces, Triangles& given)
 bool
 turnToFace(const Seam& seam, const Winding& pieces, Triangles& given)
 {
+  if (pieces.components().size() < 2)
+    return false;
   return turnByVotes(
       facingVotes(seam, pieces, given), pieces.components().size(), pieces, given);
 }

@@ -52,8 +52,11 @@ Tearing::smallerFansAt(WideIndex point) const
 {
   std::vector<WideTriangle> left;
   const std::set<WideTriangle>& all = at_.at(point);
-  std::set_difference(
-      all.begin(), all.end(), gone_.begin(), gone_.end(), std::back_inserter(left));
+  std::copy_if(
+      all.begin(),
+      all.end(),
+      std::back_inserter(left),
+      [&](const WideTriangle& triangle) { return gone_.count(triangle) == 0; });
   std::vector<pcl::index_t> numbers(left.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   const Fans fans = fansOf(numbers, point, [&](pcl::index_t t) -> const WideTriangle& {
