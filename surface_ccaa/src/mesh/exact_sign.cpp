@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace pcl::ccaa {
@@ -37,13 +39,50 @@ filteredSign(double determinant, double magnitude, double relative_error)
   return determinant < -error ? -1 : UNDECIDED;
 }
 
-/** \brief Integers wide enough for coordinates of up to 80 bits; no allocation. */
-using FixedInteger = boost::multiprecision::int256_t;
-/** Bits of coordinates that these hold the determinant of. */
-constexpr int FIXED_COORDINATE_BITS = 80;
+/** \brief Integers of fixed size need no allocation; short ones are the processor's,
+ * where it has them. */
+#ifdef BOOST_HAS_INT128
+using ShortInteger = boost::int128_type;
+#else
+using ShortInteger = boost::multiprecision::int128_t;
+#endif
+using LongInteger = boost::multiprecision::int256_t;
 using AnyInteger =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                   boost::multiprecision::et_off>;
+/** Bits of coordinates whose determinants these hold: of four points, 6 products of
+ * three differences of one bit more; of three points, 2 products of two. */
+constexpr int SHORT_PLANE_BITS = 40;
+constexpr int LONG_PLANE_BITS = 80;
+constexpr int SHORT_TURN_BITS = 62;
+constexpr int LONG_TURN_BITS = 126;
+
+/** \brief A finite double as what it is: mantissa * 2^low, the mantissa odd or zero. */
+struct BinaryNumber {
+  std::int64_t mantissa = 0;
+  int low = 0;
+  int high = 0; /**< the number is smaller than 2^high */
+
+  explicit BinaryNumber(double value)
+  {
+    static_assert(std::numeric_limits<double>::is_iec559, "binary64");
+    if (value == 0.0)
+      return;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    const int biased = static_cast<int>(bits >> 52 & 0x7ff);
+    std::uint64_t digits = bits & ((1ULL << 52) - 1);
+    if (biased > 0) // the smallest numbers lack the first digit
+      digits |= 1ULL << 52;
+    const int zeros = __builtin_ctzll(digits);
+    low = std::max(biased, 1) - 1075;
+    high = low + 53;
+    low += zeros;
+    mantissa = static_cast<std::int64_t>(digits >> zeros);
+    if (value < 0.0)
+      mantissa = -mantissa;
+  }
+};
 
 /** \brief Powers of two that bound a set of coordinates, all of which are multiples of
  * 2^low and smaller than 2^high. */
@@ -54,37 +93,37 @@ struct BitRange {
   void
   extend(double value)
   {
-    if (value == 0.0)
+    const BinaryNumber number(value);
+    if (number.mantissa == 0)
       return;
-    int exponent = 0;
-    auto mantissa =
-        static_cast<long long>(std::ldexp(std::frexp(value, &exponent), 53));
-    high = std::max(high, exponent);
-    exponent -= 53;
-    while (mantissa % 2 == 0) {
-      mantissa /= 2;
-      ++exponent;
-    }
-    low = std::min(low, exponent);
+    low = std::min(low, number.low);
+    high = std::max(high, number.high);
+  }
+
+  int
+  bits() const
+  {
+    return high - low;
   }
 };
 
+/** \brief A multiple of 2^low in multiples of it. */
 template <typename Integer>
 Integer
 scaled(double value, int low)
 {
-  if (value == 0.0)
-    return Integer(0);
-  int exponent = 0;
-  const auto mantissa =
-      static_cast<long long>(std::ldexp(std::frexp(value, &exponent), 53));
-  const int shift = exponent - 53 - low;
-  // A negative shift only takes away zeros: the value is a multiple of 2^low.
-  if (shift < 0)
-    return Integer(mantissa / (1LL << -shift));
-  Integer result(mantissa);
-  result <<= static_cast<unsigned int>(shift);
+  const BinaryNumber number(value);
+  Integer result(number.mantissa);
+  if (number.mantissa != 0)
+    result *= Integer(1) << static_cast<unsigned int>(number.low - low);
   return result;
+}
+
+template <typename Integer>
+int
+signOf(const Integer& value)
+{
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
 template <typename Integer>
@@ -101,7 +140,7 @@ planeSign(const Position (&points)[4], int low)
   };
   const Integer determinant =
       row[0][2] * minor(1, 2) + row[1][2] * minor(2, 0) + row[2][2] * minor(0, 1);
-  return determinant.sign();
+  return signOf(determinant);
 }
 
 template <typename Integer>
@@ -114,7 +153,7 @@ turnSign(const Position (&points)[3], int u, int v, int low)
   };
   const Integer determinant =
       difference(0, u) * difference(1, v) - difference(0, v) * difference(1, u);
-  return determinant.sign();
+  return signOf(determinant);
 }
 
 /** \brief Whether one of the three rows is zero in an axis throughout: an exact zero
@@ -141,10 +180,10 @@ exactSideOfPlane(const Position (&points)[4])
       bits.extend(point[k]);
   if (bits.low > bits.high)
     return 0;
-  const int sign = bits.high - bits.low <= FIXED_COORDINATE_BITS
-                       ? planeSign<FixedInteger>(points, bits.low)
-                       : planeSign<AnyInteger>(points, bits.low);
-  return -sign;
+  if (bits.bits() <= SHORT_PLANE_BITS)
+    return -planeSign<ShortInteger>(points, bits.low);
+  return bits.bits() <= LONG_PLANE_BITS ? -planeSign<LongInteger>(points, bits.low)
+                                        : -planeSign<AnyInteger>(points, bits.low);
 }
 
 [[gnu::noinline]] int
@@ -157,9 +196,10 @@ exactTurn(const Position (&points)[3], int u, int v)
   }
   if (bits.low > bits.high)
     return 0;
-  return bits.high - bits.low <= FIXED_COORDINATE_BITS
-             ? turnSign<FixedInteger>(points, u, v, bits.low)
-             : turnSign<AnyInteger>(points, u, v, bits.low);
+  if (bits.bits() <= SHORT_TURN_BITS)
+    return turnSign<ShortInteger>(points, u, v, bits.low);
+  return bits.bits() <= LONG_TURN_BITS ? turnSign<LongInteger>(points, u, v, bits.low)
+                                       : turnSign<AnyInteger>(points, u, v, bits.low);
 }
 
 } // namespace

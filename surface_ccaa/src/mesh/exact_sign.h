@@ -10,8 +10,9 @@ namespace pcl::ccaa {
  * counter-clockwise seen from d, -1 when clockwise, 0 when the four are coplanar.
  *
  * Exact for all finite doubles: a floating-point filter answers when rounding cannot
- * have changed the sign (some 10 ns), integers of sufficient length otherwise (some 1
- * us). */
+ * have changed the sign (some 10 ns), integers of sufficient length otherwise: some 0.1
+ * us for coordinates that are multiples of 2^n below 2^(n + 40), as nearly all floats
+ * of a cloud are, 1 us for up to 80 bits. */
 int
 sideOfPlane(const Position& a, const Position& b, const Position& c, const Position& d);
 

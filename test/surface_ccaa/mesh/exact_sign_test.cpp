@@ -9,6 +9,7 @@
 #include "mesh/exact_sign.h"
 #include "support/random_source.h"
 
+#include <cmath>
 #include <limits>
 
 namespace pcl::ccaa::test {
@@ -29,6 +30,27 @@ rationalSide(const Position& a, const Position& b, const Position& c, const Posi
                                m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                                m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   return -determinant.sign();
+}
+
+int
+rationalTurn(const Position& a, const Position& b, const Position& c)
+{
+  const auto difference = [&](const Position& p, int axis) -> Rational {
+    return Rational(p[axis]) - Rational(c[axis]);
+  };
+  const Rational determinant =
+      difference(a, 0) * difference(b, 1) - difference(a, 1) * difference(b, 0);
+  return determinant.sign();
+}
+
+/** \brief Whole numbers of up to so many bits. */
+Position
+wholePosition(RandomSource& random, int bits)
+{
+  Position position;
+  for (double& coordinate : position)
+    coordinate = std::round(std::ldexp(random.uniform(-1, 1), bits));
+  return position;
 }
 
 Position
@@ -69,6 +91,41 @@ TEST(ExactSign, AgreesWithRationalNumbersFarFromTheOrigin)
       point = (randomPosition(random) * 1e-3 + shift).cast<float>().cast<double>();
     EXPECT_EQ(sideOfPlane(p[0], p[1], p[2], p[3]),
               rationalSide(p[0], p[1], p[2], p[3]));
+  }
+}
+
+TEST(ExactSign, AgreesWithRationalNumbersWhateverTheLengthOfTheCoordinates)
+{
+  RandomSource random(5);
+  for (int bits = 2; bits < 52; ++bits)
+    for (int i = 0; i < 40; ++i) {
+      const Position a = wholePosition(random, bits), b = wholePosition(random, bits);
+      const Position c = wholePosition(random, bits);
+      Position fourth = a + (b - c), third = 2.0 * b - a; // in a plane, in a line
+      fourth.x() += i % 3 - 1;
+      third.x() += i % 3 - 1;
+      EXPECT_EQ(sideOfPlane(a, b, c, fourth), rationalSide(a, b, c, fourth)) << bits;
+      EXPECT_EQ(turnInPlane(a, b, third, 2), rationalTurn(a, b, third)) << bits;
+    }
+}
+
+TEST(ExactSign, AgreesWithRationalNumbersWhenOneCoordinateIsTiny)
+{
+  RandomSource random(6);
+  for (int exponent = 0; exponent > -200; exponent -= 3) {
+    const Position a = wholePosition(random, 20), b = wholePosition(random, 20);
+    const Position c = wholePosition(random, 20), fourth = a + (b - c);
+    const double tiny = std::ldexp(1.0, exponent);
+    const Position middle = 0.5 * (a + b);
+    const Position lowered(a.x(), a.y(), a.z() == 0.0 ? tiny : 0.0);
+    for (const double x : {-tiny, 0.0, tiny}) {
+      const Position first(x, 0, 0), near(0, 0, x);
+      EXPECT_EQ(sideOfPlane(first, near, fourth, lowered),
+                rationalSide(first, near, fourth, lowered));
+      EXPECT_EQ(turnInPlane(first, a, 2.0 * a, 2), rationalTurn(first, a, 2.0 * a));
+      EXPECT_EQ(turnInPlane(a - middle, b - middle, first, 2),
+                rationalTurn(a - middle, b - middle, first));
+    }
   }
 }
 
