@@ -11,17 +11,6 @@
 
 namespace pcl::ccaa {
 
-/** \brief 1 when the triangle runs through the edge from a to b. Without branches,
- * because in a raw mesh the answer is as good as random. */
-inline pcl::index_t
-runsAlong(const Triangle& triangle, pcl::index_t a, pcl::index_t b)
-{
-  const auto is = [&](std::size_t from, std::size_t to) {
-    return static_cast<int>(triangle[from] == a) & static_cast<int>(triangle[to] == b);
-  };
-  return is(0, 1) | is(1, 2) | is(2, 0);
-}
-
 /** \brief Two states on both sides of a border between parts that are the same. */
 struct BorderEdge {
   pcl::index_t lower_triangle;

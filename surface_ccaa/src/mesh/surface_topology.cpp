@@ -4,8 +4,8 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/islands.h"
-#include "mesh/mesh_part.h"
 #include "mesh/sort_unique.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <array>
@@ -29,16 +29,15 @@ countEdges(std::size_t triangle,
            const TriangleAdjacency& adjacency,
            EdgeCount& sum)
 {
+  const auto index = static_cast<pcl::index_t>(triangle);
   for (std::size_t corner = 0; corner < 3; ++corner) {
     const pcl::index_t from = triangles[triangle][corner];
     const pcl::index_t to = triangles[triangle][(corner + 1) % 3];
-    const pcl::index_t other =
-        adjacency.across(static_cast<pcl::index_t>(triangle), static_cast<int>(corner));
+    const pcl::index_t other = adjacency.across(index, static_cast<int>(corner));
     if (other == TriangleAdjacency::NONE)
       sum.borders.push_back({from, to});
     sum.half_edges += other == TriangleAdjacency::NONE ? 2 : other >= 0 ? 1 : 0;
-    if (other >= 0 &&
-        runsAlong(triangles[static_cast<std::size_t>(other)], from, to) != 0)
+    if (disagreesAcross(triangles, adjacency, index, static_cast<int>(corner)))
       sum.is_wound_alike = false;
   }
 }

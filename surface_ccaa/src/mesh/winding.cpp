@@ -141,14 +141,9 @@ findDisagreements(const Triangles& triangles,
   std::vector<std::uint8_t> disagrees(triangles.size(), 0);
   forEachBlock(triangles.size(), context, [&](auto, auto begin, auto end) {
     for (std::size_t t = begin; t < end; ++t)
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const pcl::index_t other =
-            adjacency.across(static_cast<pcl::index_t>(t), static_cast<int>(corner));
-        if (other >= 0 && runsAlong(triangles[static_cast<std::size_t>(other)],
-                                    triangles[t][corner],
-                                    triangles[t][(corner + 1) % 3]) != 0)
+      for (int corner = 0; corner < 3; ++corner)
+        if (disagreesAcross(triangles, adjacency, static_cast<pcl::index_t>(t), corner))
           disagrees[t] = 1;
-      }
   });
   return disagrees;
 }

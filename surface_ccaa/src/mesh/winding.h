@@ -14,6 +14,34 @@ namespace pcl::ccaa {
 
 struct LoopContext;
 
+/** \brief 1 when the triangle runs through the edge from a to b. Without branches,
+ * because in a raw mesh the answer is as good as random. */
+inline pcl::index_t
+runsAlong(const Triangle& triangle, pcl::index_t a, pcl::index_t b)
+{
+  const auto is = [&](std::size_t from, std::size_t to) {
+    return static_cast<int>(triangle[from] == a) & static_cast<int>(triangle[to] == b);
+  };
+  return is(0, 1) | is(1, 2) | is(2, 0);
+}
+
+/** \brief Whether the triangles on both sides of an edge run through it in the same
+ * direction, so that one of them shows its other side.
+ * \param[in] corner at which the edge begins \return false on a border */
+inline bool
+disagreesAcross(const Triangles& triangles,
+                const TriangleAdjacency& adjacency,
+                pcl::index_t triangle,
+                int corner)
+{
+  const pcl::index_t other = adjacency.across(triangle, corner);
+  const auto from = static_cast<std::size_t>(corner);
+  const Triangle& own = triangles[static_cast<std::size_t>(triangle)];
+  return other >= 0 && runsAlong(triangles[static_cast<std::size_t>(other)],
+                                 own[from],
+                                 own[(from + 1) % 3]) != 0;
+}
+
 /** \brief What the walk over one component found. */
 struct WoundComponent {
   pcl::index_t first_triangle = 0; /**< lowest index; its winding is the reference */

@@ -3,7 +3,7 @@
 
 #include "icadm/edge_sheets.h"
 
-#include "icadm/model_assembly.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <array>
@@ -92,7 +92,7 @@ private:
         const pcl::index_t other = adjacency.across(t, corner);
         if (other < 0 || is_seen[static_cast<std::size_t>(other)])
           continue;
-        const bool turns = disagreesAcross(triangles, adjacency, t, corner);
+        const bool turns = ccaa::disagreesAcross(triangles, adjacency, t, corner);
         is_turned_[static_cast<std::size_t>(other)] = static_cast<std::uint8_t>(
             is_turned_[static_cast<std::size_t>(t)] ^ (turns ? 1 : 0));
         is_seen[static_cast<std::size_t>(other)] = true;

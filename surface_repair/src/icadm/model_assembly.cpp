@@ -4,6 +4,7 @@
 
 #include "mesh/sort_unique.h"
 #include "mesh/vertex_normals.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <numeric>
@@ -42,7 +43,7 @@ measureIslands(const IncompleteModel& model)
       island.box.extend(model.positions[static_cast<std::size_t>(vertex)]);
       if (model.adjacency.across(triangle, corner) < 0)
         island.closed = false;
-      if (disagreesAcross(model.triangles, model.adjacency, triangle, corner))
+      if (ccaa::disagreesAcross(model.triangles, model.adjacency, triangle, corner))
         island.one_sided = true;
     }
   }
@@ -71,32 +72,13 @@ areJoined(const IncompleteModel& model, pcl::index_t a, pcl::index_t b)
 }
 
 bool
-disagreesAcross(const Triangles& triangles,
-                const ccaa::TriangleAdjacency& adjacency,
-                pcl::index_t triangle,
-                int corner)
-{
-  const pcl::index_t other = adjacency.across(triangle, corner);
-  if (other < 0)
-    return false;
-  const auto at = static_cast<std::size_t>(corner);
-  const Triangle& own = triangles[static_cast<std::size_t>(triangle)];
-  const Triangle& neighbor = triangles[static_cast<std::size_t>(other)];
-  const pcl::index_t from = own[at];
-  const pcl::index_t to = own[(at + 1) % 3];
-  for (std::size_t i = 0; i < 3; ++i)
-    if (neighbor[i] == from && neighbor[(i + 1) % 3] == to)
-      return true;
-  return false;
-}
-
-bool
 isConsistentlyWound(const Triangles& triangles,
                     const ccaa::TriangleAdjacency& adjacency)
 {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int corner = 0; corner < 3; ++corner)
-      if (disagreesAcross(triangles, adjacency, static_cast<pcl::index_t>(t), corner))
+      if (ccaa::disagreesAcross(
+              triangles, adjacency, static_cast<pcl::index_t>(t), corner))
         return false;
   return true;
 }

@@ -36,15 +36,6 @@ isManifold(const ccaa::TriangleAdjacency& adjacency);
 bool
 areJoined(const IncompleteModel& model, pcl::index_t a, pcl::index_t b);
 
-/** \brief Whether the triangles on both sides of an edge run through it in the same
- * direction, so that one of them shows its other side.
- * \param[in] corner at which the edge begins \return false on a border */
-bool
-disagreesAcross(const Triangles& triangles,
-                const ccaa::TriangleAdjacency& adjacency,
-                pcl::index_t triangle,
-                int corner);
-
 /** \brief No edge is run through twice in the same direction. */
 bool
 isConsistentlyWound(const Triangles& triangles,

@@ -3,9 +3,12 @@
 
 #include "verification/last_check.h"
 
-#include "icadm/model_assembly.h"
+#include <pcl/surface_repair/repair_parameters.h>
+
+#include "icadm/icm_class.h"
 #include "icadm/pinched_points.h"
 #include "mesh/surface_topology.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <set>
@@ -73,7 +76,7 @@ private:
   {
     for (int corner = 0; corner < 3; ++corner)
       if (model_.adjacency.across(triangle, corner) < triangle &&
-          disagreesAcross(model_.triangles, model_.adjacency, triangle, corner))
+          ccaa::disagreesAcross(model_.triangles, model_.adjacency, triangle, corner))
         faults_.holes.insert(hole_of_[static_cast<std::size_t>(triangle)]);
   }
 
