@@ -69,6 +69,16 @@ adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
              : "";
 }
 
+/** Places without a triangle in the end, where they are more than those with one: what
+ * came out is no surface of the cloud. */
+std::size_t
+unusedPoints(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  const std::size_t used = result.chain.points - result.chain.free_points;
+  const std::size_t all = result.start.points;
+  return settings.until == "base" && all > 2 * used ? all - used : 0;
+}
+
 Outcome
 judge(const ReconstructSettings& settings, const ReconstructResult& result)
 {
@@ -81,6 +91,12 @@ judge(const ReconstructSettings& settings, const ReconstructResult& result)
     return {INCOMPLETE,
             pluralIs(result.filter.one_sided_components, "region") +
                 " one-sided (like a Moebius band) and could not be oriented",
+            {}};
+  if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
+    return {INCOMPLETE,
+            plural(unused, "point") + " of " + std::to_string(result.start.points) +
+                " got no triangle: the cloud shows a surface in small parts alone, or "
+                "scatters by more than the distance of its points",
             {}};
   if (result.repair && !result.repair->complete())
     return {INCOMPLETE, tellShortfalls(*result.repair, result.model.mesh), {}};
@@ -173,6 +189,8 @@ tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result
     facts.open = result.topology ? result.topology->boundary_loops : 0;
   facts.has_triangles = !result.model.mesh.polygons.empty();
   facts.faults += result.filter.one_sided_components;
+  if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
+    addToList(facts.doubts, std::to_string(unused) + " UNUSED_POINTS");
   if (result.chain.doubtful_handles > 0)
     addToList(facts.doubts,
               std::to_string(result.chain.doubtful_handles) + " THIN_HANDLE");

@@ -7,6 +7,8 @@
 #include "support/random_source.h"
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace app_test {
 namespace {
 
@@ -111,6 +113,31 @@ TEST_F(RunVerdict, TellsHandlesThatMayBeTunnelsThroughThinPlaces)
   const auto report = nlohmann::json::parse(result.output);
   EXPECT_GT(report.at("genus"), 0);
   EXPECT_EQ(report.at("genus"), report.at("doubtful_handles"));
+}
+
+TEST_F(RunVerdict, IsNotCompleteWhereMostPointsGetNoTriangle)
+{
+  test::Shape helix;
+  for (int i = 0; i < 500; ++i)
+    helix.vertices.emplace_back(std::cos(0.04 * i), std::sin(0.04 * i), 0.006 * i);
+  save(folder_.path("helix.ply"), test::toPolygonMesh(helix));
+  const RunResult result = run("pcl_ccaa_reconstruct helix.ply out.ply --report -");
+  EXPECT_EQ(2, result.exit_code);
+  const auto report = nlohmann::json::parse(result.output);
+  EXPECT_GT(report.at("triangles"), 0);
+  EXPECT_NE(std::string::npos, lastLine(result.errors).find(" UNUSED_POINTS)"));
+}
+
+TEST_F(RunVerdict, CountsRepeatedPointsOnce)
+{
+  test::Shape sphere{test::noisySphere(2000, 0.0), {}};
+  const auto once = sphere.vertices;
+  for (int copy = 0; copy < 2; ++copy)
+    sphere.vertices.insert(sphere.vertices.end(), once.begin(), once.end());
+  save(folder_.path("thrice.ply"), test::toPolygonMesh(sphere));
+  const RunResult result = run("pcl_ccaa_reconstruct thrice.ply out.ply");
+  EXPECT_EQ(0, result.exit_code);
+  EXPECT_EQ(0U, lastLine(result.output).find("complete: watertight"));
 }
 
 TEST_F(RunVerdict, AdvisesToCleanWhereNoiseMakesHandles)
