@@ -69,14 +69,13 @@ adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
              : "";
 }
 
-/** Places without a triangle in the end, where they are more than those with one: what
- * came out is no surface of the cloud. */
+/** See mostlyUnused(); earlier stages leave to the base stage what they doubt. */
 std::size_t
 unusedPoints(const ReconstructSettings& settings, const ReconstructResult& result)
 {
-  const std::size_t used = result.chain.points - result.chain.free_points;
-  const std::size_t all = result.start.points;
-  return settings.until == "base" && all > 2 * used ? all - used : 0;
+  return settings.until == "base"
+             ? mostlyUnused(result.start.points, result.usedPlaces())
+             : 0;
 }
 
 Outcome
@@ -93,11 +92,7 @@ judge(const ReconstructSettings& settings, const ReconstructResult& result)
                 " one-sided (like a Moebius band) and could not be oriented",
             {}};
   if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
-    return {INCOMPLETE,
-            plural(unused, "point") + " of " + std::to_string(result.start.points) +
-                " got no triangle: the cloud shows a surface in small parts alone, or "
-                "scatters by more than the distance of its points",
-            {}};
+    return {INCOMPLETE, tellUnused(unused), {}};
   if (result.repair && !result.repair->complete())
     return {INCOMPLETE, tellShortfalls(*result.repair, result.model.mesh), {}};
   if (result.chain.doubtful_handles > 0)

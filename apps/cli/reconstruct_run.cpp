@@ -195,6 +195,20 @@ noteViewpoint(const pcl::ccaa::SideHints& told,
 
 } // namespace
 
+std::size_t
+mostlyUnused(std::size_t places, std::size_t used)
+{
+  return places > 2 * used ? places - used : 0;
+}
+
+std::string
+tellUnused(std::size_t unused)
+{
+  return plural(unused, "point") +
+         " got no triangle, more than got one: the cloud shows a surface in small parts"
+         " alone, or scatters by more than the distance of its points";
+}
+
 pcl::ccaa::SideHints
 sidesForRepair(pcl::ccaa::SideHints told, const pcl::ccaa::SideTally& found)
 {

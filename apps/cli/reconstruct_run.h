@@ -97,7 +97,23 @@ struct ReconstructResult {
   std::optional<pcl::RepairReport> repair;            // what became of the holes
   std::vector<std::uint8_t> labels;                   // of the polygons: their stage
   pcl::PointCloud<pcl::Normal>::Ptr normals;          // null unless asked for
+
+  /** \brief Of start.points, those with a triangle in the end. */
+  std::size_t
+  usedPlaces() const
+  {
+    return chain.points - chain.free_points;
+  }
 };
+
+/** \brief Places of a cloud without a triangle if they are more than those with one,
+ * else 0: then what came out is no surface of the cloud. */
+std::size_t
+mostlyUnused(std::size_t places, std::size_t used);
+
+/** \brief What there is to say of so many. */
+std::string
+tellUnused(std::size_t unused);
 
 /** \brief Seconds of each stage that was run, as they add up to the whole. */
 StageTimes

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what is told about a run tile by tile.
+#include "cli/reconstruct_run.h"
 #include "out_of_core/repair_files.h"
 #include "out_of_core/shards.h"
 #include <nlohmann/json.hpp>
@@ -78,6 +79,7 @@ describeTiles(const TilePlan& plan)
       shards.back()["file"] = path.filename();
   }
   const AllDisputes disputes = readDisputes(plan);
+  const std::uint64_t unused = mostlyUnused(sides.doubts.places, sides.doubts.used);
   nlohmann::json facts = {{"key", plan.key},
                           {"vertices", plan.points() - plan.nowhere},
                           {"points_without_position", plan.nowhere},
@@ -87,6 +89,7 @@ describeTiles(const TilePlan& plan)
                           {"torn_edges", sides.torn.size()},
                           {"doubtful_handles", sides.doubts.handles},
                           {"touching_pieces", sides.doubts.touching},
+                          {"unused_points", unused},
                           {"seams",
                            {{"disputed_points", disputes.disputes.size()},
                             {"places", disputes.groups.size()},

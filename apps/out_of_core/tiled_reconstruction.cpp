@@ -84,6 +84,8 @@ tellDoubts(const nlohmann::json& facts)
 {
   std::string doubts =
       facts.contains("repair") ? tellCounts(facts["repair"]["doubts"]) : "";
+  if (const std::uint64_t unused = facts["unused_points"]; unused > 0)
+    addToList(doubts, std::to_string(unused) + " UNUSED_POINTS");
   if (const std::uint64_t handles = facts["doubtful_handles"]; handles > 0)
     addToList(doubts, std::to_string(handles) + " THIN_HANDLE");
   if (const std::uint64_t touching = facts["touching_pieces"]; touching > 0)
@@ -129,6 +131,8 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
   else if (std::uint64_t{facts["torn_edges"]} > 0)
     outcome.reason = "the surface is one-sided and was opened at " +
                      plural(std::uint64_t{facts["torn_edges"]}, "edge");
+  else if (const std::uint64_t unused = facts["unused_points"]; unused > 0)
+    outcome.reason = tellUnused(unused);
   else if (facts.contains("repair"))
     outcome.reason = tellRepair(facts["repair"]);
   if (const std::uint64_t handles = facts["doubtful_handles"];

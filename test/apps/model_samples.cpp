@@ -12,6 +12,7 @@
 #include "support/mesh_asserts.h"
 #include "support/shapes.h"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -69,6 +70,15 @@ pcl::PCLPointCloud2
 colouredCloud(std::size_t points, std::uint64_t seed)
 {
   return withFields(test::bumpySphere(points, seed));
+}
+
+pcl::PolygonMesh
+helix()
+{
+  test::Shape points;
+  for (int i = 0; i < 500; ++i)
+    points.vertices.emplace_back(std::cos(0.04 * i), std::sin(0.04 * i), 0.006 * i);
+  return test::toPolygonMesh(points);
 }
 
 double

@@ -20,6 +20,10 @@ colouredSphere();
 pcl::PCLPointCloud2
 colouredCloud(std::size_t points, std::uint64_t seed = 1);
 
+/** \brief 500 points along a curve: no surface, but ten points enclose a volume. */
+pcl::PolygonMesh
+helix();
+
 /** \brief Value of a field as double, for fields of any type. */
 double
 valueOf(const pcl::PCLPointCloud2& cloud, std::size_t point, const std::string& field);

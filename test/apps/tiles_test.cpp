@@ -290,6 +290,14 @@ TEST_F(TiledApp, ViewpointsOfFilesTellTheOuterSideAcrossTiles)
   }
 }
 
+TEST_F(TiledApp, ACloudOfWhichMostPointsGetNoTriangleIsTold)
+{
+  save(folder_.path("in.ply"), helix());
+  const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=2000"});
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_NE(std::string::npos, result.output.find(" UNUSED_POINTS)")) << result.output;
+}
+
 TEST_F(TiledApp, HandlesThatMayBeTunnelsThroughThinPlacesAreTold)
 {
   save(folder_.path("in.ply"), test::toRawCloud(test::thinPlateCloud(30, 0.02)));

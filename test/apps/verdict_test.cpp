@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the last line of runs, and how counts and options are told.
+#include <pcl/surface_repair/repair_report.h>
+
 #include "io/wording.h"
 #include "repair_fixture.h"
 #include "report/verdict.h"
 #include "support/clouds.h"
 #include "support/random_source.h"
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace app_test {
 namespace {
@@ -117,10 +117,7 @@ TEST_F(RunVerdict, TellsHandlesThatMayBeTunnelsThroughThinPlaces)
 
 TEST_F(RunVerdict, IsNotCompleteWhereMostPointsGetNoTriangle)
 {
-  test::Shape helix;
-  for (int i = 0; i < 500; ++i)
-    helix.vertices.emplace_back(std::cos(0.04 * i), std::sin(0.04 * i), 0.006 * i);
-  save(folder_.path("helix.ply"), test::toPolygonMesh(helix));
+  save(folder_.path("helix.ply"), helix());
   const RunResult result = run("pcl_ccaa_reconstruct helix.ply out.ply --report -");
   EXPECT_EQ(2, result.exit_code);
   const auto report = nlohmann::json::parse(result.output);

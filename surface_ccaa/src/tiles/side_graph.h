@@ -50,17 +50,21 @@ struct CutEdge {
   std::uint32_t falls = 0; /**< 1: the triangle runs from the higher end to the lower */
 };
 
-/** \brief Places at which the topology of some tiles is in doubt, each with its halo:
- * two tiles may know the same place. */
+/** \brief What leaves the results of some tiles in doubt, each with its halo: two tiles
+ * may know the same place. */
 struct TopologyDoubts {
   std::uint64_t handles = 0;  /**< MeshCompletion::doubtfulHandles() */
   std::uint64_t touching = 0; /**< MeshCompletion::touchingPieces() */
+  std::uint64_t places = 0;   /**< of points */
+  std::uint64_t used = 0;     /**< of these with a triangle */
 
   void
   add(const TopologyDoubts& other)
   {
     handles += other.handles;
     touching += other.touching;
+    places += other.places;
+    used += other.used;
   }
 };
 
