@@ -131,10 +131,11 @@ int
 planeSign(const Position (&points)[4], int low)
 {
   Integer row[3][3];
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      row[i][k] =
-          scaled<Integer>(points[i][k], low) - scaled<Integer>(points[3][k], low);
+  for (int k = 0; k < 3; ++k) {
+    const Integer last = scaled<Integer>(points[3][k], low);
+    for (int i = 0; i < 3; ++i)
+      row[i][k] = scaled<Integer>(points[i][k], low) - last;
+  }
   const auto minor = [&](int i, int j) -> Integer {
     return row[i][0] * row[j][1] - row[i][1] * row[j][0];
   };
@@ -147,12 +148,12 @@ template <typename Integer>
 int
 turnSign(const Position (&points)[3], int u, int v, int low)
 {
-  const auto difference = [&](int point, int axis) -> Integer {
-    return scaled<Integer>(points[point][axis], low) -
-           scaled<Integer>(points[2][axis], low);
+  const auto at = [&](int point, int axis) {
+    return scaled<Integer>(points[point][axis], low);
   };
-  const Integer determinant =
-      difference(0, u) * difference(1, v) - difference(0, v) * difference(1, u);
+  const Integer last_u = at(2, u), last_v = at(2, v);
+  const Integer determinant = (at(0, u) - last_u) * (at(1, v) - last_v) -
+                              (at(0, v) - last_v) * (at(1, u) - last_u);
   return signOf(determinant);
 }
 
