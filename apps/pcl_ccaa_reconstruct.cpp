@@ -62,7 +62,7 @@ std::string
 adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
 {
   const auto points = static_cast<double>(pointCount(result.model.mesh.cloud));
-  return !settings.clean && static_cast<double>(result.chain.doubtful_handles) >
+  return !settings.clean && static_cast<double>(result.chain.doubts.handles) >
                                 NOISY_HANDLES * points
              ? "; they are so many that the points seem to scatter by more than their "
                "distances: try --clean"
@@ -95,18 +95,8 @@ judge(const ReconstructSettings& settings, const ReconstructResult& result)
     return {INCOMPLETE, tellUnused(unused), {}};
   if (result.repair && !result.repair->complete())
     return {INCOMPLETE, tellShortfalls(*result.repair, result.model.mesh), {}};
-  if (result.chain.doubtful_handles > 0)
-    return {INCOMPLETE,
-            "the surface has " + plural(result.chain.doubtful_handles, "handle") +
-                " and places so thin that some may be tunnels that nobody scanned" +
-                adviceFor(settings, result),
-            {}};
-  if (result.chain.touching_pieces > 0)
-    return {INCOMPLETE,
-            "closed pieces come as near to others as points lie apart, at " +
-                plural(result.chain.touching_pieces, "place") +
-                ": they may be one body, of which a thin neck was cut",
-            {}};
+  if (const std::string doubt = tellDoubts(result.chain.doubts); !doubt.empty())
+    return {INCOMPLETE, doubt + adviceFor(settings, result), {}};
   return {DONE, "", {}};
 }
 
@@ -186,12 +176,7 @@ tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result
   facts.faults += result.filter.one_sided_components;
   if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
     addToList(facts.doubts, std::to_string(unused) + " UNUSED_POINTS");
-  if (result.chain.doubtful_handles > 0)
-    addToList(facts.doubts,
-              std::to_string(result.chain.doubtful_handles) + " THIN_HANDLE");
-  if (result.chain.touching_pieces > 0)
-    addToList(facts.doubts,
-              std::to_string(result.chain.touching_pieces) + " TOUCHING_PIECES");
+  listDoubts(result.chain.doubts, facts.doubts);
   return tellSurface(facts);
 }
 

@@ -115,6 +115,15 @@ mostlyUnused(std::size_t places, std::size_t used);
 std::string
 tellUnused(std::size_t unused);
 
+/** \brief Add what each kind of doubt is called, with its number, to a list. */
+void
+listDoubts(const pcl::TopologyDoubts& doubts, std::string& list);
+
+/** \brief What there is to say of the first kind of doubt that there is; empty: none.
+ * \param[in] at_most before numbers that may be too high */
+std::string
+tellDoubts(const pcl::TopologyDoubts& doubts, const std::string& at_most = "");
+
 /** \brief Seconds of each stage that was run, as they add up to the whole. */
 StageTimes
 stageTimes(const ReconstructSettings& settings, const ReconstructResult& result);

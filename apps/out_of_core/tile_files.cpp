@@ -32,7 +32,7 @@ struct StoredSums {
 
 /** What comes first in the file of a tile's mesh. */
 struct MeshHead {
-  pcl::ccaa::TopologyDoubts doubts;
+  pcl::ccaa::TileDoubts doubts;
   std::uint64_t own_begin, own_end; /**< among the border points, the tile's own */
 };
 
@@ -279,7 +279,7 @@ readPiecesSurface(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, PIECES_STEP), plan.key);
   std::size_t count = 0;
-  file.get<pcl::ccaa::TopologyDoubts>();
+  file.get<pcl::ccaa::TileDoubts>();
   file.skipAll<StoredSums>(count);
   file.skipAll<pcl::ccaa::CutEdge>(count);
   TileSurface surface;
@@ -294,7 +294,7 @@ readPiecesSums(const TilePlan& plan, std::size_t tile)
 {
   StepReader file(plan.file(tile, PIECES_STEP), plan.key);
   pcl::ccaa::TilePieces pieces;
-  pieces.doubts = file.get<pcl::ccaa::TopologyDoubts>();
+  pieces.doubts = file.get<pcl::ccaa::TileDoubts>();
   for (const StoredSums& sums : file.getAll<StoredSums>())
     pieces.sums.push_back(restored(sums));
   pieces.edges = file.getAll<pcl::ccaa::CutEdge>();
@@ -326,7 +326,7 @@ readSides(const TilePlan& plan)
   sides.tally = file.get<pcl::ccaa::SideTally>();
   sides.components = file.get<std::uint64_t>();
   sides.open_edges = file.get<std::uint64_t>();
-  sides.doubts = file.get<pcl::ccaa::TopologyDoubts>();
+  sides.doubts = file.get<pcl::ccaa::TileDoubts>();
   sides.torn = file.getAll<std::array<WideIndex, 2>>();
   sides.gone = file.getAll<WideTriangle>();
   for (std::size_t i = 0; i < plan.tiling.tiles.size(); ++i) {

@@ -29,7 +29,7 @@ using CoreTriangle = std::array<std::uint32_t, 3>;
 struct TileMesh {
   pcl::ccaa::BorderMesh border;
   std::vector<CoreTriangle> inner; /**< of numbers of the tile's points */
-  pcl::ccaa::TopologyDoubts doubts;
+  pcl::ccaa::TileDoubts doubts;
 };
 
 void

@@ -269,10 +269,7 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
   TileMesh mesh = sorter.take();
-  mesh.doubts = {result.chain.doubtful_handles,
-                 result.chain.touching_pieces,
-                 result.start.points,
-                 result.usedPlaces()};
+  mesh.doubts = {result.chain.doubts, result.start.points, result.usedPlaces()};
   writeMesh(plan, tile, std::move(mesh));
 }
 

@@ -78,18 +78,21 @@ tellCounts(const nlohmann::json& counts)
   return text;
 }
 
+pcl::TopologyDoubts
+topologyDoubts(const nlohmann::json& facts)
+{
+  return {facts["doubtful_handles"], facts["touching_pieces"], facts["thin_necks"]};
+}
+
 /** What leaves the topology in doubt. */
 std::string
-tellDoubts(const nlohmann::json& facts)
+nameDoubts(const nlohmann::json& facts)
 {
   std::string doubts =
       facts.contains("repair") ? tellCounts(facts["repair"]["doubts"]) : "";
   if (const std::uint64_t unused = facts["unused_points"]; unused > 0)
     addToList(doubts, std::to_string(unused) + " UNUSED_POINTS");
-  if (const std::uint64_t handles = facts["doubtful_handles"]; handles > 0)
-    addToList(doubts, std::to_string(handles) + " THIN_HANDLE");
-  if (const std::uint64_t touching = facts["touching_pieces"]; touching > 0)
-    addToList(doubts, std::to_string(touching) + " TOUCHING_PIECES");
+  listDoubts(topologyDoubts(facts), doubts);
   return doubts;
 }
 
@@ -99,7 +102,7 @@ tellPieces(const nlohmann::json& facts)
   const std::uint64_t open = facts["open_edges"];
   if (std::uint64_t{facts["triangles"]} == 0)
     return "no triangles";
-  const std::string doubts = tellDoubts(facts);
+  const std::string doubts = nameDoubts(facts);
   return (open == 0 ? "watertight" : plural(open, "open edge")) + ", " +
          plural(std::uint64_t{facts["components"]}, "piece") +
          (doubts.empty() ? "" : ", in doubt (" + doubts + ")");
@@ -135,17 +138,8 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
     outcome.reason = tellUnused(unused);
   else if (facts.contains("repair"))
     outcome.reason = tellRepair(facts["repair"]);
-  if (const std::uint64_t handles = facts["doubtful_handles"];
-      outcome.reason.empty() && handles > 0)
-    outcome.reason = "the surface has at most " + plural(handles, "handle") +
-                     " and places so thin that some may be tunnels that nobody scanned";
-  if (const std::uint64_t touching = facts["touching_pieces"];
-      outcome.reason.empty() && touching > 0)
-    outcome.reason =
-        "closed pieces come as near to others as points lie apart, at most "
-        "at " +
-        plural(touching, "place") +
-        ": they may be one body, of which a thin neck was cut";
+  if (outcome.reason.empty())
+    outcome.reason = tellDoubts(topologyDoubts(facts), "at most ");
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   return outcome;
 }

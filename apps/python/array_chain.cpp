@@ -130,15 +130,10 @@ public:
   {
     return parameters_.keep_given ? nullptr : &kept_;
   }
-  std::size_t
-  doubtfulHandles() const override
+  pcl::TopologyDoubts
+  topologyDoubts() const override
   {
-    return report_.doubtful_handles;
-  }
-  std::size_t
-  touchingPieces() const override
-  {
-    return report_.touching_pieces;
+    return report_.doubts;
   }
 
   bool

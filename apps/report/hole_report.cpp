@@ -263,8 +263,8 @@ tellShortfalls(const RepairReport& report, const pcl::PolygonMesh& mesh)
     else
       text +=
           (alike.size() == 1 ? " (" : formatted(" (%zu times, once ", alike.size())) +
-          placeOf(first.points[0], mesh) + " and " + placeOf(first.points[1], mesh) +
-          ")";
+          placeOf(first.points[0], mesh) +
+          (first.points[1] < 0 ? "" : " and " + placeOf(first.points[1], mesh)) + ")";
   }
   return text;
 }

@@ -81,6 +81,14 @@ helix()
   return test::toPolygonMesh(points);
 }
 
+pcl::PolygonMesh
+spheresThatTouch()
+{
+  const test::Shape sphere{test::fibonacciSphere(2000), {}};
+  return test::toPolygonMesh(
+      test::joined(sphere, test::translated(sphere, {2.04, 0.0, 0.0})));
+}
+
 double
 valueOf(const pcl::PCLPointCloud2& cloud, std::size_t point, const std::string& field)
 {

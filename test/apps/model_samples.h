@@ -24,6 +24,11 @@ colouredCloud(std::size_t points, std::uint64_t seed = 1);
 pcl::PolygonMesh
 helix();
 
+/** \brief Points of two spheres, about as far from each other as each is from the next.
+ */
+pcl::PolygonMesh
+spheresThatTouch();
+
 /** \brief Value of a field as double, for fields of any type. */
 double
 valueOf(const pcl::PCLPointCloud2& cloud, std::size_t point, const std::string& field);

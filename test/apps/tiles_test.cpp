@@ -298,6 +298,14 @@ TEST_F(TiledApp, ACloudOfWhichMostPointsGetNoTriangleIsTold)
   EXPECT_NE(std::string::npos, result.output.find(" UNUSED_POINTS)")) << result.output;
 }
 
+TEST_F(TiledApp, ANeckThatMayJoinTwoBodiesIsTold)
+{
+  save(folder_.path("in.ply"), spheresThatTouch());
+  const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=100000"});
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_NE(std::string::npos, result.output.find(" THIN_NECK)")) << result.output;
+}
+
 TEST_F(TiledApp, HandlesThatMayBeTunnelsThroughThinPlacesAreTold)
 {
   save(folder_.path("in.ply"), test::toRawCloud(test::thinPlateCloud(30, 0.02)));

@@ -125,6 +125,15 @@ TEST_F(RunVerdict, IsNotCompleteWhereMostPointsGetNoTriangle)
   EXPECT_NE(std::string::npos, lastLine(result.errors).find(" UNUSED_POINTS)"));
 }
 
+TEST_F(RunVerdict, TellsANeckThatMayJoinTwoBodies)
+{
+  save(folder_.path("two.ply"), spheresThatTouch());
+  const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --report -");
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_NE(std::string::npos, lastLine(result.errors).find(" (1 THIN_NECK)"));
+  EXPECT_EQ(1, nlohmann::json::parse(result.output).at("thin_necks"));
+}
+
 TEST_F(RunVerdict, CountsRepeatedPointsOnce)
 {
   test::Shape sphere{test::noisySphere(2000, 0.0), {}};

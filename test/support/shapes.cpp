@@ -218,6 +218,43 @@ thinPlate(int columns, int rows, double thickness)
 }
 
 Shape
+spheresJoinedByTube(double gap, int rings)
+{
+  const Shape sphere = icosphere(3);
+  const auto most =
+      std::max_element(sphere.vertices.begin(),
+                       sphere.vertices.end(),
+                       [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  const auto tip = static_cast<pcl::index_t>(most - sphere.vertices.begin());
+  const auto count = static_cast<pcl::index_t>(sphere.vertices.size());
+  Shape shape;
+  for (int copy = 0; copy <= rings; ++copy)
+    for (const Position& place : sphere.vertices)
+      shape.vertices.emplace_back((place.x() - most->x() - 0.5 * gap) *
+                                      (1.0 - 2.0 * copy / rings),
+                                  place.y(),
+                                  place.z());
+  const pcl::index_t last = rings * count;
+  for (const Triangle& triangle : sphere.triangles) {
+    const auto* at = std::find(triangle.begin(), triangle.end(), tip);
+    if (at == triangle.end()) {
+      const auto [a, b, c] = triangle;
+      shape.triangles.push_back(triangle);
+      shape.triangles.push_back({a + last, c + last, b + last});
+      continue;
+    }
+    const auto place = static_cast<std::size_t>(at - triangle.begin());
+    const pcl::index_t from = triangle[(place + 1) % 3], to = triangle[(place + 2) % 3];
+    for (pcl::index_t here = 0; here < last; here += count) {
+      const pcl::index_t next = here + count;
+      shape.triangles.push_back({from + here, to + here, from + next});
+      shape.triangles.push_back({to + here, to + next, from + next});
+    }
+  }
+  return shape;
+}
+
+Shape
 nestedSpheres(int subdivisions)
 {
   return joined(icosphere(subdivisions), icosphere(subdivisions, 0.5));

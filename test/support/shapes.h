@@ -58,6 +58,13 @@ terrain(int columns, int rows, double amplitude = 2.0);
 Shape
 thinPlate(int columns, int rows, double thickness = 0.2);
 
+/** \brief An icosphere and its mirror image along x, where they are nearest to each
+ * other a tube of so many rings instead of a vertex of each. What belongs to no
+ * triangle has vertices, too. \param[in] gap between the spheres \param[in] rings at
+ * least 1 */
+Shape
+spheresJoinedByTube(double gap, int rings);
+
 /** \brief Icosphere of radius 1 and, as a second component, one of radius 0.5 inside;
  * both wound outward, each by its own volume. */
 Shape

@@ -11,6 +11,7 @@
 #include "mesh/contacts.h"
 #include "mesh/orientation.h"
 #include "mesh/sort_unique.h"
+#include "mesh/thin_necks.h"
 
 #include <optional>
 #include <utility>
@@ -275,9 +276,11 @@ Completion::orient()
   result_.topology = topologyOf(
       result_.triangles, adjacency_, sides.components.size(), {context_.threads});
   if (result_.topology.pieces > 1)
-    report_.touching_pieces =
+    report_.doubts.touching_pieces =
         pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads})
             .size();
+  report_.doubts.thin_necks =
+      thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads}).size();
 }
 
 } // namespace

@@ -261,8 +261,8 @@ openTunnels(PartialMesh mesh,
   if (has_thin)
     ThinPlaces(std::move(mesh), std::move(is_thin), complete, most_work, result, report)
         .run();
-  report.doubtful_handles =
-      static_cast<std::size_t>(std::max(0L, result.topology.genus.value_or(0)));
+  report.doubts.handles =
+      static_cast<std::uint64_t>(std::max(0L, result.topology.genus.value_or(0)));
 }
 
 } // namespace pcl::ccaa

@@ -35,7 +35,7 @@ using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
  * the surface again for each number of rings, some 1 us a triangle, and of what grows
  * around them, at most 1.5 times the work of the completion.
  *
- * Handles that are left are in doubt (report.doubtful_handles) if the result, or what
+ * Handles that are left are in doubt (report.doubts.handles) if the result, or what
  * was given, has thin places: no sampling tells there whether the two sides are
  * connected. \param[in] mesh consistently wound \param[in] work of complete()
  * \param[in,out] result of complete() of all that is given, with its report */

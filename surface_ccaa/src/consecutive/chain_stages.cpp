@@ -187,8 +187,7 @@ Chain::runBase(const PolygonMeshConstPtr& partial_mesh,
   const StageSettings settings = input_.base->settings();
   const bool is_done = runStage("base", weight, settings, report_.base_seconds, body);
   takeSides(settings);
-  report_.doubtful_handles = input_.base->doubtfulHandles();
-  report_.touching_pieces = input_.base->touchingPieces();
+  report_.doubts = input_.base->topologyDoubts();
   return is_done;
 }
 

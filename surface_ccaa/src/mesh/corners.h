@@ -44,6 +44,16 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/** \brief Of a triangle, at one of its vertices, radians. */
+inline double
+angleAt(const Triangle& triangle, pcl::index_t vertex, const PointView& positions)
+{
+  const auto corner = static_cast<std::size_t>(cornerOf(triangle, vertex));
+  const Position apex = positions[vertex];
+  return angleBetween(positions[triangle[(corner + 1) % 3]] - apex,
+                      positions[triangle[(corner + 2) % 3]] - apex);
+}
+
 /** \brief Of the edges of the first `count` triangles, those that two share twice.
  * \param[in] count above 0 */
 inline double

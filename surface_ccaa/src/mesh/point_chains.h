@@ -14,13 +14,6 @@ namespace pcl::ccaa {
 /** \brief One flag for each triangle: not yet deleted. */
 using AliveFlags = std::vector<std::uint8_t>;
 
-/** \brief Which corner (0 to 2) of a triangle a vertex is; it must be one of them. */
-inline int
-cornerOf(const Triangle& triangle, pcl::index_t vertex)
-{
-  return triangle[1] == vertex ? 1 : triangle[2] == vertex ? 2 : 0;
-}
-
 /** \brief A chain: triangles at a point, each sharing an edge at the point with the
  * next; of a closed one the last also with the first. */
 struct Chain {

@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the outer side of surfaces that run through many tiles.
 #pragma once
 
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/side_settings.h>
 
 #include <Eigen/Core>
@@ -52,17 +53,17 @@ struct CutEdge {
 
 /** \brief What leaves the results of some tiles in doubt, each with its halo: two tiles
  * may know the same place. */
-struct TopologyDoubts {
-  std::uint64_t handles = 0;  /**< MeshCompletion::doubtfulHandles() */
-  std::uint64_t touching = 0; /**< MeshCompletion::touchingPieces() */
-  std::uint64_t places = 0;   /**< of points */
-  std::uint64_t used = 0;     /**< of these with a triangle */
+struct TileDoubts {
+  TopologyDoubts topology;
+  std::uint64_t places = 0; /**< of points */
+  std::uint64_t used = 0;   /**< of these with a triangle */
 
   void
-  add(const TopologyDoubts& other)
+  add(const TileDoubts& other)
   {
-    handles += other.handles;
-    touching += other.touching;
+    topology.handles += other.topology.handles;
+    topology.touching_pieces += other.topology.touching_pieces;
+    topology.thin_necks += other.topology.thin_necks;
     places += other.places;
     used += other.used;
   }
@@ -73,7 +74,7 @@ struct TilePieces {
   std::vector<SideSums> sums;
   std::vector<CutEdge> edges; /**< that other tiles may have, too; twice those at which
                                    the piece itself is one-sided */
-  TopologyDoubts doubts;
+  TileDoubts doubts;
 };
 
 /** \brief Wind the triangles of each piece of a tile like its first one, and sum up
@@ -104,7 +105,7 @@ struct Sides {
   SideTally tally;                            /**< triangles by rule */
   std::uint64_t components = 0;
   std::uint64_t open_edges = 0;
-  TopologyDoubts doubts;
+  TileDoubts doubts;
 };
 
 /** \brief Join the pieces over the edges that two of them have, and ask for each

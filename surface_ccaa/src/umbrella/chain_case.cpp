@@ -32,12 +32,6 @@ struct ChainRank {
   pcl::index_t lowest_triangle = -1; /**< the last resort */
 };
 
-double
-angleAt(const Position& apex, const Position& a, const Position& b)
-{
-  return angleBetween(a - apex, b - apex);
-}
-
 ChainRank
 rankChain(const PointChains& chains,
           std::size_t place,
@@ -49,7 +43,6 @@ rankChain(const PointChains& chains,
   const auto first =
       chains.triangles().begin() + static_cast<std::ptrdiff_t>(chain.first);
   const auto last = first + static_cast<std::ptrdiff_t>(chain.size);
-  const Position& apex = positions[static_cast<std::size_t>(vertex)];
   ChainRank rank;
   rank.place = place;
   rank.lowest_triangle = *std::min_element(first, last);
@@ -59,7 +52,7 @@ rankChain(const PointChains& chains,
     const auto corner = static_cast<std::size_t>(cornerOf(triangle, vertex));
     const auto& a = positions[static_cast<std::size_t>(triangle[(corner + 1) % 3])];
     const auto& b = positions[static_cast<std::size_t>(triangle[(corner + 2) % 3])];
-    rank.angle += angleAt(apex, a, b);
+    rank.angle += angleAt(triangle, vertex, positions);
     rank.lowest_corner = std::min({rank.lowest_corner, a, b}, lexicographicallyLess);
   }
   return rank;

@@ -33,19 +33,6 @@ constexpr double MOUTH_TURNING = 0.5;
 /** The course of a mouth says less than this for a hole or a rim. */
 constexpr double MOUTH_COURSE = 0.75;
 
-double
-angleAt(const IncompleteModel& model, pcl::index_t triangle, pcl::index_t vertex)
-{
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(triangle)];
-  const auto at = [&](std::size_t corner) -> const Position& {
-    return model.positions[static_cast<std::size_t>(corners[corner % 3])];
-  };
-  std::size_t corner = 0;
-  while (corners[corner] != vertex)
-    ++corner;
-  return ccaa::angleBetween(at(corner + 1) - at(corner), at(corner + 2) - at(corner));
-}
-
 /** \brief The angle by which a curve turns to the left where edge k begins. */
 double
 leftTurnAt(const BoundaryCurve& curve, std::size_t k)
@@ -200,7 +187,9 @@ turningOf(const IncompleteModel& model, const BoundaryLoop& loop)
     for (const pcl::index_t* triangle = model.adjacency.begin(vertex);
          triangle != model.adjacency.end(vertex);
          ++triangle)
-      lacking -= angleAt(model, *triangle, vertex);
+      lacking -= ccaa::angleAt(model.triangles[static_cast<std::size_t>(*triangle)],
+                               vertex,
+                               model.positions);
   }
   return -lacking / (2.0 * M_PI);
 }

@@ -61,6 +61,9 @@ describe(DoubtReason reason)
   case DoubtReason::UNJOINED:
     return "two mouths of tubes were not joined to each other on evidence that hardly "
            "decides";
+  case DoubtReason::THIN_NECK:
+    return "the surface narrows to a few edges and widens again, where bodies may "
+           "touch";
   case DoubtReason::UNSUPPORTED:
     return "so much of the surface is new that more may be lost than can be told";
   }
@@ -79,6 +82,8 @@ nameOf(DoubtReason reason)
     return "PARTED";
   case DoubtReason::UNJOINED:
     return "UNJOINED";
+  case DoubtReason::THIN_NECK:
+    return "THIN_NECK";
   case DoubtReason::UNSUPPORTED:
     return "UNSUPPORTED";
   }

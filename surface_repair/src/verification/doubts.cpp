@@ -314,9 +314,10 @@ doubtsAbout(const RepairedModel& repaired,
   const std::vector<RepairDoubt> parted =
       partedJunctions(repaired.model, report, parameters.survey);
   doubts.insert(doubts.end(), parted.begin(), parted.end());
-  for (const auto& unjoined :
-       {unjoinedMouths(report, parameters.survey), touchingPieces(repaired, report)})
-    doubts.insert(doubts.end(), unjoined.begin(), unjoined.end());
+  for (const auto& more : {unjoinedMouths(report, parameters.survey),
+                           touchingPieces(repaired, report),
+                           newNecks(repaired, parameters.survey)})
+    doubts.insert(doubts.end(), more.begin(), more.end());
   const double share = unsupported / areaOf(repaired.model);
   const bool is_asked_for =
       parameters.watertight || parameters.filling.close == CloseChoice::ALL;

@@ -8,6 +8,7 @@
 #include "boundary/boundary_loop.h"
 #include "junction/junction.h"
 #include "mesh/contacts.h"
+#include "mesh/thin_necks.h"
 #include "survey/handle_choice.h"
 
 #include <algorithm>
@@ -40,6 +41,33 @@ mayBeFalseHandle(const RepairJunction& junction, const RepairReport& report)
   return report.after.genus.value_or(0) > 0 &&
          junction.islands[0] == junction.islands[1] &&
          !carriesHandle(junction.evidence);
+}
+
+/** Of new triangles, and so many edges around these, ascending. */
+std::vector<pcl::index_t>
+verticesNearNew(const RepairedModel& repaired, int edges)
+{
+  const IncompleteModel& model = repaired.model;
+  std::vector<bool> is_near(model.positions.size(), false);
+  std::vector<pcl::index_t> near;
+  const auto addCorners = [&](std::size_t triangle) {
+    for (const pcl::index_t vertex : model.triangles[triangle]) {
+      if (!is_near[static_cast<std::size_t>(vertex)])
+        near.push_back(vertex);
+      is_near[static_cast<std::size_t>(vertex)] = true;
+    }
+  };
+  for (std::size_t t = repaired.input_triangles; t < model.triangles.size(); ++t)
+    addCorners(t);
+  std::size_t first = 0;
+  for (int ring = 0; ring < edges; ++ring)
+    for (const std::size_t last = near.size(); first < last; ++first)
+      for (const pcl::index_t* t = model.adjacency.begin(near[first]);
+           t != model.adjacency.end(near[first]);
+           ++t)
+        addCorners(static_cast<std::size_t>(*t));
+  std::sort(near.begin(), near.end());
+  return near;
 }
 
 } // namespace
@@ -161,6 +189,23 @@ touchingPieces(const RepairedModel& repaired, const RepairReport& report)
           {DoubtReason::UNJOINED, inOrder(pointOf(vertex), pointOf(other)), 0.0});
   }
   return touching;
+}
+
+std::vector<RepairDoubt>
+newNecks(const RepairedModel& repaired, const SurveyParameters& parameters)
+{
+  if (parameters.decisions != nullptr)
+    return {};
+  const IncompleteModel& model = repaired.model;
+  const std::vector<pcl::index_t> near_new =
+      verticesNearNew(repaired, ccaa::EDGES_AROUND_NECK);
+  std::vector<RepairDoubt> necks;
+  for (const ccaa::ThinNeck& neck : ccaa::thinNecks(
+           model.triangles, model.adjacency, model.positions, {}, &near_new))
+    necks.push_back({DoubtReason::THIN_NECK,
+                     {model.point_of_vertex[static_cast<std::size_t>(neck.vertex)], -1},
+                     0.0});
+  return necks;
 }
 
 } // namespace pcl::repair

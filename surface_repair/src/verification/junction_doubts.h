@@ -52,4 +52,9 @@ partedJunctions(const IncompleteModel& model,
 std::vector<RepairDoubt>
 touchingPieces(const RepairedModel& repaired, const RepairReport& report);
 
+/** \brief Thin necks (ccaa::thinNecks()) in what is new or beside it, unless the user
+ * has decided what is joined. */
+std::vector<RepairDoubt>
+newNecks(const RepairedModel& repaired, const SurveyParameters& parameters);
+
 } // namespace pcl::repair

@@ -79,7 +79,7 @@ expectNoTunnels(const Wedge& wedge, const std::vector<std::uint64_t>& seeds)
     const SurfaceTopology topology = reconstructed(sampled(wedge, seed), chain);
     EXPECT_EQ(0, topology.genus) << seed;
     EXPECT_EQ(1U, topology.pieces) << seed;
-    EXPECT_EQ(0U, chain.getReport().doubtful_handles) << seed;
+    EXPECT_EQ(0U, chain.getReport().doubts.handles) << seed;
   }
 }
 
@@ -104,7 +104,7 @@ TEST(ThinPlate, HasNoHandlesThatAreNotInDoubt)
       const long genus = reconstructed(sampled({3.0, 2.0, thick, thick}, seed), chain)
                              .genus.value_or(0);
       wrong += genus != 0 ? 1 : 0;
-      EXPECT_EQ(static_cast<std::size_t>(genus), chain.getReport().doubtful_handles)
+      EXPECT_EQ(static_cast<std::size_t>(genus), chain.getReport().doubts.handles)
           << thick << " " << seed;
     }
   EXPECT_GT(wrong, 0U);
@@ -114,7 +114,7 @@ TEST(Torus, HasAHandleThatIsNotInDoubt)
 {
   Chain chain;
   EXPECT_EQ(1, reconstructed(torus(60, 30).vertices, chain).genus);
-  EXPECT_EQ(0U, chain.getReport().doubtful_handles);
+  EXPECT_EQ(0U, chain.getReport().doubts.handles);
 }
 
 } // namespace

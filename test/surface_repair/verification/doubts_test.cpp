@@ -111,6 +111,36 @@ TEST(Doubts, PiecesThatTouchedBeforeAreNone)
   EXPECT_EQ(0U, countDoubts(result, DoubtReason::UNJOINED));
 }
 
+/** Two spheres that touch, without one triangle where a point is asked. */
+Repaired
+repairedNeck(const std::function<bool(const Position&)>& is_there)
+{
+  const Shape shape = spheresJoinedByTube(0.1, 1);
+  const auto at = std::find_if(
+      shape.triangles.begin(), shape.triangles.end(), [&](const Triangle& triangle) {
+        return std::all_of(triangle.begin(), triangle.end(), [&](pcl::index_t v) {
+          return is_there(shape.vertices[static_cast<std::size_t>(v)]);
+        });
+      });
+  return repaired(withoutTriangles(
+      shape, {static_cast<std::size_t>(at - shape.triangles.begin())}));
+}
+
+TEST(Doubts, AThinNeckThatIsPartlyNewIsOne)
+{
+  const Repaired result = repairedNeck(
+      [](const Position& p) { return std::hypot(p.x(), p.y(), p.z()) < 0.25; });
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  EXPECT_EQ(1U, countDoubts(result, DoubtReason::THIN_NECK));
+}
+
+TEST(Doubts, AThinNeckThatWasGivenIsNone)
+{
+  const Repaired result = repairedNeck([](const Position& p) { return p.x() > 1.8; });
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  EXPECT_EQ(0U, countDoubts(result, DoubtReason::THIN_NECK));
+}
+
 TEST(Doubts, OppositeHolesOfAThickBodyAreNone)
 {
   const Repaired result = repaired(discWithOppositeHoles(1.0));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/checked_construction.h>
+#include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_ccaa/side_settings.h>
 #include <pcl/pcl_base.h> // for IndicesConstPtr
@@ -88,22 +89,12 @@ public:
     return nullptr;
   }
 
-  /** \brief After a run: handles of the result of which some may be tunnels that nobody
-   * scanned, through places so thin that the sampling does not tell their two sides
-   * apart. 0 where the algorithm does not know. */
-  virtual std::size_t
-  doubtfulHandles() const
+  /** \brief After a run: where its result may be wrong about what is connected. None
+   * where the algorithm does not know. */
+  virtual TopologyDoubts
+  topologyDoubts() const
   {
-    return 0;
-  }
-
-  /** \brief After a run: how many closed pieces of the result come nearer to others
-   * than their points lie apart, so that they may be one body whose thin neck was cut.
-   * 0 where the algorithm does not know. */
-  virtual std::size_t
-  touchingPieces() const
-  {
-    return 0;
+    return {};
   }
 
 protected:

@@ -150,18 +150,11 @@ public:
   }
 
   /** \brief All handles, where the ends of an edge face away from each other (normals
-   * more than 107 degrees apart); 0 where given triangles are kept. */
-  std::size_t
-  doubtfulHandles() const override
+   * more than 107 degrees apart). None where given triangles are kept. */
+  TopologyDoubts
+  topologyDoubts() const override
   {
-    return report_.doubtful_handles;
-  }
-
-  /** \brief 0 where given triangles are kept. */
-  std::size_t
-  touchingPieces() const override
-  {
-    return report_.touching_pieces;
+    return report_.doubts;
   }
 
 protected:

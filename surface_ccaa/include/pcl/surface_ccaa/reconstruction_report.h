@@ -5,10 +5,23 @@
 #include <pcl/surface_ccaa/side_settings.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl {
+/** \brief Where no sampling tells the topology of a result: counts of such places. */
+struct TopologyDoubts {
+  std::uint64_t handles = 0; /**< of which some may be tunnels that nobody scanned,
+                                since the surface has places so thin that their two
+                                sides cannot be told apart */
+  std::uint64_t touching_pieces = 0; /**< closed ones that come nearer to others than
+                                          their points lie apart: perhaps one body, of
+                                          which a thin neck was cut */
+  std::uint64_t thin_necks = 0;      /**< rings of a few edges from which the surface
+                                          widens to both sides: perhaps two bodies */
+};
+
 namespace ccaa {
 
 /** \brief What one run of the greedy start did. Times are wall-clock seconds. */
@@ -33,13 +46,10 @@ struct CompletionReport {
   std::size_t given_triangles = 0;
   std::size_t kept_triangles = 0; /**< given ones in the result */
   std::size_t new_triangles = 0;
-  std::size_t open_points = 0;      /**< boundary points and free points before */
-  std::size_t free_points = 0;      /**< points without a triangle after */
-  std::size_t doubtful_handles = 0; /**< all of the result where it has thin places,
-                                         else 0 */
-  std::size_t touching_pieces = 0;  /**< closed ones nearer to others than their points
-                                         lie apart: perhaps one body */
-  SideTally sides;                  /**< what told the outer side of the result */
+  std::size_t open_points = 0; /**< boundary points and free points before */
+  std::size_t free_points = 0; /**< points without a triangle after */
+  TopologyDoubts doubts;       /**< about the result */
+  SideTally sides;             /**< what told the outer side of the result */
   double seconds = 0;
   bool cancelled = false;
 };
@@ -65,8 +75,7 @@ struct ConsecutiveReport {
   std::size_t connected_points = 0;     /**< with triangles after the last filter run */
   std::size_t internal_points = 0;      /**< with a closed umbrella after it */
   std::size_t free_points = 0;          /**< without a triangle in the result */
-  std::size_t doubtful_handles = 0;     /**< see MeshCompletion::doubtfulHandles() */
-  std::size_t touching_pieces = 0;      /**< see MeshCompletion::touchingPieces() */
+  TopologyDoubts doubts;                /**< of the base algorithm */
   std::size_t invalid_polygons = 0;     /**< given by start algorithms, left out */
   std::vector<ChainStageReport> stages; /**< one an algorithm; its place is the label of
                                              its triangles */

@@ -126,15 +126,17 @@ describe(TriangleOrigin origin);
 
 /** \brief Why another topology than that of the output may be the true one. */
 enum class DoubtReason : std::uint8_t {
-  TUNNEL,     /**< two holes on opposite sides of a body were capped, and a tube between
-                  them would take about as little area */
-  LONG_GAP,   /**< two boundaries were joined over a gap on evidence that hardly
-                  decides, or since there is no better partner for either */
-  PARTED,     /**< two boundaries belong together by evidence, but came out in two
-                  pieces */
-  UNJOINED,   /**< two mouths of tubes were closed each by itself, and evidence hardly
-                  decides that they do not belong together; or closed pieces touch, one of
-                  them partly new */
+  TUNNEL,    /**< two holes on opposite sides of a body were capped, and a tube between
+                 them would take about as little area */
+  LONG_GAP,  /**< two boundaries were joined over a gap on evidence that hardly
+                 decides, or since there is no better partner for either */
+  PARTED,    /**< two boundaries belong together by evidence, but came out in two
+                 pieces */
+  UNJOINED,  /**< two mouths of tubes were closed each by itself, and evidence hardly
+                 decides that they do not belong together; or closed pieces touch, one of
+                 them partly new */
+  THIN_NECK, /**< what is new narrows to a ring of a few edges, and widens again on both
+                 sides, as between bodies that touch */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
 };
 
@@ -151,7 +153,8 @@ nameOf(DoubtReason reason);
 struct RepairDoubt {
   DoubtReason reason = DoubtReason::TUNNEL;
   std::array<pcl::index_t, 2> points{-1, -1}; /**< of the cloud, the lowest on the rim
-                                                 of each cap; of a TUNNEL, ascending */
+                                                 of each cap; of a TUNNEL, ascending; of
+                                                 a THIN_NECK, one on it and -1 */
   double ratio = 0.0; /**< area of the tube in that of the two caps, of what nothing
                            supports in that of all, or a gap in the extent of the
                            smaller boundary */

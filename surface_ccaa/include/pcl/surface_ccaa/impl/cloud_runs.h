@@ -125,17 +125,11 @@ public:
   /** \brief See MeshCompletion::keptTriangles(). */
   virtual const std::vector<index_t>*
   keptTriangles() const = 0;
-  /** \brief See MeshCompletion::doubtfulHandles(). */
-  virtual std::size_t
-  doubtfulHandles() const
+  /** \brief See MeshCompletion::topologyDoubts(). */
+  virtual TopologyDoubts
+  topologyDoubts() const
   {
-    return 0;
-  }
-  /** \brief See MeshCompletion::touchingPieces(). */
-  virtual std::size_t
-  touchingPieces() const
-  {
-    return 0;
+    return {};
   }
 
   /** \brief Start from points alone.

@@ -48,15 +48,10 @@ public:
   {
     return completion_ == nullptr ? nullptr : completion_->keptTriangles();
   }
-  std::size_t
-  doubtfulHandles() const override
+  TopologyDoubts
+  topologyDoubts() const override
   {
-    return completion_ == nullptr ? 0 : completion_->doubtfulHandles();
-  }
-  std::size_t
-  touchingPieces() const override
-  {
-    return completion_ == nullptr ? 0 : completion_->touchingPieces();
+    return completion_ == nullptr ? TopologyDoubts() : completion_->topologyDoubts();
   }
 
   /** A cloud of some of the points is no longer organised: an algorithm whose search
