@@ -218,7 +218,9 @@ listDoubts(const pcl::TopologyDoubts& doubts, std::string& list)
   };
   add(doubts.handles, " THIN_HANDLE");
   add(doubts.touching_pieces, " TOUCHING_PIECES");
-  add(doubts.thin_necks, " THIN_NECK");
+  // A repair tells again of those beside what it has made.
+  if (list.find(" THIN_NECK") == std::string::npos)
+    add(doubts.thin_necks, " THIN_NECK");
 }
 
 std::string

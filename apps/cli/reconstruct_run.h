@@ -115,7 +115,8 @@ mostlyUnused(std::size_t places, std::size_t used);
 std::string
 tellUnused(std::size_t unused);
 
-/** \brief Add what each kind of doubt is called, with its number, to a list. */
+/** \brief Add what each kind of doubt is called, with its number, to a list of what a
+ * repair has told. */
 void
 listDoubts(const pcl::TopologyDoubts& doubts, std::string& list);
 

@@ -82,11 +82,11 @@ helix()
 }
 
 pcl::PolygonMesh
-spheresThatTouch()
+spheresThatTouch(std::size_t count, double gap)
 {
-  const test::Shape sphere{test::fibonacciSphere(2000), {}};
+  const test::Shape sphere{test::fibonacciSphere(count), {}};
   return test::toPolygonMesh(
-      test::joined(sphere, test::translated(sphere, {2.04, 0.0, 0.0})));
+      test::joined(sphere, test::translated(sphere, {2.0 + gap, 0.0, 0.0})));
 }
 
 double

@@ -24,10 +24,9 @@ colouredCloud(std::size_t points, std::uint64_t seed = 1);
 pcl::PolygonMesh
 helix();
 
-/** \brief Points of two spheres, about as far from each other as each is from the next.
- */
+/** \brief Points of two spheres of radius 1, so many each. */
 pcl::PolygonMesh
-spheresThatTouch();
+spheresThatTouch(std::size_t count, double gap);
 
 /** \brief Value of a field as double, for fields of any type. */
 double

@@ -300,7 +300,7 @@ TEST_F(TiledApp, ACloudOfWhichMostPointsGetNoTriangleIsTold)
 
 TEST_F(TiledApp, ANeckThatMayJoinTwoBodiesIsTold)
 {
-  save(folder_.path("in.ply"), spheresThatTouch());
+  save(folder_.path("in.ply"), spheresThatTouch(2000, 0.04));
   const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=100000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" THIN_NECK)")) << result.output;

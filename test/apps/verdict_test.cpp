@@ -127,11 +127,20 @@ TEST_F(RunVerdict, IsNotCompleteWhereMostPointsGetNoTriangle)
 
 TEST_F(RunVerdict, TellsANeckThatMayJoinTwoBodies)
 {
-  save(folder_.path("two.ply"), spheresThatTouch());
+  save(folder_.path("two.ply"), spheresThatTouch(2000, 0.04));
   const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --report -");
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, lastLine(result.errors).find(" (1 THIN_NECK)"));
   EXPECT_EQ(1, nlohmann::json::parse(result.output).at("thin_necks"));
+}
+
+TEST_F(RunVerdict, TellsANeckBesideARepairedHoleOnce)
+{
+  save(folder_.path("two.ply"), spheresThatTouch(4000, 0.045));
+  const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --repair");
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_EQ("incomplete: watertight, 1 piece, in doubt (1 THIN_NECK)\n",
+            lastLine(result.output));
 }
 
 TEST_F(RunVerdict, CountsRepeatedPointsOnce)
