@@ -279,8 +279,10 @@ Completion::orient()
     report_.doubts.touching_pieces =
         pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads})
             .size();
-  report_.doubts.thin_necks =
-      thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads}).size();
+  if (reopening_.triangles.empty()) // what grows anew is a trial
+    report_.doubts.thin_necks =
+        thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads})
+            .size();
 }
 
 } // namespace

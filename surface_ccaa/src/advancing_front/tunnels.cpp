@@ -3,6 +3,7 @@
 #include "advancing_front/tunnels.h"
 
 #include "advancing_front/tuning.h"
+#include "mesh/thin_necks.h"
 #include "mesh/vertex_normals.h"
 
 #include <algorithm>
@@ -40,6 +41,16 @@ std::size_t
 countOf(const std::vector<std::uint8_t>& flags)
 {
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
+
+std::uint64_t
+countNecks(const Triangles& triangles,
+           const PointView& points,
+           const LoopContext& context)
+{
+  TriangleAdjacency adjacency;
+  adjacency.build(triangles, points.size(), context.threads);
+  return thinNecks(triangles, adjacency, points, {context.threads}).size();
 }
 
 std::vector<pcl::index_t>
@@ -150,13 +161,15 @@ public:
   }
 
   /** Many places are tried in part first: in noise, which folds everywhere, most of
-   * what grows anew has more flaws. */
-  void
+   * what grows anew has more flaws. \return whether anything was taken */
+  bool
   run()
   {
+    const std::size_t flaws = flaws_;
     const std::vector<int> all_rings = ringsFor(is_thin_);
     if (countOf(is_thin_) <= tuning::MANY_THIN || !isNoise(all_rings.front()))
       growAll(all_rings);
+    return flaws_ < flaws;
   }
 
 private:
@@ -258,9 +271,13 @@ openTunnels(PartialMesh mesh,
     return;
   const auto most_work =
       static_cast<std::uint64_t>(tuning::MOST_WORK_ANEW * static_cast<double>(work));
-  if (has_thin)
-    ThinPlaces(std::move(mesh), std::move(is_thin), complete, most_work, result, report)
-        .run();
+  if (has_thin) {
+    const PointView points = mesh.points;
+    ThinPlaces places(
+        std::move(mesh), std::move(is_thin), complete, most_work, result, report);
+    if (places.run())
+      report.doubts.thin_necks = countNecks(result.triangles, points, context);
+  }
   report.doubts.handles =
       static_cast<std::uint64_t>(std::max(0L, result.topology.genus.value_or(0)));
 }
