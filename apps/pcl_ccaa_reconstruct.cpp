@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that turns a point cloud into a correct mesh.
 #include "cli/batch.h"
+#include "cli/doubt_words.h"
 #include "cli/reconstruct_options.h"
 #include "io/merge.h"
 #include "io/output_folder.h"

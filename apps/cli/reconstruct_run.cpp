@@ -195,51 +195,6 @@ noteViewpoint(const pcl::ccaa::SideHints& told,
 
 } // namespace
 
-std::size_t
-mostlyUnused(std::size_t places, std::size_t used)
-{
-  return places > 2 * used ? places - used : 0;
-}
-
-std::string
-tellUnused(std::size_t unused)
-{
-  return plural(unused, "point") +
-         " got no triangle, more than got one: the cloud shows a surface in small parts"
-         " alone, or scatters by more than the distance of its points";
-}
-
-void
-listDoubts(const pcl::TopologyDoubts& doubts, std::string& list)
-{
-  const auto add = [&](std::uint64_t count, const char* name) {
-    if (count > 0)
-      addToList(list, std::to_string(count) + name);
-  };
-  add(doubts.handles, " THIN_HANDLE");
-  add(doubts.touching_pieces, " TOUCHING_PIECES");
-  // A repair tells again of those beside what it has made.
-  if (list.find(" THIN_NECK") == std::string::npos)
-    add(doubts.thin_necks, " THIN_NECK");
-}
-
-std::string
-tellDoubts(const pcl::TopologyDoubts& doubts, const std::string& at_most)
-{
-  if (doubts.handles > 0)
-    return "the surface has " + at_most + plural(doubts.handles, "handle") +
-           " and places so thin that some may be tunnels that nobody scanned";
-  if (doubts.touching_pieces > 0)
-    return "closed pieces come as near to others as points lie apart, at " + at_most +
-           plural(doubts.touching_pieces, "place") +
-           ": they may be one body, of which a thin neck was cut";
-  if (doubts.thin_necks > 0)
-    return "the surface narrows to a few edges and widens again, at " + at_most +
-           plural(doubts.thin_necks, "place") +
-           ": what a neck joins there may be bodies that touch";
-  return "";
-}
-
 pcl::ccaa::SideHints
 sidesForRepair(pcl::ccaa::SideHints told, const pcl::ccaa::SideTally& found)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what is told about a run tile by tile.
-#include "cli/reconstruct_run.h"
+#include "cli/doubt_words.h"
 #include "out_of_core/repair_files.h"
 #include "out_of_core/shards.h"
 #include <nlohmann/json.hpp>

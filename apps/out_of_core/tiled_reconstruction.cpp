@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: pcl_ccaa_reconstruct --tiles.
 #include "out_of_core/tiled_reconstruction.h"
 
+#include "cli/doubt_words.h"
 #include "cli/progress.h"
 #include "cli/run_facts.h"
 #include "io/interrupt.h"
