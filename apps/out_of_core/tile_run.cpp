@@ -31,6 +31,10 @@ void
 releaseFreed()
 {
 #ifdef __GLIBC__
+  // With another allocator in place of glibc's (jemalloc, a sanitizer's) the first call
+  // sets glibc's up, and two first calls at once crash.
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
   malloc_trim(0);
 #endif
 }
