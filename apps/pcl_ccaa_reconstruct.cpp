@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: program that turns a point cloud into a correct mesh.
 #include "cli/batch.h"
-#include "cli/doubt_words.h"
 #include "cli/reconstruct_options.h"
 #include "io/merge.h"
 #include "io/output_folder.h"
@@ -11,7 +10,7 @@
 #include "out_of_core/tiled_reconstruction.h"
 #include "report/hole_report.h"
 #include "report/reconstruct_report.h"
-#include "report/verdict.h"
+#include "report/reconstruct_verdict.h"
 #include <nlohmann/json.hpp>
 
 #include <ostream>
@@ -52,53 +51,6 @@ faceProperties(const ReconstructSettings& settings, const ReconstructResult& res
   if (!settings.labels)
     return {};
   return {{"stage", {result.labels.begin(), result.labels.end()}}};
-}
-
-/** Handles a point from which noise makes them: thin walls of whole scans have a
- * twentieth of that, a sphere with noise of its spacing ten times as many. */
-constexpr double NOISY_HANDLES = 0.004;
-
-/** What to do about handles that are in doubt. */
-std::string
-adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  const auto points = static_cast<double>(pointCount(result.model.mesh.cloud));
-  return !settings.clean && static_cast<double>(result.chain.doubts.handles) >
-                                NOISY_HANDLES * points
-             ? "; they are so many that the points seem to scatter by more than their "
-               "distances: try --clean"
-             : "";
-}
-
-/** See mostlyUnused(); earlier stages leave to the base stage what they doubt. */
-std::size_t
-unusedPoints(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  return settings.until == "base"
-             ? mostlyUnused(result.start.points, result.usedPlaces())
-             : 0;
-}
-
-Outcome
-judge(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  if (result.model.mesh.polygons.empty())
-    return {INCOMPLETE,
-            "no triangle could be made that is sure to be right (too few points, or "
-            "all on a line?); the output holds the points alone",
-            {}};
-  if (result.filter.one_sided_components > 0)
-    return {INCOMPLETE,
-            pluralIs(result.filter.one_sided_components, "region") +
-                " one-sided (like a Moebius band) and could not be oriented",
-            {}};
-  if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
-    return {INCOMPLETE, tellUnused(unused), {}};
-  if (result.repair && !result.repair->complete())
-    return {INCOMPLETE, tellShortfalls(*result.repair, result.model.mesh), {}};
-  if (const std::string doubt = tellDoubts(result.chain.doubts); !doubt.empty())
-    return {INCOMPLETE, doubt + adviceFor(settings, result), {}};
-  return {DONE, "", {}};
 }
 
 nlohmann::json
@@ -161,26 +113,6 @@ sumUp(const ReconstructSettings& settings, const ReconstructResult& result)
     people << tabulateSpeedup(*result.speedup) << std::endl;
 }
 
-std::string
-tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  if (settings.dry_run)
-    return plural(pointCount(result.model.mesh.cloud), "point") + " to reconstruct";
-  if (!settings.hasFilter())
-    return "raw triangles";
-  SurfaceFacts facts;
-  if (result.repair)
-    facts = surfaceFacts(*result.repair);
-  else
-    facts.open = result.topology ? result.topology->boundary_loops : 0;
-  facts.has_triangles = !result.model.mesh.polygons.empty();
-  facts.faults += result.filter.one_sided_components;
-  if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
-    addToList(facts.doubts, std::to_string(unused) + " UNUSED_POINTS");
-  listDoubts(result.chain.doubts, facts.doubts);
-  return tellSurface(facts);
-}
-
 /** \brief From the cloud that was read to the mesh. */
 void
 work(const ReconstructSettings& settings, ProgressBar& bar, ReconstructResult& result)
@@ -212,7 +144,10 @@ runOne(const ReconstructSettings& settings, ReconstructResult& result)
     work(settings, bar, result);
   if (!bar.show("writing", 0))
     return {INTERRUPTED, stopped_by_signal, {}};
-  Outcome outcome = settings.dry_run ? Outcome() : judge(settings, result);
+  Outcome outcome;
+  if (!settings.dry_run)
+    outcome.reason = tellIncomplete(settings, result);
+  outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   writeOutputs(settings, outcome, result);
   bar.clear();
   if (!settings.quiet)

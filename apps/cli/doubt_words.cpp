@@ -4,9 +4,13 @@
 
 #include "io/wording.h"
 
-#include <cstdint>
-
 namespace app {
+
+DoubtCounts
+countsOf(const pcl::TopologyDoubts& doubts)
+{
+  return {doubts.handles, doubts.touching_pieces.size(), doubts.thin_necks.size()};
+}
 
 std::size_t
 mostlyUnused(std::size_t places, std::size_t used)
@@ -23,7 +27,7 @@ tellUnused(std::size_t unused)
 }
 
 void
-listDoubts(const pcl::TopologyDoubts& doubts, std::string& list)
+listDoubts(const DoubtCounts& doubts, std::string& list)
 {
   const auto add = [&](std::uint64_t count, const char* name) {
     if (count > 0)
@@ -37,7 +41,7 @@ listDoubts(const pcl::TopologyDoubts& doubts, std::string& list)
 }
 
 std::string
-tellDoubts(const pcl::TopologyDoubts& doubts, const std::string& at_most)
+tellDoubts(const DoubtCounts& doubts, const std::string& at_most)
 {
   if (doubts.handles > 0)
     return "the surface has " + at_most + plural(doubts.handles, "handle") +

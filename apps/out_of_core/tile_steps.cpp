@@ -269,7 +269,12 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
   TileMesh mesh = sorter.take();
-  mesh.doubts = {result.chain.doubts, result.start.points, result.usedPlaces()};
+  const pcl::TopologyDoubts& doubts = result.chain.doubts;
+  mesh.doubts = {doubts.handles,
+                 doubts.touching_pieces.size(),
+                 doubts.thin_necks.size(),
+                 result.start.points,
+                 result.usedPlaces()};
   writeMesh(plan, tile, std::move(mesh));
 }
 

@@ -79,8 +79,8 @@ tellCounts(const nlohmann::json& counts)
   return text;
 }
 
-pcl::TopologyDoubts
-topologyDoubts(const nlohmann::json& facts)
+DoubtCounts
+doubtCounts(const nlohmann::json& facts)
 {
   return {facts["doubtful_handles"], facts["touching_pieces"], facts["thin_necks"]};
 }
@@ -93,7 +93,7 @@ nameDoubts(const nlohmann::json& facts)
       facts.contains("repair") ? tellCounts(facts["repair"]["doubts"]) : "";
   if (const std::uint64_t unused = facts["unused_points"]; unused > 0)
     addToList(doubts, std::to_string(unused) + " UNUSED_POINTS");
-  listDoubts(topologyDoubts(facts), doubts);
+  listDoubts(doubtCounts(facts), doubts);
   return doubts;
 }
 
@@ -140,7 +140,7 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
   else if (facts.contains("repair"))
     outcome.reason = tellRepair(facts["repair"]);
   if (outcome.reason.empty())
-    outcome.reason = tellDoubts(topologyDoubts(facts), "at most ");
+    outcome.reason = tellDoubts(doubtCounts(facts), "at most ");
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   return outcome;
 }

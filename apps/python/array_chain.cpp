@@ -10,6 +10,7 @@
 #include "io/point_columns.h"
 #include "mesh/side_hints.h"
 #include "report/reconstruct_report.h"
+#include "report/reconstruct_verdict.h"
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -218,7 +219,12 @@ reportOf(const ChainTask& task, ReconstructResult& result, double seconds)
   settings.plain = !task.options.start.certificates;
   settings.minimum_internal_points = task.options.filter.getMinimumInternalPoints();
   result.stages = stageTimes(settings, result);
+  countTopology(settings, result);
   nlohmann::json report = describeRun(settings, result, {});
+  result.model.mesh.cloud = {}; // which is near the origin; the points are the caller's
+  report["verdict"] = tellVerdict(settings, result);
+  report["what_is_missing"] = tellIncomplete(settings, result);
+  report["complete"] = report["what_is_missing"].get_ref<std::string&>().empty();
   report["call_seconds"] = seconds;
   return report.dump();
 }

@@ -148,6 +148,16 @@ describeTriangles(const RepairReport& report)
   return triangles;
 }
 
+/** \brief Whether it is open because the user wants it so. */
+bool
+isAskedFor(const RepairedHole& hole)
+{
+  return !hole.shortfall &&
+         (hole.open == OpenReason::TOO_LARGE || hole.open == OpenReason::NOT_WANTED);
+}
+
+} // namespace
+
 std::string
 placeOf(pcl::index_t number, const pcl::PolygonMesh& mesh)
 {
@@ -162,16 +172,6 @@ placeOf(pcl::index_t number, const pcl::PolygonMesh& mesh)
     return place + ", " + placeText(position, " ");
   return place + formatted(", %g %g %g", position.x(), position.y(), position.z());
 }
-
-/** \brief Whether it is open because the user wants it so. */
-bool
-isAskedFor(const RepairedHole& hole)
-{
-  return !hole.shortfall &&
-         (hole.open == OpenReason::TOO_LARGE || hole.open == OpenReason::NOT_WANTED);
-}
-
-} // namespace
 
 json
 describeRepair(const RepairReport& report)

@@ -20,6 +20,10 @@ describeRepair(const pcl::RepairReport& report);
 std::string
 summarizeRepair(const pcl::RepairReport& report);
 
+/** \brief Where a point of a mesh is, such as "at point 7, 0.5 0 1"; empty for -1. */
+std::string
+placeOf(pcl::index_t number, const pcl::PolygonMesh& mesh);
+
 /** \brief What should be closed and is not, and what is in doubt: one sentence a
  * reason, with the number of such holes and a place where one is; empty if there is
  * none. \param[in] mesh the repaired one */

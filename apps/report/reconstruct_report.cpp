@@ -39,6 +39,19 @@ describeSpeedup(const pcl::SpeedupReport& speedup)
           {"condition_holds", speedup.is_advantageous}};
 }
 
+/** Where the topology of the reconstruction is in doubt, as doubts about a repair are
+ * told. */
+json
+describeDoubts(const pcl::TopologyDoubts& doubts)
+{
+  json list = json::array();
+  for (const auto& contact : doubts.touching_pieces)
+    list.push_back({{"reason", "TOUCHING_PIECES"}, {"points", contact}});
+  for (const pcl::index_t point : doubts.thin_necks)
+    list.push_back({{"reason", "THIN_NECK"}, {"points", {point}}});
+  return list;
+}
+
 /** What is known only of the stages that were run. */
 void
 describeLaterStages(const ReconstructSettings& settings,
@@ -182,8 +195,9 @@ describeRun(const ReconstructSettings& settings,
       {"internal_share", nullptr},
       {"free_points", result.chain.free_points},
       {"doubtful_handles", result.chain.doubts.handles},
-      {"touching_pieces", result.chain.doubts.touching_pieces},
-      {"thin_necks", result.chain.doubts.thin_necks},
+      {"touching_pieces", result.chain.doubts.touching_pieces.size()},
+      {"thin_necks", result.chain.doubts.thin_necks.size()},
+      {"doubts", describeDoubts(result.chain.doubts)},
       {"triangles", result.model.mesh.polygons.size()},
       {"pieces", nullptr},
       {"boundary_loops", nullptr},

@@ -3,6 +3,7 @@
 #include <pcl/surface_repair/repair_report.h>
 
 #include "io/wording.h"
+#include "mesh/cloud_access.h"
 #include "repair_fixture.h"
 #include "report/verdict.h"
 #include "support/clouds.h"
@@ -132,6 +133,35 @@ TEST_F(RunVerdict, TellsANeckThatMayJoinTwoBodies)
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, lastLine(result.errors).find(" (1 THIN_NECK)"));
   EXPECT_EQ(1, nlohmann::json::parse(result.output).at("thin_necks"));
+}
+
+TEST_F(RunVerdict, TellsWhereANeckIs)
+{
+  const pcl::PolygonMesh two = spheresThatTouch(2000, 0.04);
+  save(folder_.path("two.ply"), two);
+  const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --report -");
+  const auto doubts = nlohmann::json::parse(result.output).at("doubts");
+  ASSERT_EQ(1U, doubts.size());
+  EXPECT_EQ("THIN_NECK", doubts[0].at("reason"));
+  const std::size_t point = doubts[0].at("points").at(0);
+  EXPECT_NE(std::string::npos,
+            result.errors.find("(one is at point " + std::to_string(point) + ", "));
+  EXPECT_LT(
+      (pcl::ccaa::positionView(two.cloud)[point] - Eigen::Vector3d(1.02, 0, 0)).norm(),
+      0.3);
+}
+
+TEST_F(RunVerdict, TellsWherePiecesTouch)
+{
+  save(folder_.path("two.ply"), spheresThatTouch(2000, 0.055));
+  const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --report -");
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_NE(std::string::npos, lastLine(result.errors).find(" (1 TOUCHING_PIECES)"));
+  const auto doubts = nlohmann::json::parse(result.output).at("doubts");
+  ASSERT_EQ(1U, doubts.size());
+  EXPECT_EQ("TOUCHING_PIECES", doubts[0].at("reason"));
+  EXPECT_LT(doubts[0].at("points").at(0), 2000);
+  EXPECT_GE(doubts[0].at("points").at(1), 2000);
 }
 
 TEST_F(RunVerdict, TellsANeckBesideARepairedHoleOnce)

@@ -15,13 +15,13 @@ PLY_TYPES = {"float": "f4", "double": "f8", "uchar": "u1", "int": "i4", "uint": 
 
 
 def sphere(points=4000, holes=1, dtype=np.float32):
-    """Points of a unit sphere, without one or two caps."""
+    """Points of a unit sphere, without up to two caps."""
     k = np.arange(points)
     z = 1 - (2 * k + 1) / points
     r = np.sqrt(1 - z * z)
     a = 2.39996323 * k
     cloud = np.c_[r * np.cos(a), r * np.sin(a), z]
-    kept = (z < 0.95) & ((z > -0.95) | (holes < 2))
+    kept = ((z < 0.95) | (holes < 1)) & ((z > -0.95) | (holes < 2))
     return cloud[kept].astype(dtype)
 
 

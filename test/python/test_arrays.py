@@ -160,6 +160,15 @@ def test_points_that_are_not_finite_stay_free():
     assert not (mesh.triangles == 7).any() and mesh.report.usable_points == len(cloud) - 1
 
 
+def test_what_a_reconstruction_leaves_in_doubt_is_told():
+    ball = sphere(2000, holes=0)
+    two = np.concatenate([ball, ball + np.array([2.055, 0, 0], ball.dtype)])
+    report = psr.reconstruct(two).report
+    assert not report.complete and "TOUCHING_PIECES" in report.verdict
+    first, second = report.doubts[0].points
+    assert first < 2000 <= second and f"one is at point {first})" in report.what_is_missing
+
+
 @pytest.mark.parametrize("make, message", [
     (lambda: psr.reconstruct(np.zeros((5, 2))), r"points must be numbers of shape \(N, 3\)"),
     (lambda: psr.reconstruct([["a"] * 3]), "points must be numbers"),

@@ -181,7 +181,8 @@ def reconstruct(points: ArrayLike | Mesh, normals: ArrayLike | None = None,
                      given normals stay
 
     The result's points are the array that was given; points that no triangle could be trusted
-    with stay free points. Cost: about 2 us a point.
+    with stay free points. Its `report` has `complete`, `verdict`, `what_is_missing` and `doubts`,
+    of which a later repair knows nothing. Cost: about 2 us a point.
     """
     if until not in ("start", "filter", "base"):
         raise ValueError(f"until must be 'start', 'filter' or 'base', not {until!r}")

@@ -78,6 +78,8 @@ private:
   withoutUsedPlaces(const Indices& free) const;
   std::vector<std::uint8_t>
   cutFlags() const;
+  void
+  tellInCloud(TopologyDoubts& doubts) const;
   PointArray
   vertexArray() const;
   bool
@@ -132,7 +134,22 @@ PolygonCompletion::run(CompletionReport& report)
                 LoopContext{context_.threads, &control_, "polygons"},
                 output.polygons);
   output.kept = std::move(completed.kept);
+  tellInCloud(report.doubts);
   return output;
+}
+
+/** By points of the cloud and no longer by vertices. */
+void
+PolygonCompletion::tellInCloud(TopologyDoubts& doubts) const
+{
+  const auto number = [&](index_t& vertex) {
+    vertex = given_.point_of_vertex[static_cast<std::size_t>(vertex)];
+  };
+  std::for_each(doubts.thin_necks.begin(), doubts.thin_necks.end(), number);
+  std::sort(doubts.thin_necks.begin(), doubts.thin_necks.end());
+  for (auto& contact : doubts.touching_pieces)
+    std::for_each(contact.begin(), contact.end(), number);
+  std::sort(doubts.touching_pieces.begin(), doubts.touching_pieces.end());
 }
 
 bool

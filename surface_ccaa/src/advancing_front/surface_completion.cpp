@@ -277,12 +277,10 @@ Completion::orient()
       result_.triangles, adjacency_, sides.components.size(), {context_.threads});
   if (result_.topology.pieces > 1)
     report_.doubts.touching_pieces =
-        pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads})
-            .size();
+        pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads});
   if (reopening_.triangles.empty()) // what grows anew is a trial
-    report_.doubts.thin_necks =
-        thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads})
-            .size();
+    report_.doubts.thin_necks = verticesOf(
+        thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads}));
 }
 
 } // namespace

@@ -43,14 +43,14 @@ countOf(const std::vector<std::uint8_t>& flags)
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
 }
 
-std::uint64_t
-countNecks(const Triangles& triangles,
-           const PointView& points,
-           const LoopContext& context)
+std::vector<pcl::index_t>
+findNecks(const Triangles& triangles,
+          const PointView& points,
+          const LoopContext& context)
 {
   TriangleAdjacency adjacency;
   adjacency.build(triangles, points.size(), context.threads);
-  return thinNecks(triangles, adjacency, points, {context.threads}).size();
+  return verticesOf(thinNecks(triangles, adjacency, points, {context.threads}));
 }
 
 std::vector<pcl::index_t>
@@ -276,7 +276,7 @@ openTunnels(PartialMesh mesh,
     ThinPlaces places(
         std::move(mesh), std::move(is_thin), complete, most_work, result, report);
     if (places.run())
-      report.doubts.thin_necks = countNecks(result.triangles, points, context);
+      report.doubts.thin_necks = findNecks(result.triangles, points, context);
   }
   report.doubts.handles =
       static_cast<std::uint64_t>(std::max(0L, result.topology.genus.value_or(0)));

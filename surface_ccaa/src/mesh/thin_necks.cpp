@@ -183,4 +183,13 @@ thinNecks(const Triangles& triangles,
   return necks;
 }
 
+std::vector<pcl::index_t>
+verticesOf(const std::vector<ThinNeck>& necks)
+{
+  std::vector<pcl::index_t> vertices;
+  for (const ThinNeck& neck : necks)
+    vertices.push_back(neck.vertex);
+  return vertices;
+}
+
 } // namespace pcl::ccaa

@@ -54,16 +54,16 @@ struct CutEdge {
 /** \brief What leaves the results of some tiles in doubt, each with its halo: two tiles
  * may know the same place. */
 struct TileDoubts {
-  TopologyDoubts topology;
-  std::uint64_t places = 0; /**< of points */
-  std::uint64_t used = 0;   /**< of these with a triangle */
+  std::uint64_t handles = 0, touching_pieces = 0, thin_necks = 0; /**< TopologyDoubts */
+  std::uint64_t places = 0;                                       /**< of points */
+  std::uint64_t used = 0; /**< of these with a triangle */
 
   void
   add(const TileDoubts& other)
   {
-    topology.handles += other.topology.handles;
-    topology.touching_pieces += other.topology.touching_pieces;
-    topology.thin_necks += other.topology.thin_necks;
+    handles += other.handles;
+    touching_pieces += other.touching_pieces;
+    thin_necks += other.thin_necks;
     places += other.places;
     used += other.used;
   }

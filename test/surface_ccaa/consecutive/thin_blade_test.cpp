@@ -3,7 +3,11 @@
 // points.
 #include "chain_fixture.h"
 #include "mesh/surface_topology.h"
+#include "support/clouds.h"
 #include "support/random_source.h"
+#include "support/shapes.h"
+
+#include <limits>
 
 namespace pcl::ccaa::test {
 namespace {
@@ -118,4 +122,36 @@ TEST(Torus, HasAHandleThatIsNotInDoubt)
 }
 
 } // namespace
+/** Of 2000 points each, half a spacing apart. */
+Positions
+touchingSpheres()
+{
+  const Shape sphere{fibonacciSphere(2000), {}};
+  return joined(sphere, translated(sphere, {2.04, 0.0, 0.0})).vertices;
+}
+
+TEST(TouchingSpheres, HaveANeckAtAPointBetweenThem)
+{
+  const Positions points = touchingSpheres();
+  Chain chain;
+  reconstructed(points, chain);
+  const auto& necks = chain.getReport().doubts.thin_necks;
+  ASSERT_EQ(1U, necks.size());
+  EXPECT_LT((points[static_cast<std::size_t>(necks[0])] - Position(1.02, 0, 0)).norm(),
+            0.3);
+}
+
+/** Vertices of the surface are numbered without them. */
+TEST(TouchingSpheres, HaveTheirNeckAtTheSamePointBehindPointsThatAreNotFinite)
+{
+  const Positions points = touchingSpheres();
+  Positions more(3, Position::Constant(std::numeric_limits<double>::quiet_NaN()));
+  more.insert(more.end(), points.begin(), points.end());
+  Chain chain, chain_of_more;
+  reconstructed(points, chain);
+  reconstructed(more, chain_of_more);
+  EXPECT_EQ(chain.getReport().doubts.thin_necks.at(0) + 3,
+            chain_of_more.getReport().doubts.thin_necks.at(0));
+}
+
 } // namespace pcl::ccaa::test

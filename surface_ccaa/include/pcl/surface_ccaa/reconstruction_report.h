@@ -3,23 +3,27 @@
 #pragma once
 
 #include <pcl/surface_ccaa/side_settings.h>
+#include <pcl/types.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pcl {
-/** \brief Where no sampling tells the topology of a result: counts of such places. */
+/** \brief Where no sampling tells the topology of a result. */
 struct TopologyDoubts {
-  std::uint64_t handles = 0; /**< of which some may be tunnels that nobody scanned,
-                                since the surface has places so thin that their two
-                                sides cannot be told apart */
-  std::uint64_t touching_pieces = 0; /**< closed ones that come nearer to others than
-                                          their points lie apart: perhaps one body, of
-                                          which a thin neck was cut */
-  std::uint64_t thin_necks = 0;      /**< rings of a few edges from which the surface
-                                          widens to both sides: perhaps two bodies */
+  /** \brief Handles of which some may be tunnels that nobody scanned, since the surface
+   * has places so thin that their two sides cannot be told apart. */
+  std::uint64_t handles = 0;
+  /** \brief Where a closed piece comes nearer to another piece than its points lie
+   * apart, so that they may be one body, of which a thin neck was cut: a point of each,
+   * by the first. */
+  std::vector<std::array<index_t, 2>> touching_pieces;
+  /** \brief A point on each ring of a few edges from which the surface widens to both
+   * sides, so that it may be two bodies; ascending. */
+  std::vector<index_t> thin_necks;
 };
 
 namespace ccaa {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how a reconstruction went.
+#include "reconstruct_verdict.h"
+
+#include "cli/doubt_words.h"
+#include "hole_report.h"
+#include "io/point_columns.h"
+#include "io/wording.h"
+#include "verdict.h"
+
+namespace app {
+namespace {
+
+/** Handles a point from which noise makes them: thin walls of whole scans have a
+ * twentieth of that, a sphere with noise of its spacing ten times as many. */
+constexpr double NOISY_HANDLES = 0.004;
+
+/** What to do about handles that are in doubt. */
+std::string
+adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  const auto points = static_cast<double>(result.chain.points);
+  return !settings.clean && static_cast<double>(result.chain.doubts.handles) >
+                                NOISY_HANDLES * points
+             ? "; they are so many that the points seem to scatter by more than their "
+               "distances: try --clean"
+             : "";
+}
+
+/** See mostlyUnused(); earlier stages leave to the base stage what they doubt. */
+std::size_t
+unusedPoints(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  return settings.until == "base"
+             ? mostlyUnused(result.start.points, result.usedPlaces())
+             : 0;
+}
+
+/** The first kind of doubt about the topology, and where one such place is. */
+std::string
+tellTopologyDoubts(const ReconstructResult& result)
+{
+  const pcl::TopologyDoubts& doubts = result.chain.doubts;
+  std::string text = tellDoubts(countsOf(doubts));
+  if (doubts.handles > 0 || text.empty())
+    return text;
+  const pcl::index_t first = doubts.touching_pieces.empty()
+                                 ? doubts.thin_necks.front()
+                                 : doubts.touching_pieces.front()[0];
+  return text + " (one is " + placeOf(first, result.model.mesh) + ")";
+}
+
+} // namespace
+
+std::string
+tellIncomplete(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  if (result.model.mesh.polygons.empty())
+    return "no triangle could be made that is sure to be right (too few points, or "
+           "all on a line?); the output holds the points alone";
+  if (result.filter.one_sided_components > 0)
+    return pluralIs(result.filter.one_sided_components, "region") +
+           " one-sided (like a Moebius band) and could not be oriented";
+  if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
+    return tellUnused(unused);
+  if (result.repair && !result.repair->complete())
+    return tellShortfalls(*result.repair, result.model.mesh);
+  const std::string doubt = tellTopologyDoubts(result);
+  return doubt.empty() ? "" : doubt + adviceFor(settings, result);
+}
+
+std::string
+tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  if (settings.dry_run)
+    return plural(pointCount(result.model.mesh.cloud), "point") + " to reconstruct";
+  if (!settings.hasFilter())
+    return "raw triangles";
+  SurfaceFacts facts;
+  if (result.repair)
+    facts = surfaceFacts(*result.repair);
+  else
+    facts.open = result.topology ? result.topology->boundary_loops : 0;
+  facts.has_triangles = !result.model.mesh.polygons.empty();
+  facts.faults += result.filter.one_sided_components;
+  if (const std::size_t unused = unusedPoints(settings, result); unused > 0)
+    addToList(facts.doubts, std::to_string(unused) + " UNUSED_POINTS");
+  listDoubts(countsOf(result.chain.doubts), facts.doubts);
+  return tellSurface(facts);
+}
+
+} // namespace app
