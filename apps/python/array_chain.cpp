@@ -169,6 +169,24 @@ private:
   pcl::ccaa::CompletionReport report_;
 };
 
+/** As the program would be told. */
+ReconstructSettings
+settingsOf(const ChainTask& task)
+{
+  ReconstructSettings settings;
+  settings.until = task.until;
+  settings.threads = task.threads;
+  settings.neighbors = task.options.start.neighbors;
+  settings.minimum_angle =
+      ReconstructSettings::degrees(task.options.start.minimum_angle);
+  settings.certified_minimum_angle =
+      ReconstructSettings::degrees(task.options.start.certified_minimum_angle);
+  settings.length_factor = task.options.start.length_factor;
+  settings.plain = !task.options.start.certificates;
+  settings.minimum_internal_points = task.options.filter.getMinimumInternalPoints();
+  return settings;
+}
+
 } // namespace
 
 void
@@ -202,24 +220,14 @@ runChain(ChainTask& task, ReconstructResult& result)
   result.labels = std::move(output.labels);
   result.normals = output.normals;
   result.sides = output.sides;
+  countTopology(settingsOf(task), result);
 }
 
 std::string
 reportOf(const ChainTask& task, ReconstructResult& result, double seconds)
 {
-  ReconstructSettings settings;
-  settings.until = task.until;
-  settings.threads = task.threads;
-  settings.neighbors = task.options.start.neighbors;
-  settings.minimum_angle =
-      ReconstructSettings::degrees(task.options.start.minimum_angle);
-  settings.certified_minimum_angle =
-      ReconstructSettings::degrees(task.options.start.certified_minimum_angle);
-  settings.length_factor = task.options.start.length_factor;
-  settings.plain = !task.options.start.certificates;
-  settings.minimum_internal_points = task.options.filter.getMinimumInternalPoints();
+  const ReconstructSettings settings = settingsOf(task);
   result.stages = stageTimes(settings, result);
-  countTopology(settings, result);
   nlohmann::json report = describeRun(settings, result, {});
   result.model.mesh.cloud = {}; // which is near the origin; the points are the caller's
   report["verdict"] = tellVerdict(settings, result);

@@ -121,7 +121,6 @@ TEST(Torus, HasAHandleThatIsNotInDoubt)
   EXPECT_EQ(0U, chain.getReport().doubts.handles);
 }
 
-} // namespace
 /** Of 2000 points each, half a spacing apart. */
 Positions
 touchingSpheres()
@@ -154,4 +153,5 @@ TEST(TouchingSpheres, HaveTheirNeckAtTheSamePointBehindPointsThatAreNotFinite)
             chain_of_more.getReport().doubts.thin_necks.at(0));
 }
 
+} // namespace
 } // namespace pcl::ccaa::test
