@@ -5,10 +5,15 @@
 #include "mesh/block_loop.h"
 #include "mesh/vertex_link.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace pcl::ccaa {
 namespace {
+
+/** Part of the triangles that may be appended: to sort the corners of more takes longer
+ * than to count all. */
+constexpr std::size_t APPENDED_SHARE = 8;
 
 /** \brief Count the triangles of each vertex. */
 bool
@@ -90,18 +95,11 @@ TriangleAdjacency::matchEdges(const Triangles& triangles, const LoopContext& con
   const std::size_t vertex_count = offsets_.size() - 1;
   across_.resize(3 * triangles.size());
   fans_.resize(vertex_count);
-  std::vector<std::vector<std::pair<Edge, pcl::index_t>>> overfull(
-      context.blockCount(vertex_count));
+  std::vector<std::vector<EdgeTriangle>> overfull(context.blockCount(vertex_count));
   const auto match = [&](std::size_t block, std::size_t begin, std::size_t end) {
     VertexLink link;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto vertex = static_cast<pcl::index_t>(i);
-      const auto* first = incident_.data() + offsets_[i];
-      const auto* last = incident_.data() + offsets_[i + 1];
-      fans_[i] = link.match(triangles, vertex, first, last, across_.data());
-      if (fans_[i] == Fan::OVERFULL)
-        link.appendOverfull(vertex, first, overfull[block]);
-    }
+    for (std::size_t v = begin; v < end; ++v)
+      matchVertex(triangles, v, link, overfull[block]);
   };
   const bool complete = forEachBlock(vertex_count, context, match);
   listOverfull(joinBlocks(overfull));
@@ -109,8 +107,21 @@ TriangleAdjacency::matchEdges(const Triangles& triangles, const LoopContext& con
 }
 
 void
-TriangleAdjacency::listOverfull(
-    const std::vector<std::pair<Edge, pcl::index_t>>& edge_triangles)
+TriangleAdjacency::matchVertex(const Triangles& triangles,
+                               std::size_t vertex,
+                               VertexLink& link,
+                               std::vector<EdgeTriangle>& overfull)
+{
+  const auto* first = incident_.data() + offsets_[vertex];
+  const auto* last = incident_.data() + offsets_[vertex + 1];
+  const auto index = static_cast<pcl::index_t>(vertex);
+  fans_[vertex] = link.match(triangles, index, first, last, across_.data());
+  if (fans_[vertex] == Fan::OVERFULL)
+    link.appendOverfull(index, first, overfull);
+}
+
+void
+TriangleAdjacency::listOverfull(const std::vector<EdgeTriangle>& edge_triangles)
 {
   for (const auto& [edge, triangle] : edge_triangles) {
     if (overfull_edges_.empty() || overfull_edges_.back() != edge) {
@@ -148,6 +159,58 @@ TriangleAdjacency::keep(const std::vector<std::uint8_t>& alive,
   }
   across_.erase(slot, across_.end());
   fans_ = fans;
+}
+
+void
+TriangleAdjacency::append(const Triangles& triangles,
+                          std::size_t vertex_count,
+                          int threads,
+                          RunControl* control)
+{
+  const std::size_t before = triangleCount();
+  if (!overfull_edges_.empty() || APPENDED_SHARE * (triangles.size() - before) > before)
+    return build(triangles, vertex_count, threads, control);
+  std::vector<Corner> corners;
+  for (std::size_t t = before; t < triangles.size(); ++t)
+    for (const auto vertex : triangles[t])
+      corners.emplace_back(vertex, static_cast<pcl::index_t>(t));
+  std::sort(corners.begin(), corners.end());
+  offsets_.resize(vertex_count + 1, offsets_.back());
+  insertCorners(corners);
+  across_.resize(3 * triangles.size());
+  fans_.resize(vertex_count, Fan::NONE);
+  VertexLink link;
+  std::vector<EdgeTriangle> overfull;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (i == 0 || corners[i].first != corners[i - 1].first)
+      matchVertex(
+          triangles, static_cast<std::size_t>(corners[i].first), link, overfull);
+  listOverfull(overfull);
+}
+
+/** \brief Put triangles at the ends of the lists of their vertices.
+ * \param[in] corners ascending */
+void
+TriangleAdjacency::insertCorners(const std::vector<Corner>& corners)
+{
+  std::size_t end = incident_.size(); // of what has not moved yet
+  incident_.resize(end + corners.size());
+  for (std::size_t i = corners.size(); i-- > 0;) {
+    const auto [vertex, triangle] = corners[i];
+    const std::size_t list_end = offsets_[static_cast<std::size_t>(vertex) + 1];
+    std::copy_backward(incident_.begin() + static_cast<std::ptrdiff_t>(list_end),
+                       incident_.begin() + static_cast<std::ptrdiff_t>(end),
+                       incident_.begin() + static_cast<std::ptrdiff_t>(end + i + 1));
+    incident_[list_end + i] = triangle;
+    end = list_end;
+  }
+  std::uint32_t inserted = 0;
+  for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
+    while (inserted < corners.size() &&
+           static_cast<std::size_t>(corners[inserted].first) == v)
+      ++inserted;
+    offsets_[v + 1] += inserted;
+  }
 }
 
 } // namespace pcl::ccaa

@@ -14,6 +14,7 @@
 namespace pcl::ccaa {
 
 class RunControl;
+class VertexLink;
 struct LoopContext;
 
 /** \brief What the triangles around one vertex look like, winding left aside. */
@@ -61,6 +62,18 @@ public:
    * not deleted \param[in] fans what the vertices have after the deletion */
   void
   keep(const std::vector<std::uint8_t>& alive, const std::vector<Fan>& fans);
+
+  /** \brief Follow appended triangles, many times cheaper than build() where these are
+   * few: one pass over the lists and a match of their corners. Else, and where there
+   * were overfull edges, builds anew.
+   * \param[in] triangles all: the first ones are those that there were
+   * \param[in] vertex_count at least that before
+   * \param[in] threads \param[in] control of build() */
+  void
+  append(const Triangles& triangles,
+         std::size_t vertex_count,
+         int threads = 1,
+         RunControl* control = nullptr);
 
   void
   clear();
@@ -133,6 +146,11 @@ public:
   }
 
 private:
+  /** \brief A triangle on an overfull edge. */
+  using EdgeTriangle = std::pair<Edge, pcl::index_t>;
+  /** \brief A vertex and a triangle that has it. */
+  using Corner = std::pair<pcl::index_t, pcl::index_t>;
+
   bool
   listTriangles(const Triangles& triangles,
                 std::size_t vertex_count,
@@ -140,7 +158,14 @@ private:
   bool
   matchEdges(const Triangles& triangles, const LoopContext& context);
   void
-  listOverfull(const std::vector<std::pair<Edge, pcl::index_t>>& edge_triangles);
+  matchVertex(const Triangles& triangles,
+              std::size_t vertex,
+              VertexLink& link,
+              std::vector<EdgeTriangle>& overfull);
+  void
+  listOverfull(const std::vector<EdgeTriangle>& edge_triangles);
+  void
+  insertCorners(const std::vector<Corner>& corners);
 
   std::vector<std::uint32_t> offsets_{0};
   UninitializedVector<pcl::index_t> incident_;

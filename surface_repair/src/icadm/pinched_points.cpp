@@ -147,6 +147,8 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
   if (context.cancelled())
     return number;
   PointFans split = separateFans(model.triangles, model.adjacency);
+  if (split.vertices.empty())
+    return number;
   model.triangles = std::move(split.triangles);
   for (const pcl::index_t vertex : split.vertices) {
     const auto place = static_cast<std::size_t>(vertex);
@@ -155,6 +157,8 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
     if (!model.viewpoints.empty())
       model.viewpoints.push_back(Position(model.viewpoints[place]));
   }
+  model.adjacency.build(
+      model.triangles, model.positions.size(), context.threads, context.control);
   return number;
 }
 

@@ -38,9 +38,9 @@ slitsBetween(const IncompleteModel& model, const Triangles& added);
 
 /** \brief Take out the vertices that were replaced, and give each fan of a point a
  * vertex of its own again where holes stayed open: the first keeps that which is there.
- * \param[in,out] model of which positions, points, viewpoints and triangles are brought
- * up to date, nothing else \return for each vertex there was its number now,
- * UNAVAILABLE where it is taken out
+ * \param[in,out] model of which positions, points, viewpoints, triangles and adjacency
+ * are brought up to date, nothing else \return for each vertex there was its number
+ * now, UNAVAILABLE where it is taken out
  */
 std::vector<pcl::index_t>
 separatePinches(const ccaa::LoopContext& context, IncompleteModel& model);

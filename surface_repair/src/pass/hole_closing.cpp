@@ -205,8 +205,11 @@ addToModel(const ccaa::LoopContext& context,
   closed.triangles.clear();
   closed.positions.clear();
   closed.point_of_vertex.clear();
-  if (list.replaced.empty() && slits.empty())
+  if (list.replaced.empty() && slits.empty()) {
+    model.adjacency.append(
+        model.triangles, model.positions.size(), context.threads, context.control);
     return;
+  }
   list.replaced.clear();
   const std::vector<pcl::index_t> number = separatePinches(context, model);
   const auto of_input = number.begin() + static_cast<std::ptrdiff_t>(input_vertices);

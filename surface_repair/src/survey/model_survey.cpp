@@ -223,8 +223,10 @@ putInOrder(ModelSurvey before,
   survey.fin_edges = std::move(before.fin_edges);
   IncompleteModel& old = before.model;
   IncompleteModel& model = survey.model;
-  model = assembleModel(
-      std::move(old.triangles), std::move(old.positions), named(context, "assembly"));
+  model = assembleModel(std::move(old.triangles),
+                        std::move(old.positions),
+                        std::move(old.adjacency),
+                        named(context, "assembly"));
   model.point_of_vertex = std::move(old.point_of_vertex);
   model.viewpoints = std::move(old.viewpoints);
   for (std::size_t i = 0; i < used.size(); ++i)

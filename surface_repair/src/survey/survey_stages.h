@@ -45,7 +45,8 @@ bridgeIslands(const SurveyParameters& parameters,
               ModelSurvey& survey);
 
 /** \brief A survey of what a model has become: in order again, of its classes and
- * bridges nothing is known yet.
+ * bridges nothing is known yet. \param[in] before of which the model's positions,
+ * points, viewpoints, triangles and adjacency are up to date
  * \param[in] used which free points are vertices now */
 ModelSurvey
 putInOrder(ModelSurvey before,

@@ -88,6 +88,7 @@ private:
 
 void
 takeBack(const std::set<std::size_t>& holes,
+         const ccaa::LoopContext& context,
          IncompleteModel& model,
          RepairReport& report)
 {
@@ -100,6 +101,8 @@ takeBack(const std::set<std::size_t>& holes,
     report.origins[left++] = report.origins[t];
   }
   model.triangles.resize(left);
+  model.adjacency.build(
+      model.triangles, model.positions.size(), context.threads, context.control);
   report.hole_of.resize(left);
   report.origins.resize(left);
   for (const std::size_t hole : holes) {
@@ -135,14 +138,10 @@ proveManifold(const ccaa::LoopContext& context,
   IncompleteModel& model = repaired.model;
   bool is_settled = true;
   bool was_settled = false;
-  for (;;) {
-    model.adjacency.build(
-        model.triangles, model.positions.size(), context.threads, context.control);
-    if (context.cancelled())
-      return false;
+  while (!context.cancelled()) {
     const Faults faults = LastCheck(repaired, report).run();
     if (!faults.holes.empty()) {
-      takeBack(faults.holes, model, report);
+      takeBack(faults.holes, context, model, report);
       is_settled = false;
       continue;
     }
@@ -153,6 +152,8 @@ proveManifold(const ccaa::LoopContext& context,
     settleVertices(context, repaired);
     is_settled = was_settled = true;
   }
+  if (context.cancelled())
+    return false;
   model.island_of = ccaa::labelIslands(model.adjacency, {context.threads});
   report.after = ccaa::topologyOf(
       model.triangles, model.adjacency, model.island_of.count, {context.threads});

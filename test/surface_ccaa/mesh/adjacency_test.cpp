@@ -232,6 +232,38 @@ TEST(TriangleAdjacency, FollowsDeletionAsIfBuiltAnew)
   expectMatches(adjacency, kept, shape.vertices.size());
 }
 
+TEST(TriangleAdjacency, FollowsAppendedTrianglesAsIfBuiltAnew)
+{
+  const auto shape = icosphere(2);
+  const std::size_t more_vertices = shape.vertices.size() + 5;
+  for (unsigned int seed = 0; seed < 30; ++seed) {
+    Triangles all, gaps;
+    for (std::size_t i = 0; i < shape.triangles.size(); ++i)
+      (i % 11 == seed % 11 ? gaps : all).push_back(shape.triangles[i]);
+    TriangleAdjacency adjacency;
+    adjacency.build(all, shape.vertices.size());
+    const auto wild = soup(seed % 7, static_cast<int>(more_vertices), seed);
+    all.insert(all.end(), wild.begin(), wild.end());
+    all.insert(all.end(), gaps.begin(), gaps.end());
+    adjacency.append(all, more_vertices);
+    expectMatches(adjacency, all, more_vertices);
+    expectOverfullListed(adjacency, all);
+    all.push_back({0, 1, 2}); // there may be overfull edges now
+    adjacency.append(all, more_vertices);
+    expectMatches(adjacency, all, more_vertices);
+  }
+}
+
+TEST(TriangleAdjacency, FollowsMoreTrianglesThanThereWere)
+{
+  const auto shape = icosphere(2);
+  const Triangles few(shape.triangles.begin(), shape.triangles.begin() + 3);
+  TriangleAdjacency adjacency;
+  adjacency.append(few, shape.vertices.size());
+  adjacency.append(shape.triangles, shape.vertices.size());
+  expectMatches(adjacency, shape.triangles, shape.vertices.size());
+}
+
 TEST(TriangleAdjacency, HoldsNothing)
 {
   TriangleAdjacency adjacency;

@@ -58,6 +58,8 @@ protected:
   bool
   prove()
   {
+    IncompleteModel& model = repaired_.model;
+    model.adjacency.build(model.triangles, model.positions.size());
     return proveManifold({}, repaired_, report_);
   }
 
