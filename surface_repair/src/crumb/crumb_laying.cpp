@@ -23,8 +23,8 @@ namespace {
 
 /** Rings around the shadow of a crumb that are opened, one try after the other. */
 constexpr std::array<int, 4> OPENED_RINGS = {1, 2, 4, 0};
-/** A patch covers a crumb that is nearer than so many of its extents, one try after the
- * other. */
+/** A patch covers a crumb that is nearer than so many of its extents, or mean edges
+ * where these are longer, one try after the other. */
 constexpr std::array<double, 2> REACHES = {1.0, 6.0};
 /** The same of crumbs that are no fins: single triangles lie far above wide patches.
  * Then so many more rings are opened as it is edges away. */
@@ -46,9 +46,10 @@ constexpr double ROOM = 4.0;
 class CrumbLaying {
 public:
   CrumbLaying(const std::vector<std::size_t>& crumb,
+              double edge,
               const Course& course,
               GrowingSurface& surface)
-  : crumb_(crumb), bounded_(course, crumb.size()), surface_(surface)
+  : crumb_(crumb), edge_(edge), bounded_(course, crumb.size()), surface_(surface)
   {}
 
   /** \return whether it is part of a patch now */
@@ -92,6 +93,7 @@ private:
   holeOf(const Opening& opening) const;
 
   const std::vector<std::size_t>& crumb_;
+  double edge_;
   BoundedCourse bounded_;
   ccaa::RunControl& control_ = bounded_.control;
   const Course& course_ = bounded_.course;
@@ -156,7 +158,7 @@ CrumbLaying::deepest(const CrumbShadow& shadow, double extent, double length) co
   return length * (is_tip ? DEEPEST_OF_TIPS : DEEPEST);
 }
 
-/** \param[in] reach in extents of the crumb */
+/** \param[in] reach in extents of the crumb, or edges */
 bool
 CrumbLaying::tryWithin(double reach)
 {
@@ -164,7 +166,7 @@ CrumbLaying::tryWithin(double reach)
   for (const std::size_t t : crumb_)
     box.extend(boxAt(t));
   const double extent = box.diagonal().norm();
-  reach_ = reach * extent;
+  reach_ = reach * std::max(extent, edge_);
   if (!surface_.hasPatchIn(ccaa::widened(box, reach_), &control_))
     return false;
   lookAround(box);
@@ -314,10 +316,11 @@ CrumbLaying::holeOf(const Opening& opening) const
 
 bool
 layCrumb(const std::vector<std::size_t>& crumb,
+         double edge,
          const Course& course,
          GrowingSurface& surface)
 {
-  return CrumbLaying(crumb, course, surface).run();
+  return CrumbLaying(crumb, edge, course, surface).run();
 }
 
 } // namespace pcl::repair

@@ -18,9 +18,11 @@ namespace pcl::repair {
  *
  * Nothing changes where no patch lies near, or where every filling runs into something.
  * Cost: some ms. \param[in] crumb triangles of a disc, ascending
+ * \param[in] edge mean length of edges: a tiny triangle may lie that far from a patch
  * \return whether it is part of a patch now */
 bool
 layCrumb(const std::vector<std::size_t>& crumb,
+         double edge,
          const Course& course,
          GrowingSurface& surface);
 

@@ -5,6 +5,7 @@
 
 #include "crumb/crumb_laying.h"
 #include "icadm/vertex_numbers.h"
+#include "mesh/corners.h"
 #include "pass/surface_takeover.h"
 #include "survey/survey_stages.h"
 
@@ -67,7 +68,10 @@ takeMarked(const std::vector<bool>& is_marked, std::vector<T>& list)
 void
 keepInOrder(const ccaa::LoopContext& context, ModelSurvey& survey)
 {
-  const std::vector<bool> none_used(survey.model.free_points.size(), false);
+  IncompleteModel& model = survey.model;
+  model.adjacency.build(
+      model.triangles, model.positions.size(), context.threads, context.control);
+  const std::vector<bool> none_used(model.free_points.size(), false);
   survey = putInOrder(std::move(survey), none_used, context);
 }
 
@@ -183,10 +187,14 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
     if (are_crumbs[survey.model.island_of[t]])
       crumbs[survey.model.island_of[t]].push_back(t);
+  if (crumbs.empty())
+    return;
   std::size_t size = 0;
   for (const auto& [island, crumb] : crumbs)
     size += crumb.size();
   const BoundedCourse all(course, size);
+  const double edge = ccaa::meanEdge(
+      survey.model.triangles, survey.model.triangles.size(), survey.model.positions);
   GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
   for (const auto& [island, crumb] : crumbs) {
     if (course.context.cancelled())
@@ -196,7 +204,8 @@ layCrumbs(std::size_t fewer_than, const Course& course)
         surface.is_there[triangle] = false;
       continue;
     }
-    if (survey.model.islands[island].is_fin || !layCrumb(crumb, all.course, surface))
+    if (survey.model.islands[island].is_fin ||
+        !layCrumb(crumb, edge, all.course, surface))
       for (const std::size_t triangle : surface.meeting(crumb, course.context.control))
         surface.is_there[triangle] = false;
   }

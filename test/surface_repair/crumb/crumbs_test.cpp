@@ -7,6 +7,7 @@
 #include "support/repair_fixture.h"
 #include "surface_repair/boundary/boundary_models.h"
 
+#include <cmath>
 #include <functional>
 
 namespace pcl::repair::test {
@@ -69,6 +70,21 @@ TEST(Crumbs, ACrumbMuchSmallerThanTheTrianglesOverItIsLaid)
     EXPECT_EQ(2U, result.report.islands.size());
     expectWhole(result, 1, 2);
   }
+}
+
+/** Further from the patch than its extent tells, but not for the edges around. */
+TEST(Crumbs, ATinyCrumbInTheMiddleOfAHoleIsLaid)
+{
+  Shape shape = withoutFreeVertices(
+      without(icosphere(3), [](const Position& p) { return p.z() > 0.6; }));
+  const auto first = static_cast<pcl::index_t>(shape.vertices.size());
+  const double size = 1e-4;
+  for (const double turn : {0.0, 2.0, 4.0})
+    shape.vertices.emplace_back(size * std::cos(turn), size * std::sin(turn), 1.1);
+  shape.triangles.push_back({first, first + 1, first + 2});
+  const Repaired result = repaired(shape);
+  EXPECT_EQ(2U, result.report.islands.size());
+  expectWhole(result, 1, 2);
 }
 
 /** A bowl with a small hole and a crumb in that; far below a disc larger than the hole.
