@@ -59,8 +59,7 @@ describe(DoubtReason reason)
   case DoubtReason::PARTED:
     return "two boundaries that belong together by evidence came out in two pieces";
   case DoubtReason::UNJOINED:
-    return "two mouths of tubes were not joined to each other on evidence that hardly "
-           "decides";
+    return "two parts that were closed apart may belong together";
   case DoubtReason::THIN_NECK:
     return "the surface narrows to a few edges and widens again, where bodies may "
            "touch";

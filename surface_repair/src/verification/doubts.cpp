@@ -7,6 +7,7 @@
 #include "field/float_tree.h"
 #include "mesh/corners.h"
 #include "verification/junction_doubts.h"
+#include "verification/piece_doubts.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +21,9 @@ namespace pcl::repair {
 namespace {
 
 /** Area of the tube between two rims, in that of their caps, up to which either may be
- * meant. The tunnels that caps have closed in damaged machine parts have 0.4 to 1.2. */
-constexpr double MOST_OF_CAPS = 1.25;
+ * meant. The tunnels that caps have closed in damaged machine parts have 0.4 to 1.35.
+ */
+constexpr double MOST_OF_CAPS = 1.4;
 /** Cosine between what looks in opposite directions. */
 constexpr double OPPOSITE = 0.8;
 /** Length of the mean normal of what is flat: where something stood, or was cut off. */
@@ -315,7 +317,7 @@ doubtsAbout(const RepairedModel& repaired,
       partedJunctions(repaired.model, report, parameters.survey);
   doubts.insert(doubts.end(), parted.begin(), parted.end());
   for (const auto& more : {unjoinedMouths(report, parameters.survey),
-                           touchingPieces(repaired, report),
+                           doubtfulPieces(repaired, report, parameters.survey),
                            newNecks(repaired, parameters.survey)})
     doubts.insert(doubts.end(), more.begin(), more.end());
   const double share = unsupported / areaOf(repaired.model);

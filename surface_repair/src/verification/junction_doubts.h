@@ -47,11 +47,6 @@ partedJunctions(const IncompleteModel& model,
                 const RepairReport& report,
                 const SurveyParameters& parameters);
 
-/** \brief Closed pieces that touch each other (ccaa::pieceContacts()), one of them
- * partly new: by points of both. */
-std::vector<RepairDoubt>
-touchingPieces(const RepairedModel& repaired, const RepairReport& report);
-
 /** \brief Thin necks (ccaa::thinNecks()) in what is new or beside it, unless the user
  * has decided what is joined. */
 std::vector<RepairDoubt>

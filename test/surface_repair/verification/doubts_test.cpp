@@ -101,6 +101,24 @@ TEST(Doubts, ClosedPiecesThatTouchAreOne)
   }
 }
 
+/** Two halves of a small ball beside a hole of a large one. */
+TEST(Doubts, APieceMadeOfIslandsBesideWhatIsNewElsewhereIsOne)
+{
+  const Shape body =
+      lacking(icosphere(4), [](const Position& p) { return p.z() > 0.9; });
+  Shape ball =
+      lacking(icosphere(3), [](const Position& p) { return std::abs(p.x()) < 0.1; });
+  for (Position& p : ball.vertices)
+    p *= 0.2;
+  for (const double gap : {0.1, 0.5}) {
+    SCOPED_TRACE(gap);
+    const Repaired result =
+        repaired(joined(body, translated(ball, Position(0.0, 0.0, 1.2 + gap))));
+    EXPECT_EQ(2U, topologyOf(result.triangles()).components);
+    EXPECT_EQ(gap < 0.2 ? 1U : 0U, countDoubts(result, DoubtReason::UNJOINED));
+  }
+}
+
 TEST(Doubts, PiecesThatTouchedBeforeAreNone)
 {
   const Repaired result = repaired(joined(
