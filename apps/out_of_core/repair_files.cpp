@@ -47,6 +47,15 @@ readHoles(const TilePlan& plan)
 }
 
 void
+TileRepairDoubts::add(const TileRepairDoubts& other)
+{
+  count += other.count;
+  if (!has_place)
+    place = other.place;
+  has_place = has_place || other.has_place;
+}
+
+void
 TileRepairFacts::add(const TileRepairFacts& other)
 {
   closed += other.closed;
@@ -55,7 +64,7 @@ TileRepairFacts::add(const TileRepairFacts& other)
     kept[i] += other.kept[i];
   }
   for (std::size_t i = 0; i < doubts.size(); ++i)
-    doubts[i] += other.doubts[i];
+    doubts[i].add(other.doubts[i]);
   against += other.against;
   astray += other.astray;
   dropped += other.dropped;

@@ -42,13 +42,23 @@ writeHoles(const TilePlan& plan, const AllHoles& holes);
 AllHoles
 readHoles(const TilePlan& plan);
 
+/** \brief Doubts for one reason. */
+struct TileRepairDoubts {
+  std::uint64_t count = 0;
+  bool has_place = false;
+  std::array<double, 3> place{}; /**< of the first that has one */
+
+  void
+  add(const TileRepairDoubts& other);
+};
+
 /** \brief What became of the holes of some clusters. */
 struct TileRepairFacts {
   std::uint64_t closed = 0;
   /** By reason: loops that should be closed, and those that stay as they are. */
   std::array<std::uint64_t, std::size_t(pcl::OpenReason::NOT_WANTED) + 1> shortfalls{},
       kept{};
-  std::array<std::uint64_t, std::size_t(pcl::DoubtReason::UNSUPPORTED) + 1> doubts{};
+  std::array<TileRepairDoubts, std::size_t(pcl::DoubtReason::UNSUPPORTED) + 1> doubts{};
   std::uint64_t against = 0; /**< patches between islands that are wound against each
                                   other */
   std::uint64_t astray = 0;  /**< patches that left what is known around their loops */

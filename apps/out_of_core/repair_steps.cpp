@@ -242,7 +242,7 @@ numberRepairs(const TilePlan& plan)
   const bool is_closed =
       std::int64_t(readSides(plan).open_edges) + numbers.sum.open_edges == 0;
   if (is_closed && most < 1.0 && numbers.sum.area > most * (area + numbers.sum.area))
-    ++numbers.facts.doubts[std::size_t(pcl::DoubtReason::UNSUPPORTED)];
+    ++numbers.facts.doubts[std::size_t(pcl::DoubtReason::UNSUPPORTED)].count;
   writeNumbers(plan, numbers);
 }
 

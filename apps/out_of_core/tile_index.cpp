@@ -25,6 +25,20 @@ countsOf(const Counts& counts)
   return found;
 }
 
+/** By reason, and where one of each is, if that has a place. */
+void
+addDoubts(const TileRepairFacts& made, nlohmann::json& repair)
+{
+  repair["doubts"] = repair["doubts_at"] = nlohmann::json::object();
+  for (std::size_t i = 0; i < made.doubts.size(); ++i) {
+    const std::string reason = nameOf(pcl::DoubtReason(i));
+    if (made.doubts[i].count > 0)
+      repair["doubts"][reason] = made.doubts[i].count;
+    if (made.doubts[i].has_place)
+      repair["doubts_at"][reason] = made.doubts[i].place;
+  }
+}
+
 /** What became of the holes, and what that changes about the whole. */
 void
 addRepair(const TilePlan& plan, nlohmann::json& facts)
@@ -51,8 +65,8 @@ addRepair(const TilePlan& plan, nlohmann::json& facts)
                      {"new_triangles", numbers.sum.triangles},
                      {"new_vertices", numbers.sum.vertices},
                      {"shortfalls", shortfalls},
-                     {"kept", countsOf<pcl::OpenReason>(made.kept)},
-                     {"doubts", countsOf<pcl::DoubtReason>(made.doubts)}};
+                     {"kept", countsOf<pcl::OpenReason>(made.kept)}};
+  addDoubts(made, facts["repair"]);
 }
 
 } // namespace
@@ -98,6 +112,10 @@ describeTiles(const TilePlan& plan)
                             {"places_not_closed", failed}}},
                           {"outer_side", describe(sides.tally)},
                           {"shards", shards}};
+  if (sides.doubts.touching_pieces > 0)
+    facts["touching_pieces_at"] = sides.doubts.touching_at;
+  if (sides.doubts.thin_necks > 0)
+    facts["thin_necks_at"] = sides.doubts.neck_at;
   if (plan.repairs())
     addRepair(plan, facts);
   return facts;

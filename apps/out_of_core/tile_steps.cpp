@@ -236,6 +236,27 @@ keepWidest(std::vector<PlacedDispute>& disputes)
       disputes.end());
 }
 
+pcl::ccaa::TileDoubts
+doubtsOf(const ReconstructResult& result)
+{
+  const pcl::TopologyDoubts& found = result.chain.doubts;
+  pcl::ccaa::TileDoubts doubts{found.handles,
+                               found.touching_pieces.size(),
+                               found.thin_necks.size(),
+                               result.start.points,
+                               result.usedPlaces()};
+  const pcl::ccaa::PointView points = pcl::ccaa::positionView(result.model.mesh.cloud);
+  const auto at = [&](pcl::index_t point) {
+    const Eigen::Vector3d place = points[static_cast<std::size_t>(point)];
+    return std::array<double, 3>{place.x(), place.y(), place.z()};
+  };
+  if (!found.touching_pieces.empty())
+    doubts.touching_at = at(found.touching_pieces.front()[0]);
+  if (!found.thin_necks.empty())
+    doubts.neck_at = at(found.thin_necks.front());
+  return doubts;
+}
+
 /** A large group as parts: the disputes that are of one tile. */
 void
 addGroup(const TilePlan& plan,
@@ -269,12 +290,7 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
   TileMesh mesh = sorter.take();
-  const pcl::TopologyDoubts& doubts = result.chain.doubts;
-  mesh.doubts = {doubts.handles,
-                 doubts.touching_pieces.size(),
-                 doubts.thin_necks.size(),
-                 result.start.points,
-                 result.usedPlaces()};
+  mesh.doubts = doubtsOf(result);
   writeMesh(plan, tile, std::move(mesh));
 }
 

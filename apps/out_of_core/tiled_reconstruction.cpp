@@ -7,6 +7,7 @@
 #include "cli/run_facts.h"
 #include "io/interrupt.h"
 #include "io/output_folder.h"
+#include "io/position_check.h"
 #include "io/wording.h"
 #include "out_of_core/partition.h"
 #include "out_of_core/shards.h"
@@ -79,10 +80,28 @@ tellCounts(const nlohmann::json& counts)
   return text;
 }
 
+std::string
+tellPlace(const nlohmann::json& place)
+{
+  return placeText({double{place[0]}, double{place[1]}, double{place[2]}}, " ");
+}
+
 DoubtCounts
 doubtCounts(const nlohmann::json& facts)
 {
   return {facts["doubtful_handles"], facts["touching_pieces"], facts["thin_necks"]};
+}
+
+/** Where the first kind of doubt is, if that has a place. */
+std::string
+placeOfDoubt(const nlohmann::json& facts)
+{
+  if (doubtCounts(facts).handles > 0)
+    return "";
+  for (const char* kind : {"touching_pieces_at", "thin_necks_at"})
+    if (facts.contains(kind))
+      return " (one is at " + tellPlace(facts[kind]) + ")";
+  return "";
 }
 
 /** What leaves the topology in doubt. */
@@ -115,7 +134,12 @@ tellRepair(const nlohmann::json& repair)
 {
   if (!repair["shortfalls"].empty())
     return "left open: " + tellCounts(repair["shortfalls"]);
-  return repair["doubts"].empty() ? "" : "in doubt: " + tellCounts(repair["doubts"]);
+  if (repair["doubts"].empty())
+    return "";
+  std::string text = "in doubt: " + tellCounts(repair["doubts"]);
+  for (const auto& [name, place] : repair["doubts_at"].items())
+    text += "; one " + name + " is at " + tellPlace(place);
+  return text;
 }
 
 Outcome
@@ -140,7 +164,7 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
   else if (facts.contains("repair"))
     outcome.reason = tellRepair(facts["repair"]);
   if (outcome.reason.empty())
-    outcome.reason = tellDoubts(doubtCounts(facts), "at most ");
+    outcome.reason = tellDoubts(doubtCounts(facts), "at most ") + placeOfDoubt(facts);
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   return outcome;
 }

@@ -304,6 +304,7 @@ TEST_F(TiledApp, ANeckThatMayJoinTwoBodiesIsTold)
   const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=100000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" THIN_NECK)")) << result.output;
+  EXPECT_NE(std::string::npos, result.errors.find(" (one is at ")) << result.errors;
 }
 
 TEST_F(TiledApp, HandlesThatMayBeTunnelsThroughThinPlacesAreTold)

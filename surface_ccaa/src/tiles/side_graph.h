@@ -56,11 +56,16 @@ struct CutEdge {
 struct TileDoubts {
   std::uint64_t handles = 0, touching_pieces = 0, thin_necks = 0; /**< TopologyDoubts */
   std::uint64_t places = 0;                                       /**< of points */
-  std::uint64_t used = 0; /**< of these with a triangle */
+  std::uint64_t used = 0;                         /**< of these with a triangle */
+  std::array<double, 3> touching_at{}, neck_at{}; /**< where one of them is, if any */
 
   void
   add(const TileDoubts& other)
   {
+    if (touching_pieces == 0)
+      touching_at = other.touching_at;
+    if (thin_necks == 0)
+      neck_at = other.neck_at;
     handles += other.handles;
     touching_pieces += other.touching_pieces;
     thin_necks += other.thin_necks;

@@ -5,7 +5,6 @@
 
 #include "crumb/crumb_laying.h"
 #include "icadm/vertex_numbers.h"
-#include "mesh/corners.h"
 #include "pass/surface_takeover.h"
 #include "survey/survey_stages.h"
 

@@ -260,10 +260,10 @@ TEST(Doubts, ASurfaceWithHandlesMayHaveLostAnother)
 
 /** A sphere without a belt. */
 Shape
-twoBowls()
+twoBowls(double half_gap = 0.2)
 {
   return lacking(icosphere(4),
-                 [](const Position& p) { return std::abs(p.z()) < 0.25; });
+                 [&](const Position& p) { return std::abs(p.z()) < half_gap; });
 }
 
 /** A junction is joined with so little to spare. */
@@ -327,6 +327,14 @@ TEST(Doubts, SureJunctionsSupportWhatIsNewBetweenIslands)
   const Repaired result = repaired(twoBowls());
   EXPECT_EQ(2U, result.report.islands.size());
   EXPECT_TRUE(result.report.complete());
+}
+
+TEST(Doubts, WhatIsNewMayHideMoreHoweverSureTheJunctionsAre)
+{
+  const Repaired result = repaired(twoBowls(0.3));
+  ASSERT_EQ(1U, result.report.doubts.size());
+  EXPECT_EQ(DoubtReason::UNSUPPORTED, result.report.doubts.front().reason);
+  EXPECT_NEAR(0.3, result.report.doubts.front().ratio, 0.05); // a zone of a sphere
 }
 
 } // namespace
