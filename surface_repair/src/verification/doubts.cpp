@@ -29,9 +29,6 @@ constexpr double MOST_OF_CAPS = 1.4;
 constexpr double OPPOSITE = 0.8;
 /** Part of the limit that holds for a surface with handles: it may have lost more. */
 constexpr double LIMIT_WITH_HANDLES = 0.25;
-/** Share of the area that may be new where junctions are sure. Of 9 damaged models
- * above it that nothing else left in doubt, 4 had lost a handle without a trace. */
-constexpr double MOST_GUESSED = 0.25;
 /** Distance of a crumb from the rim of the patch that took it in, in the rim's length:
  * within a disc there is none above 1 / 2 pi. */
 constexpr double FAR_CRUMB = 0.3;
@@ -87,34 +84,6 @@ tunnelsOf(const std::vector<NewPart>& caps, const std::set<PointPair>& apart)
   return tunnels;
 }
 
-/** Share of a body, or of what is closed now, in which more may be lost than shows:
- * what junctions leave open, or all that nothing measured tells of. 0 where it is no
- * doubt. */
-double
-shareInDoubt(double unsupported,
-             double guessed,
-             const RepairedModel& repaired,
-             const RepairReport& report,
-             const RepairParameters& parameters)
-{
-  const auto is_body = [&] {
-    return report.after.boundary_loops == 0 ||
-           isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
-  };
-  const double limit = parameters.greatest_unsupported;
-  const double area = areaOf(repaired.model);
-  const bool has_handles = report.after.genus.value_or(0) > 0;
-  double share = 0.0;
-  if (unsupported >
-      (has_handles && limit < 1.0 ? LIMIT_WITH_HANDLES : 1.0) * limit * area)
-    share = unsupported / area;
-  else if (guessed > std::max(limit, MOST_GUESSED) * area)
-    share = guessed / area;
-  const bool is_asked_for =
-      parameters.watertight || parameters.filling.close == CloseChoice::ALL;
-  return share > 0.0 && !is_asked_for && is_body() ? share : 0.0;
-}
-
 } // namespace
 
 std::vector<RepairDoubt>
@@ -124,9 +93,8 @@ doubtsAbout(const RepairedModel& repaired,
 {
   std::vector<NewPart> caps;
   std::vector<RepairDoubt> far_crumbs;
-  double guessed = 0.0, unsupported = 0.0;
+  double unsupported = 0.0;
   for (const NewPart& part : newParts(repaired, report, parameters.crumb_triangles)) {
-    guessed += part.guessed;
     unsupported += part.unsupported;
     if (part.crumb_gap > FAR_CRUMB * part.rim)
       far_crumbs.push_back({DoubtReason::LONG_GAP,
@@ -147,9 +115,18 @@ doubtsAbout(const RepairedModel& repaired,
                            doubtfulPieces(repaired, report, parameters.survey),
                            newNecks(repaired, parameters.survey)})
     doubts.insert(doubts.end(), more.begin(), more.end());
-  if (const double share =
-          shareInDoubt(unsupported, guessed, repaired, report, parameters);
-      share > 0.0)
+  const double share = unsupported / areaOf(repaired.model);
+  const bool is_asked_for =
+      parameters.watertight || parameters.filling.close == CloseChoice::ALL;
+  const auto is_body = [&] {
+    return report.after.boundary_loops == 0 ||
+           isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
+  };
+  const double limit =
+      parameters.greatest_unsupported >= 1.0 || report.after.genus.value_or(0) <= 0
+          ? parameters.greatest_unsupported
+          : LIMIT_WITH_HANDLES * parameters.greatest_unsupported;
+  if (share > limit && !is_asked_for && is_body())
     doubts.push_back({DoubtReason::UNSUPPORTED, {-1, -1}, share});
   return doubts;
 }

@@ -8,8 +8,6 @@
 #include "mesh/corners.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 namespace pcl::repair {
@@ -118,14 +116,12 @@ private:
                : NONE;
   }
 
-  /** How little junctions tell of what a triangle stands for, 0 to 1; NaN where what
-   * was measured does. */
+  /** Of a triangle, 0 to 1: how little tells of what it stands for. */
   double
   doubtOf(std::size_t triangle) const
   {
-    constexpr double MEASURED = std::numeric_limits<double>::quiet_NaN();
     if (report_.hole_of[triangle] == NONE)
-      return MEASURED;
+      return 0.0;
     const RepairedHole& hole = report_.holes[report_.hole_of[triangle]];
     const bool joins =
         hole.islands.size() > 1 ||
@@ -134,7 +130,7 @@ private:
         });
     if (report_.origins[triangle] == TriangleOrigin::COMPLETION ||
         (joins && hole.bridges.empty() && hole.free_points >= FEWEST_SAMPLES))
-      return MEASURED;
+      return 0.0;
     return joins && !hole.bridges.empty() ? doubt_of_junctions_ : 1.0;
   }
 
@@ -150,10 +146,7 @@ private:
       const Eigen::Vector3d normal = 0.5 * ccaa::areaNormal(corners);
       const double area = normal.norm();
       part.area += area;
-      if (const double doubt = doubtOf(number); !std::isnan(doubt)) {
-        part.guessed += area;
-        part.unsupported += doubt * area;
-      }
+      part.unsupported += doubtOf(number) * area;
       part.out += normal;
       part.center += area / 3.0 * (corners[0] + corners[1] + corners[2]);
       vertices.insert(triangle.begin(), triangle.end());
@@ -168,7 +161,7 @@ private:
     }
     part.center /= part.area;
     if (part.out.norm() > FLAT * part.area)
-      part.guessed = part.unsupported = 0.0;
+      part.unsupported = 0.0;
     // Each triangle has three edges, and all but those of the rim have two triangles:
     // with as many edges as vertices on it, V - E + F is V - R / 2 - F / 2.
     part.is_disc = 2 * vertices.size() == triangles.size() + rim.size() + 2;

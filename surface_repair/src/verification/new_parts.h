@@ -21,10 +21,9 @@ struct NewPart {
   Position center = Position::Zero();            /**< of area */
   double rim = 0.0;                              /**< its length */
   pcl::index_t point = pcl::UNAVAILABLE;         /**< the lowest on its rim */
-  double guessed = 0.0;                  /**< area that nothing measured tells of */
-  double unsupported = 0.0;              /**< of it, what junctions leave open */
-  double crumb_gap = 0.0;                /**< from the rim, most of all */
-  pcl::index_t crumb = pcl::UNAVAILABLE; /**< a point of that one */
+  double unsupported = 0.0;                      /**< area */
+  double crumb_gap = 0.0;                        /**< from the rim, most of all */
+  pcl::index_t crumb = pcl::UNAVAILABLE;         /**< a point of that one */
   bool is_disc = false;
 };
 

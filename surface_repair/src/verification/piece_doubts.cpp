@@ -6,10 +6,12 @@
 #include "field/float_tree.h"
 #include "mesh/contacts.h"
 #include "mesh/sort_unique.h"
+#include "survey/handle_choice.h"
 #include "verification/junction_doubts.h"
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace pcl::repair {
 
@@ -22,11 +24,31 @@ constexpr double STRAY_GAP = 0.5;
 struct Piece {
   std::size_t triangles = 0;
   bool is_open = false;
-  bool joins_islands = false;             /**< by what is new */
+  bool is_bent = false;                   /**< a junction within carries no handle */
   std::vector<pcl::index_t> new_vertices; /**< of new triangles, ascending */
   ccaa::Box box;                          /**< of these */
   ccaa::Box whole;
 };
+
+/** Pieces of which islands were joined around a bend, on odds that are not sure. */
+void
+markBent(const IncompleteModel& model,
+         const RepairReport& report,
+         std::vector<Piece>& pieces)
+{
+  std::set<pcl::index_t> bent;
+  for (const RepairJunction& junction : report.junctions)
+    if (junction.verdict == JunctionVerdict::JOINED &&
+        junction.islands[0] != junction.islands[1] && !carriesHandle(junction.evidence))
+      bent.insert(junction.points.begin(), junction.points.end());
+  for (std::size_t v = 0; v < model.positions.size() && !bent.empty(); ++v) {
+    const auto vertex = static_cast<pcl::index_t>(v);
+    const pcl::index_t* triangle = model.adjacency.begin(vertex);
+    if (bent.count(model.point_of_vertex[v]) > 0 &&
+        triangle != model.adjacency.end(vertex))
+      pieces[model.island_of[static_cast<std::size_t>(*triangle)]].is_bent = true;
+  }
+}
 
 std::vector<Piece>
 piecesOf(const RepairedModel& repaired, const RepairReport& report)
@@ -38,8 +60,6 @@ piecesOf(const RepairedModel& repaired, const RepairReport& report)
     Piece& piece = pieces[model.island_of[t]];
     ++piece.triangles;
     const bool is_new = t >= repaired.input_triangles;
-    if (is_new)
-      piece.joins_islands |= report.holes[report.hole_of[t]].islands.size() > 1;
     for (int corner = 0; corner < 3; ++corner) {
       const pcl::index_t vertex = triangle[static_cast<std::size_t>(corner)];
       piece.whole.extend(model.positions[static_cast<std::size_t>(vertex)]);
@@ -49,6 +69,7 @@ piecesOf(const RepairedModel& repaired, const RepairReport& report)
         piece.is_open = true;
     }
   }
+  markBent(model, report, pieces);
   for (Piece& piece : pieces) {
     ccaa::sortUnique(piece.new_vertices);
     for (const pcl::index_t vertex : piece.new_vertices)
@@ -110,7 +131,7 @@ rimPointNear(const Position& place, const Piece& piece, const IncompleteModel& m
 bool
 mayBelongTogether(const Piece& smaller, const Piece& larger)
 {
-  return smaller.joins_islands && !smaller.is_open && !larger.is_open &&
+  return smaller.is_bent && !smaller.is_open && !larger.is_open &&
          !larger.new_vertices.empty();
 }
 

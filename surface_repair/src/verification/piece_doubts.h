@@ -13,9 +13,10 @@
 namespace pcl::repair {
 
 /** \brief Closed pieces that touch each other (ccaa::pieceContacts()), one of them
- * partly new; then those that were made of several islands and lie, with what is new of
- * them, within half their extent of what is new of a larger closed one: tips of fingers
- * may have been joined to each other in place of to the hand. The latter not where the
+ * partly new; then those of which islands were joined around a bend (carriesHandle()),
+ * and which lie, with what is new of them, within half their extent of what is new of a
+ * larger closed one: tips of fingers may have been joined to each other in place of to
+ * the hand. The latter not where the
  * user has decided what is joined. Cost: linear, and n log n in what is new. */
 std::vector<RepairDoubt>
 doubtfulPieces(const RepairedModel& repaired,

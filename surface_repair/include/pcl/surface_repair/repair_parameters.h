@@ -329,8 +329,7 @@ struct RepairParameters {
   bool watertight = false;
   /** \brief Share of the area, 0 to 1, above which new triangles that little supports
    * leave the topology in doubt (DoubtReason::UNSUPPORTED); of a surface with handles
-   * a quarter of it does. So does what is new between sure junctions above 0.25, or
-   * this share if that is more. 1: never. Default 0.2. Set it lower where invented
+   * a quarter of it does. 1: never. Default 0.2. Set it lower where invented
    * surface does harm. */
   double greatest_unsupported = 0.2;
   /** \brief Make patches as dense as what is around. Set it false where few triangles

@@ -134,8 +134,8 @@ enum class DoubtReason : std::uint8_t {
                  pieces */
   UNJOINED,  /**< two mouths of tubes were closed each by itself, and evidence hardly
                  decides that they do not belong together; or closed pieces touch, one of
-                 them partly new; or one that was made of several islands lies near
-                 what is new of a larger one */
+                 them partly new; or one whose islands were joined around a bend lies
+                 near what is new of a larger one */
   THIN_NECK, /**< what is new narrows to a ring of a few edges, and widens again on both
                  sides, as between bodies that touch */
   UNSUPPORTED /**< much of the surface is new, and little tells what was lost there */
