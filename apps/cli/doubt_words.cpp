@@ -9,7 +9,8 @@ namespace app {
 DoubtCounts
 countsOf(const pcl::TopologyDoubts& doubts)
 {
-  return {doubts.handles, doubts.touching_pieces.size(), doubts.thin_necks.size()};
+  return {
+      doubts.handles, doubts.touching_pieces.size(), doubts.thin_necks.size(), "", ""};
 }
 
 std::size_t
@@ -43,17 +44,22 @@ listDoubts(const DoubtCounts& doubts, std::string& list)
 std::string
 tellDoubts(const DoubtCounts& doubts, const std::string& at_most)
 {
+  const auto whereOne = [](const std::string& place) {
+    return place.empty() ? "" : " (one is " + place + ")";
+  };
   if (doubts.handles > 0)
     return "the surface has " + at_most + plural(doubts.handles, "handle") +
            " and places so thin that some may be tunnels that nobody scanned";
   if (doubts.touching_pieces > 0)
     return "closed pieces come as near to others as points lie apart, at " + at_most +
            plural(doubts.touching_pieces, "place") +
-           ": they may be one body, of which a thin neck was cut";
+           ": they may be one body, of which a thin neck was cut" +
+           whereOne(doubts.touching_at);
   if (doubts.thin_necks > 0)
     return "the surface narrows to a few edges and widens again, at " + at_most +
            plural(doubts.thin_necks, "place") +
-           ": what a neck joins there may be bodies that touch";
+           ": what a neck joins there may be bodies that touch" +
+           whereOne(doubts.neck_at);
   return "";
 }
 

@@ -10,11 +10,13 @@
 
 namespace app {
 
-/** \brief How often a reconstruction is in doubt: pcl::TopologyDoubts. */
+/** \brief How often a reconstruction is in doubt (pcl::TopologyDoubts), and where one
+ * such place is, such as "at 1 2 3"; empty: not told. */
 struct DoubtCounts {
   std::uint64_t handles = 0;
   std::uint64_t touching_pieces = 0;
   std::uint64_t thin_necks = 0;
+  std::string touching_at, neck_at;
 };
 
 DoubtCounts

@@ -119,7 +119,8 @@ private:
     std::vector<std::uint8_t> as_given(islands.count, 0), turned(islands.count, 0);
     for (std::size_t t = 0; t < given; ++t)
       (isAsGiven(triangles_[t], t) ? as_given : turned)[islands[t]] = 1;
-    addFacts(report, pcl::ccaa::positionView(repaired.cloud), tile.facts);
+    addFacts(report, tile.facts);
+    tile.facts.addDoubts(report.doubts, pcl::ccaa::positionView(repaired.cloud));
     for (const std::vector<std::size_t>& patch : patches(points)) {
       const std::size_t island = islands[patch.front()];
       if (as_given[island] != 0 && turned[island] != 0)
@@ -310,9 +311,7 @@ private:
   }
 
   void
-  addFacts(const pcl::RepairReport& report,
-           const pcl::ccaa::PointView& points,
-           TileRepairFacts& facts) const
+  addFacts(const pcl::RepairReport& report, TileRepairFacts& facts) const
   {
     for (const pcl::RepairedHole& hole : report.holes) {
       const auto reason = static_cast<std::size_t>(hole.open);
@@ -320,16 +319,6 @@ private:
         ++facts.closed;
       else if (isOnOwnLoop(hole.point))
         ++(hole.shortfall ? facts.shortfalls : facts.kept)[reason];
-    }
-    for (const pcl::RepairDoubt& doubt : report.doubts) {
-      TileRepairDoubts one{1};
-      const pcl::index_t point =
-          *std::max_element(doubt.points.begin(), doubt.points.end());
-      one.has_place = point >= 0;
-      if (one.has_place)
-        Eigen::Vector3d::Map(one.place.data()) =
-            points[static_cast<std::size_t>(point)];
-      facts.doubts[static_cast<std::size_t>(doubt.reason)].add(one);
     }
   }
 

@@ -4,6 +4,8 @@
 
 #include "out_of_core/step_file.h"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -47,15 +49,6 @@ readHoles(const TilePlan& plan)
 }
 
 void
-TileRepairDoubts::add(const TileRepairDoubts& other)
-{
-  count += other.count;
-  if (!has_place)
-    place = other.place;
-  has_place = has_place || other.has_place;
-}
-
-void
 TileRepairFacts::add(const TileRepairFacts& other)
 {
   closed += other.closed;
@@ -68,6 +61,15 @@ TileRepairFacts::add(const TileRepairFacts& other)
   against += other.against;
   astray += other.astray;
   dropped += other.dropped;
+}
+
+void
+TileRepairFacts::addDoubts(const std::vector<pcl::RepairDoubt>& more,
+                           const pcl::ccaa::PointView& points)
+{
+  for (const pcl::RepairDoubt& doubt : more)
+    doubts[static_cast<std::size_t>(doubt.reason)].add(pcl::ccaa::PlacedCount::at(
+        1, points, std::max(doubt.points[0], doubt.points[1])));
 }
 
 void

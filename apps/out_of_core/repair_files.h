@@ -6,6 +6,7 @@
 
 #include "out_of_core/tile_plan.h"
 #include "tiles/open_loops.h"
+#include "tiles/side_graph.h"
 
 #include <array>
 #include <cstdint>
@@ -42,23 +43,14 @@ writeHoles(const TilePlan& plan, const AllHoles& holes);
 AllHoles
 readHoles(const TilePlan& plan);
 
-/** \brief Doubts for one reason. */
-struct TileRepairDoubts {
-  std::uint64_t count = 0;
-  bool has_place = false;
-  std::array<double, 3> place{}; /**< of the first that has one */
-
-  void
-  add(const TileRepairDoubts& other);
-};
-
 /** \brief What became of the holes of some clusters. */
 struct TileRepairFacts {
   std::uint64_t closed = 0;
   /** By reason: loops that should be closed, and those that stay as they are. */
   std::array<std::uint64_t, std::size_t(pcl::OpenReason::NOT_WANTED) + 1> shortfalls{},
       kept{};
-  std::array<TileRepairDoubts, std::size_t(pcl::DoubtReason::UNSUPPORTED) + 1> doubts{};
+  std::array<pcl::ccaa::PlacedCount, std::size_t(pcl::DoubtReason::UNSUPPORTED) + 1>
+      doubts{};
   std::uint64_t against = 0; /**< patches between islands that are wound against each
                                   other */
   std::uint64_t astray = 0;  /**< patches that left what is known around their loops */
@@ -66,6 +58,9 @@ struct TileRepairFacts {
 
   void
   add(const TileRepairFacts& other);
+  void
+  addDoubts(const std::vector<pcl::RepairDoubt>& more,
+            const pcl::ccaa::PointView& points);
 };
 
 /** \brief New triangles that are connected over edges. */

@@ -102,8 +102,8 @@ describeTiles(const TilePlan& plan)
                           {"open_edges", sides.open_edges},
                           {"torn_edges", sides.torn.size()},
                           {"doubtful_handles", sides.doubts.handles},
-                          {"touching_pieces", sides.doubts.touching_pieces},
-                          {"thin_necks", sides.doubts.thin_necks},
+                          {"touching_pieces", sides.doubts.touching_pieces.count},
+                          {"thin_necks", sides.doubts.thin_necks.count},
                           {"unused_points", unused},
                           {"seams",
                            {{"disputed_points", disputes.disputes.size()},
@@ -112,10 +112,10 @@ describeTiles(const TilePlan& plan)
                             {"places_not_closed", failed}}},
                           {"outer_side", describe(sides.tally)},
                           {"shards", shards}};
-  if (sides.doubts.touching_pieces > 0)
-    facts["touching_pieces_at"] = sides.doubts.touching_at;
-  if (sides.doubts.thin_necks > 0)
-    facts["thin_necks_at"] = sides.doubts.neck_at;
+  if (sides.doubts.touching_pieces.has_place)
+    facts["touching_pieces_at"] = sides.doubts.touching_pieces.place;
+  if (sides.doubts.thin_necks.has_place)
+    facts["thin_necks_at"] = sides.doubts.thin_necks.place;
   if (plan.repairs())
     addRepair(plan, facts);
   return facts;

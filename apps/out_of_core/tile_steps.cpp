@@ -239,22 +239,17 @@ keepWidest(std::vector<PlacedDispute>& disputes)
 pcl::ccaa::TileDoubts
 doubtsOf(const ReconstructResult& result)
 {
-  const pcl::TopologyDoubts& found = result.chain.doubts;
-  pcl::ccaa::TileDoubts doubts{found.handles,
-                               found.touching_pieces.size(),
-                               found.thin_necks.size(),
-                               result.start.points,
-                               result.usedPlaces()};
+  using pcl::ccaa::PlacedCount;
   const pcl::ccaa::PointView points = pcl::ccaa::positionView(result.model.mesh.cloud);
-  const auto at = [&](pcl::index_t point) {
-    const Eigen::Vector3d place = points[static_cast<std::size_t>(point)];
-    return std::array<double, 3>{place.x(), place.y(), place.z()};
-  };
-  if (!found.touching_pieces.empty())
-    doubts.touching_at = at(found.touching_pieces.front()[0]);
-  if (!found.thin_necks.empty())
-    doubts.neck_at = at(found.thin_necks.front());
-  return doubts;
+  const auto& [handles, touching, necks] = result.chain.doubts;
+  return {handles,
+          PlacedCount::at(touching.size(),
+                          points,
+                          touching.empty() ? pcl::UNAVAILABLE : touching.front()[0]),
+          PlacedCount::at(
+              necks.size(), points, necks.empty() ? pcl::UNAVAILABLE : necks.front()),
+          result.start.points,
+          result.usedPlaces()};
 }
 
 /** A large group as parts: the disputes that are of one tile. */

@@ -83,25 +83,20 @@ tellCounts(const nlohmann::json& counts)
 std::string
 tellPlace(const nlohmann::json& place)
 {
-  return placeText({double{place[0]}, double{place[1]}, double{place[2]}}, " ");
+  return "at " + placeText({double{place[0]}, double{place[1]}, double{place[2]}}, " ");
 }
 
 DoubtCounts
 doubtCounts(const nlohmann::json& facts)
 {
-  return {facts["doubtful_handles"], facts["touching_pieces"], facts["thin_necks"]};
-}
-
-/** Where the first kind of doubt is, if that has a place. */
-std::string
-placeOfDoubt(const nlohmann::json& facts)
-{
-  if (doubtCounts(facts).handles > 0)
-    return "";
-  for (const char* kind : {"touching_pieces_at", "thin_necks_at"})
-    if (facts.contains(kind))
-      return " (one is at " + tellPlace(facts[kind]) + ")";
-  return "";
+  const auto at = [&](const char* place) {
+    return facts.contains(place) ? tellPlace(facts[place]) : "";
+  };
+  return {facts["doubtful_handles"],
+          facts["touching_pieces"],
+          facts["thin_necks"],
+          at("touching_pieces_at"),
+          at("thin_necks_at")};
 }
 
 /** What leaves the topology in doubt. */
@@ -138,7 +133,7 @@ tellRepair(const nlohmann::json& repair)
     return "";
   std::string text = "in doubt: " + tellCounts(repair["doubts"]);
   for (const auto& [name, place] : repair["doubts_at"].items())
-    text += "; one " + name + " is at " + tellPlace(place);
+    text += "; one " + name + " is " + tellPlace(place);
   return text;
 }
 
@@ -164,7 +159,7 @@ judge(const nlohmann::json& facts, const TilePlan& plan)
   else if (facts.contains("repair"))
     outcome.reason = tellRepair(facts["repair"]);
   if (outcome.reason.empty())
-    outcome.reason = tellDoubts(doubtCounts(facts), "at most ") + placeOfDoubt(facts);
+    outcome.reason = tellDoubts(doubtCounts(facts), "at most ");
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   return outcome;
 }

@@ -41,13 +41,12 @@ std::string
 tellTopologyDoubts(const ReconstructResult& result)
 {
   const pcl::TopologyDoubts& doubts = result.chain.doubts;
-  std::string text = tellDoubts(countsOf(doubts));
-  if (doubts.handles > 0 || text.empty())
-    return text;
-  const pcl::index_t first = doubts.touching_pieces.empty()
-                                 ? doubts.thin_necks.front()
-                                 : doubts.touching_pieces.front()[0];
-  return text + " (one is " + placeOf(first, result.model.mesh) + ")";
+  DoubtCounts counts = countsOf(doubts);
+  if (!doubts.touching_pieces.empty())
+    counts.touching_at = placeOf(doubts.touching_pieces.front()[0], result.model.mesh);
+  if (!doubts.thin_necks.empty())
+    counts.neck_at = placeOf(doubts.thin_necks.front(), result.model.mesh);
+  return tellDoubts(counts);
 }
 
 } // namespace

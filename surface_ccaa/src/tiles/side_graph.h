@@ -51,24 +51,47 @@ struct CutEdge {
   std::uint32_t falls = 0; /**< 1: the triangle runs from the higher end to the lower */
 };
 
+/** \brief How often something was found, and where it was first. */
+struct PlacedCount {
+  std::uint64_t count = 0;
+  bool has_place = false;
+  std::array<double, 3> place{};
+
+  /** \param[in] point of these, or UNAVAILABLE */
+  static PlacedCount
+  at(std::uint64_t count, const PointView& points, pcl::index_t point)
+  {
+    PlacedCount placed{count, point >= 0};
+    if (placed.has_place)
+      Position::Map(placed.place.data()) = points[static_cast<std::size_t>(point)];
+    return placed;
+  }
+
+  void
+  add(const PlacedCount& other)
+  {
+    count += other.count;
+    if (has_place)
+      return;
+    has_place = other.has_place;
+    place = other.place;
+  }
+};
+
 /** \brief What leaves the results of some tiles in doubt, each with its halo: two tiles
  * may know the same place. */
 struct TileDoubts {
-  std::uint64_t handles = 0, touching_pieces = 0, thin_necks = 0; /**< TopologyDoubts */
-  std::uint64_t places = 0;                                       /**< of points */
-  std::uint64_t used = 0;                         /**< of these with a triangle */
-  std::array<double, 3> touching_at{}, neck_at{}; /**< where one of them is, if any */
+  std::uint64_t handles = 0; /**< this and the next two: TopologyDoubts */
+  PlacedCount touching_pieces, thin_necks;
+  std::uint64_t places = 0; /**< of points */
+  std::uint64_t used = 0;   /**< of these with a triangle */
 
   void
   add(const TileDoubts& other)
   {
-    if (touching_pieces == 0)
-      touching_at = other.touching_at;
-    if (thin_necks == 0)
-      neck_at = other.neck_at;
     handles += other.handles;
-    touching_pieces += other.touching_pieces;
-    thin_necks += other.thin_necks;
+    touching_pieces.add(other.touching_pieces);
+    thin_necks.add(other.thin_necks);
     places += other.places;
     used += other.used;
   }

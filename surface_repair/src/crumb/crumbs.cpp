@@ -4,6 +4,7 @@
 #include "crumb/crumbs.h"
 
 #include "crumb/crumb_laying.h"
+#include "icadm/model_assembly.h"
 #include "icadm/vertex_numbers.h"
 #include "pass/surface_takeover.h"
 #include "survey/survey_stages.h"
@@ -68,8 +69,7 @@ void
 keepInOrder(const ccaa::LoopContext& context, ModelSurvey& survey)
 {
   IncompleteModel& model = survey.model;
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  rebuildAdjacency(context, model);
   const std::vector<bool> none_used(model.free_points.size(), false);
   survey = putInOrder(std::move(survey), none_used, context);
 }

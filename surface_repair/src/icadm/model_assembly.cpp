@@ -52,6 +52,13 @@ measureIslands(const IncompleteModel& model)
 
 } // namespace
 
+void
+rebuildAdjacency(const ccaa::LoopContext& context, IncompleteModel& model)
+{
+  model.adjacency.build(
+      model.triangles, model.positions.size(), context.threads, context.control);
+}
+
 bool
 isManifold(const ccaa::TriangleAdjacency& adjacency)
 {

@@ -27,6 +27,11 @@ assembleModel(Triangles triangles,
               ccaa::TriangleAdjacency adjacency,
               const ccaa::LoopContext& context);
 
+/** \brief Bring the adjacency of a model up to date with its triangles and positions.
+ */
+void
+rebuildAdjacency(const ccaa::LoopContext& context, IncompleteModel& model);
+
 /** \brief Every used vertex has one fan and no edge more than two triangles (D1.3-1).
  */
 bool

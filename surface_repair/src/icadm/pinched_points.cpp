@@ -44,8 +44,7 @@ weldPinches(const VertexMap& replaced,
       Triangle& corners = model.triangles[static_cast<std::size_t>(*triangle)];
       std::replace(corners.begin(), corners.end(), vertex, kept);
     }
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  rebuildAdjacency(context, model);
 }
 
 namespace {
@@ -142,8 +141,7 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
   renumber(number, model.point_of_vertex);
   if (!model.viewpoints.empty())
     renumber(number, model.viewpoints);
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  rebuildAdjacency(context, model);
   if (context.cancelled())
     return number;
   PointFans split = separateFans(model.triangles, model.adjacency);
@@ -157,8 +155,7 @@ separatePinches(const ccaa::LoopContext& context, IncompleteModel& model)
     if (!model.viewpoints.empty())
       model.viewpoints.push_back(Position(model.viewpoints[place]));
   }
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  rebuildAdjacency(context, model);
   return number;
 }
 

@@ -3,6 +3,7 @@
 
 #include "pass/hole_closing.h"
 
+#include "icadm/model_assembly.h"
 #include "listing/sample_shares.h"
 #include "pass/regions_closing.h"
 
@@ -118,8 +119,7 @@ void
 takeBack(Triangles triangles, const ccaa::LoopContext& context, IncompleteModel& model)
 {
   model.triangles = std::move(triangles);
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  rebuildAdjacency(context, model);
 }
 
 template <typename T>

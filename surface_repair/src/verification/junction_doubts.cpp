@@ -144,13 +144,9 @@ partedJunctions(const IncompleteModel& model,
       gaps[points] = junction.evidence.gap_share;
       piece_at[points[0]] = piece_at[points[1]] = NONE;
     }
-  for (std::size_t v = 0; v < model.point_of_vertex.size(); ++v) {
-    const auto found = piece_at.find(model.point_of_vertex[v]);
-    const pcl::index_t* triangle = model.adjacency.begin(static_cast<pcl::index_t>(v));
-    if (found != piece_at.end() &&
-        triangle != model.adjacency.end(static_cast<pcl::index_t>(v)))
-      found->second = model.island_of[static_cast<std::size_t>(*triangle)];
-  }
+  visitPieces(model, piece_at, [&](pcl::index_t point, std::size_t piece) {
+    piece_at.at(point) = piece;
+  });
   std::vector<RepairDoubt> parted;
   for (const auto& [points, gap] : gaps) {
     const std::size_t low = piece_at.at(points[0]), high = piece_at.at(points[1]);

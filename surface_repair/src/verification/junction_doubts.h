@@ -24,6 +24,22 @@ inOrder(pcl::index_t one, pcl::index_t other)
   return {std::min(one, other), std::max(one, other)};
 }
 
+/** \brief Call visit(point, piece) for each vertex with a triangle that has one of some
+ * points. \param[in] points sorted keys: a set or a map */
+template <typename Points, typename Visit>
+void
+visitPieces(const IncompleteModel& model, const Points& points, const Visit& visit)
+{
+  for (std::size_t v = 0; v < model.point_of_vertex.size() && !points.empty(); ++v) {
+    const auto vertex = static_cast<pcl::index_t>(v);
+    const pcl::index_t* triangle = model.adjacency.begin(vertex);
+    if (points.count(model.point_of_vertex[v]) > 0 &&
+        triangle != model.adjacency.end(vertex))
+      visit(model.point_of_vertex[v],
+            model.island_of[static_cast<std::size_t>(*triangle)]);
+  }
+}
+
 /** \brief The loops of which the user says that they are to be joined, or are not.
  * \param[in] decisions or null */
 std::set<PointPair>

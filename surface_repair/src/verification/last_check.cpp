@@ -6,6 +6,7 @@
 #include <pcl/surface_repair/repair_parameters.h>
 
 #include "icadm/icm_class.h"
+#include "icadm/model_assembly.h"
 #include "icadm/pinched_points.h"
 #include "mesh/surface_topology.h"
 #include "mesh/winding.h"
@@ -101,8 +102,7 @@ takeBack(const std::set<std::size_t>& holes,
     report.origins[left++] = report.origins[t];
   }
   model.triangles.resize(left);
-  model.adjacency.build(
-      model.triangles, model.positions.size(), context.threads, context.control);
+  rebuildAdjacency(context, model);
   report.hole_of.resize(left);
   report.origins.resize(left);
   for (const std::size_t hole : holes) {

@@ -41,13 +41,9 @@ markBent(const IncompleteModel& model,
     if (junction.verdict == JunctionVerdict::JOINED &&
         junction.islands[0] != junction.islands[1] && !carriesHandle(junction.evidence))
       bent.insert(junction.points.begin(), junction.points.end());
-  for (std::size_t v = 0; v < model.positions.size() && !bent.empty(); ++v) {
-    const auto vertex = static_cast<pcl::index_t>(v);
-    const pcl::index_t* triangle = model.adjacency.begin(vertex);
-    if (bent.count(model.point_of_vertex[v]) > 0 &&
-        triangle != model.adjacency.end(vertex))
-      pieces[model.island_of[static_cast<std::size_t>(*triangle)]].is_bent = true;
-  }
+  visitPieces(model, bent, [&](pcl::index_t, std::size_t piece) {
+    pieces[piece].is_bent = true;
+  });
 }
 
 std::vector<Piece>

@@ -16,8 +16,8 @@ namespace pcl::repair {
  * partly new; then those of which islands were joined around a bend (carriesHandle()),
  * and which lie, with what is new of them, within half their extent of what is new of a
  * larger closed one: tips of fingers may have been joined to each other in place of to
- * the hand. The latter not where the
- * user has decided what is joined. Cost: linear, and n log n in what is new. */
+ * the hand. The latter not where the user has decided what is joined. Cost: linear, and
+ * n log n in what is new. */
 std::vector<RepairDoubt>
 doubtfulPieces(const RepairedModel& repaired,
                const RepairReport& report,
