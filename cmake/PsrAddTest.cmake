@@ -12,11 +12,13 @@ set(PSR_TESTS_LEFT_OUT "" CACHE STRING
 # Sanitizers for threads have nothing to find in most files.
 set(PSR_TEST_NAMES "" CACHE STRING
     "Build only test files in which the name of a test matches this expression")
+# Sanitizers look at what is tested, which libraries and programs hold. In the tests' own
+# code they find nothing, and compiling it once more is two fifths of a sanitized build.
+set(PSR_TEST_OBJECTS "" CACHE PATH
+    "Build folder whose test programs are linked anew, where it is, not compiled anew")
 
 # Compiling tests takes longer than running them. At -O1 GCC takes values for uninitialized
 # that it sees to be set at -O3, and Clang spends most of its time on what it inlines.
-# Sanitizers look at what is tested, which libraries and programs hold: in the tests' own
-# code they double the time to compile it.
 # psr_compile_quickly(<target> <0 or 1>): level 0 for tests that compute next to nothing.
 function(psr_compile_quickly target level)
   target_compile_options(
@@ -43,8 +45,45 @@ function(psr_select_tests list)
   set(${list} ${selected} PARENT_SCOPE)
 endfunction()
 
+# psr_add_compiled(<target> <files>): a test program, of these or of their objects there.
+function(psr_add_compiled target sources)
+  if(NOT EXISTS "${PSR_TEST_OBJECTS}/CMakeCache.txt")
+    add_executable(${target} ${sources})
+    # Which is only for the same level.
+    target_precompile_headers(${target} REUSE_FROM test_support)
+    psr_compile_quickly(${target} 1)
+    psr_unite_folders(${target})
+    file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/test/${target}.objects"
+         CONTENT "$<JOIN:$<TARGET_OBJECTS:${target}>,\n>\n")
+    set_property(GLOBAL APPEND PROPERTY PSR_TEST_PROGRAMS ${target})
+    return()
+  endif()
+  set(compiled "${PSR_TEST_OBJECTS}/test/${target}")
+  file(TOUCH "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+  add_executable(${target} "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+  target_link_options(${target} PRIVATE "@${compiled}.objects")
+  set_target_properties(${target} PROPERTIES LINK_DEPENDS "${compiled}")
+  set_property(GLOBAL APPEND PROPERTY PSR_TEST_PROGRAMS "${compiled}")
+endfunction()
+
+# psr_add_test_objects(): a target that brings the objects of all test programs up to date,
+# here or there; comes after them.
+function(psr_add_test_objects)
+  get_property(programs GLOBAL PROPERTY PSR_TEST_PROGRAMS)
+  if(NOT EXISTS "${PSR_TEST_OBJECTS}/CMakeCache.txt")
+    add_custom_target(test_objects DEPENDS ${programs})
+    return()
+  endif()
+  add_custom_target(
+    test_objects
+    COMMAND ${CMAKE_COMMAND} --build "${PSR_TEST_OBJECTS}" --target test_objects
+    BYPRODUCTS ${programs}
+    USES_TERMINAL VERBATIM)
+endfunction()
+
 # psr_add_test(<target> <folder below test/> [WAITS]); nothing when the folder has no test.
-# WAITS: its tests mostly wait for programs, so that optimizing them takes longer than it saves.
+# WAITS: its tests mostly wait for programs, so that optimizing them takes longer than it
+# saves, and hold code of programs themselves.
 function(psr_add_test target folder)
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
   if(PSR_TEST_NAMES)
@@ -53,17 +92,15 @@ function(psr_add_test target folder)
   if(NOT sources)
     return()
   endif()
-  add_executable(${target} ${sources})
+  if("WAITS" IN_LIST ARGN)
+    add_executable(${target} ${sources})
+    psr_compile_quickly(${target} 0)
+    psr_unite_folders(${target})
+  else()
+    psr_add_compiled(${target} "${sources}")
+  endif()
   target_link_libraries(${target} PRIVATE test_support GTest::gtest_main psr_warnings
                                           psr_link_options)
-  if("WAITS" IN_LIST ARGN)
-    psr_compile_quickly(${target} 0)
-  else()
-    # Which is only for the same level.
-    target_precompile_headers(${target} REUSE_FROM test_support)
-    psr_compile_quickly(${target} 1)
-  endif()
-  psr_unite_folders(${target})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
                                              "${PROJECT_BINARY_DIR}/test")
   if(PSR_WHOLE_TEST_PROGRAMS)

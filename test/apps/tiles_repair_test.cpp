@@ -106,9 +106,9 @@ TEST_F(TiledApp, RepairStepsOneByOneMakeTheSame)
   ASSERT_TRUE(hasMeshed(
       tiled({"in.ply"},
             "1.ply",
-            {"--tiles=2000", "--repair", "--tile-folder", folder_.path("at_once")})));
+            {"--tiles=5000", "--repair", "--tile-folder", folder_.path("at_once")})));
   ASSERT_TRUE(hasMeshed(
-      step("cut", "steps", {folder_.path("in.ply"), "--tiles=2000", "--repair"})));
+      step("cut", "steps", {folder_.path("in.ply"), "--tiles=5000", "--repair"})));
   ASSERT_NO_FATAL_FAILURE(doSteps("steps", {"holes", "repair", "numbers"}));
   EXPECT_TRUE(shardsIn("at_once") == shardsIn("steps"));
   ASSERT_TRUE(hasMeshed(step("merge", "steps", {folder_.path("2.ply")})));
