@@ -21,8 +21,10 @@ tellSurface(const SurfaceFacts& facts)
     addToList(text,
               plural(facts.left_open, "boundary") + " left open" +
                   (facts.reasons.empty() ? "" : " (" + facts.reasons + ")"));
+  if (facts.borders > 0)
+    addToList(text, plural(facts.borders, "border") + " open");
   if (facts.open > 0)
-    addToList(text, plural(facts.open, "border") + " open");
+    addToList(text, plural(facts.open, "boundary") + " open");
   if (facts.faults > 0)
     addToList(text, plural(facts.faults, "fault"));
   if (text.empty())
@@ -47,7 +49,7 @@ surfaceFacts(const pcl::RepairReport& report)
   }
   // The rims of what was cut off on reading are no holes, but openings all the same.
   const std::size_t openings = report.after.boundary_loops;
-  facts.open = openings - std::min(openings, facts.left_open);
+  facts.borders = openings - std::min(openings, facts.left_open);
   facts.reasons = reasons.text();
   Tally doubts;
   for (const pcl::RepairDoubt& doubt : report.doubts)

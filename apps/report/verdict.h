@@ -18,7 +18,8 @@ struct SurfaceFacts {
   std::size_t left_open = 0; /**< boundaries that should have been closed */
   std::string reasons;       /**< for these, such as "2 INTERSECTION, 1 UNDECIDED" */
   std::string doubts;        /**< such as "1 TUNNEL" */
-  std::size_t open = 0;      /**< other boundaries, which may stay open */
+  std::size_t borders = 0;   /**< that may stay open */
+  std::size_t open = 0;      /**< boundaries of which nobody asked whether they may */
   std::size_t faults = 0;    /**< places where it is no surface */
   std::optional<std::size_t> pieces;
 };

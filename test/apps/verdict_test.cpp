@@ -44,9 +44,16 @@ TEST(SurfaceVerdict, NamesReasonsOfABoundaryLeftOpen)
 TEST(SurfaceVerdict, TellsBordersThatMayBeOpen)
 {
   app::SurfaceFacts facts;
-  facts.open = 1;
+  facts.borders = 1;
   facts.pieces = 2;
   EXPECT_EQ("1 border open, 2 pieces", app::tellSurface(facts));
+}
+
+TEST(SurfaceVerdict, DoesNotCallABoundaryABorderThatMayBeAHole)
+{
+  app::SurfaceFacts facts;
+  facts.open = 2;
+  EXPECT_EQ("2 boundaries open", app::tellSurface(facts));
 }
 
 TEST(SurfaceVerdict, CountsOpeningsThatAreNoHoles)
@@ -214,7 +221,7 @@ TEST_F(RunVerdict, EndsEveryProgram)
        "complete: watertight, 1 piece\n"},
       {"pcl_ccaa_reconstruct closed.ply --dry-run",
        "complete: 642 points to reconstruct\n"},
-      {"pcl_mesh_quality holed.ply", "complete: 1 border open, 1 piece\n"},
+      {"pcl_mesh_quality holed.ply", "complete: 1 boundary open, 1 piece\n"},
       {"pcl_damage_cloud closed.ply out.ply --sphere 0.5,0.5,0.5,0.01 2>/dev/null",
        "incomplete: 0 points taken out\n"}};
   for (const auto& [command, verdict] : verdicts)
