@@ -9,8 +9,12 @@ namespace app {
 DoubtCounts
 countsOf(const pcl::TopologyDoubts& doubts)
 {
-  return {
-      doubts.handles, doubts.touching_pieces.size(), doubts.thin_necks.size(), "", ""};
+  return {doubts.handles,
+          doubts.touching_pieces.size(),
+          doubts.thin_necks.size(),
+          "",
+          "",
+          ""};
 }
 
 std::size_t
@@ -49,7 +53,8 @@ tellDoubts(const DoubtCounts& doubts, const std::string& at_most)
   };
   if (doubts.handles > 0)
     return "the surface has " + at_most + plural(doubts.handles, "handle") +
-           " and places so thin that some may be tunnels that nobody scanned";
+           " and places so thin that some may be tunnels that nobody scanned" +
+           whereOne(doubts.handle_at);
   if (doubts.touching_pieces > 0)
     return "closed pieces come as near to others as points lie apart, at " + at_most +
            plural(doubts.touching_pieces, "place") +

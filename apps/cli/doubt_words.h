@@ -16,7 +16,7 @@ struct DoubtCounts {
   std::uint64_t handles = 0;
   std::uint64_t touching_pieces = 0;
   std::uint64_t thin_necks = 0;
-  std::string touching_at, neck_at;
+  std::string handle_at, touching_at, neck_at;
 };
 
 DoubtCounts

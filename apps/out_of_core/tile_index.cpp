@@ -101,7 +101,7 @@ describeTiles(const TilePlan& plan)
                           {"components", sides.components},
                           {"open_edges", sides.open_edges},
                           {"torn_edges", sides.torn.size()},
-                          {"doubtful_handles", sides.doubts.handles},
+                          {"doubtful_handles", sides.doubts.handles.count},
                           {"touching_pieces", sides.doubts.touching_pieces.count},
                           {"thin_necks", sides.doubts.thin_necks.count},
                           {"unused_points", unused},
@@ -112,10 +112,13 @@ describeTiles(const TilePlan& plan)
                             {"places_not_closed", failed}}},
                           {"outer_side", describe(sides.tally)},
                           {"shards", shards}};
-  if (sides.doubts.touching_pieces.has_place)
-    facts["touching_pieces_at"] = sides.doubts.touching_pieces.place;
-  if (sides.doubts.thin_necks.has_place)
-    facts["thin_necks_at"] = sides.doubts.thin_necks.place;
+  const auto addPlace = [&](const char* name, const pcl::ccaa::PlacedCount& count) {
+    if (count.has_place)
+      facts[name] = count.place;
+  };
+  addPlace("doubtful_handles_at", sides.doubts.handles);
+  addPlace("touching_pieces_at", sides.doubts.touching_pieces);
+  addPlace("thin_necks_at", sides.doubts.thin_necks);
   if (plan.repairs())
     addRepair(plan, facts);
   return facts;

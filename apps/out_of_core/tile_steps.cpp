@@ -241,13 +241,15 @@ doubtsOf(const ReconstructResult& result)
 {
   using pcl::ccaa::PlacedCount;
   const pcl::ccaa::PointView points = pcl::ccaa::positionView(result.model.mesh.cloud);
-  const auto& [handles, touching, necks] = result.chain.doubts;
-  return {handles,
+  const auto& [handles, thin, touching, necks] = result.chain.doubts;
+  const auto first = [](const pcl::Indices& places) {
+    return places.empty() ? pcl::UNAVAILABLE : places.front();
+  };
+  return {PlacedCount::at(handles, points, first(thin)),
           PlacedCount::at(touching.size(),
                           points,
                           touching.empty() ? pcl::UNAVAILABLE : touching.front()[0]),
-          PlacedCount::at(
-              necks.size(), points, necks.empty() ? pcl::UNAVAILABLE : necks.front()),
+          PlacedCount::at(necks.size(), points, first(necks)),
           result.start.points,
           result.usedPlaces()};
 }

@@ -95,6 +95,7 @@ doubtCounts(const nlohmann::json& facts)
   return {facts["doubtful_handles"],
           facts["touching_pieces"],
           facts["thin_necks"],
+          at("doubtful_handles_at"),
           at("touching_pieces_at"),
           at("thin_necks_at")};
 }

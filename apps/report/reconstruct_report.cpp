@@ -45,6 +45,8 @@ json
 describeDoubts(const pcl::TopologyDoubts& doubts)
 {
   json list = json::array();
+  for (const pcl::index_t point : doubts.thin_handles)
+    list.push_back({{"reason", "THIN_HANDLE"}, {"points", {point}}});
   for (const auto& contact : doubts.touching_pieces)
     list.push_back({{"reason", "TOUCHING_PIECES"}, {"points", contact}});
   for (const pcl::index_t point : doubts.thin_necks)

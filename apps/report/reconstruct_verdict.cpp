@@ -42,6 +42,8 @@ tellTopologyDoubts(const ReconstructResult& result)
 {
   const pcl::TopologyDoubts& doubts = result.chain.doubts;
   DoubtCounts counts = countsOf(doubts);
+  if (!doubts.thin_handles.empty())
+    counts.handle_at = placeOf(doubts.thin_handles.front(), result.model.mesh);
   if (!doubts.touching_pieces.empty())
     counts.touching_at = placeOf(doubts.touching_pieces.front()[0], result.model.mesh);
   if (!doubts.thin_necks.empty())

@@ -313,6 +313,7 @@ TEST_F(TiledApp, HandlesThatMayBeTunnelsThroughThinPlacesAreTold)
   const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=2000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" THIN_HANDLE)")) << result.output;
+  EXPECT_NE(std::string::npos, result.errors.find("(one is at ")) << result.errors;
 }
 
 } // namespace

@@ -121,6 +121,10 @@ TEST_F(RunVerdict, TellsHandlesThatMayBeTunnelsThroughThinPlaces)
   const auto report = nlohmann::json::parse(result.output);
   EXPECT_GT(report.at("genus"), 0);
   EXPECT_EQ(report.at("genus"), report.at("doubtful_handles"));
+  ASSERT_FALSE(report.at("doubts").empty());
+  EXPECT_EQ("THIN_HANDLE", report.at("doubts").front().at("reason"));
+  EXPECT_NE(std::string::npos, result.errors.find("(one is at point "))
+      << result.errors;
 }
 
 TEST_F(RunVerdict, IsNotCompleteWhereMostPointsGetNoTriangle)

@@ -145,8 +145,10 @@ PolygonCompletion::tellInCloud(TopologyDoubts& doubts) const
   const auto number = [&](index_t& vertex) {
     vertex = given_.point_of_vertex[static_cast<std::size_t>(vertex)];
   };
-  std::for_each(doubts.thin_necks.begin(), doubts.thin_necks.end(), number);
-  std::sort(doubts.thin_necks.begin(), doubts.thin_necks.end());
+  for (Indices* const points : {&doubts.thin_handles, &doubts.thin_necks}) {
+    std::for_each(points->begin(), points->end(), number);
+    std::sort(points->begin(), points->end());
+  }
   for (auto& contact : doubts.touching_pieces)
     std::for_each(contact.begin(), contact.end(), number);
   std::sort(doubts.touching_pieces.begin(), doubts.touching_pieces.end());

@@ -3,6 +3,7 @@
 #include "advancing_front/tunnels.h"
 
 #include "advancing_front/tuning.h"
+#include "mesh/handle_places.h"
 #include "mesh/thin_necks.h"
 #include "mesh/vertex_normals.h"
 
@@ -41,16 +42,6 @@ std::size_t
 countOf(const std::vector<std::uint8_t>& flags)
 {
   return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
-}
-
-std::vector<pcl::index_t>
-findNecks(const Triangles& triangles,
-          const PointView& points,
-          const LoopContext& context)
-{
-  TriangleAdjacency adjacency;
-  adjacency.build(triangles, points.size(), context.threads);
-  return verticesOf(thinNecks(triangles, adjacency, points, {context.threads}));
 }
 
 std::vector<pcl::index_t>
@@ -265,21 +256,33 @@ openTunnels(PartialMesh mesh,
 {
   if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
     return;
-  auto is_thin = thinPlaces(result.triangles, mesh.points, context);
+  const PointView points = mesh.points;
+  auto is_thin = thinPlaces(result.triangles, points, context);
   const bool has_thin = countOf(is_thin) > 0;
-  if (!has_thin && countOf(thinPlaces(mesh.given, mesh.points, context)) == 0)
+  if (!has_thin)
+    is_thin = thinPlaces(mesh.given, points, context);
+  if (countOf(is_thin) == 0)
     return;
   const auto most_work =
       static_cast<std::uint64_t>(tuning::MOST_WORK_ANEW * static_cast<double>(work));
-  if (has_thin) {
-    const PointView points = mesh.points;
-    ThinPlaces places(
-        std::move(mesh), std::move(is_thin), complete, most_work, result, report);
-    if (places.run())
-      report.doubts.thin_necks = findNecks(result.triangles, points, context);
-  }
+  const bool is_anew =
+      has_thin &&
+      ThinPlaces(std::move(mesh), is_thin, complete, most_work, result, report).run();
+  if (is_anew)
+    is_thin = thinPlaces(result.triangles, points, context);
   report.doubts.handles =
       static_cast<std::uint64_t>(std::max(0L, result.topology.genus.value_or(0)));
+  if (!is_anew && report.doubts.handles == 0)
+    return;
+  TriangleAdjacency adjacency;
+  adjacency.build(result.triangles, points.size(), context.threads);
+  if (report.doubts.handles > 0) {
+    addRings(tuning::AROUND_HANDLE, result.triangles, is_thin);
+    report.doubts.thin_handles = handlePlaces(result.triangles, adjacency, is_thin);
+  }
+  if (is_anew)
+    report.doubts.thin_necks =
+        verticesOf(thinNecks(result.triangles, adjacency, points, {context.threads}));
 }
 
 } // namespace pcl::ccaa

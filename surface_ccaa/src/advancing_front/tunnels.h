@@ -37,8 +37,9 @@ using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
  *
  * Handles that are left are in doubt (report.doubts.handles) if the result, or what
  * was given, has thin places: no sampling tells there whether the two sides are
- * connected. \param[in] mesh consistently wound \param[in] work of complete()
- * \param[in,out] result of complete() of all that is given, with its report */
+ * connected. Those that handles pass through are told (report.doubts.thin_handles).
+ * \param[in] mesh consistently wound \param[in] work of complete() \param[in,out]
+ * result of complete() of all that is given, with its report */
 void
 openTunnels(PartialMesh mesh,
             const CompletionWithout& complete,

@@ -81,15 +81,14 @@ struct PlacedCount {
 /** \brief What leaves the results of some tiles in doubt, each with its halo: two tiles
  * may know the same place. */
 struct TileDoubts {
-  std::uint64_t handles = 0; /**< this and the next two: TopologyDoubts */
-  PlacedCount touching_pieces, thin_necks;
-  std::uint64_t places = 0; /**< of points */
-  std::uint64_t used = 0;   /**< of these with a triangle */
+  PlacedCount handles, touching_pieces, thin_necks; /**< TopologyDoubts */
+  std::uint64_t places = 0;                         /**< of points */
+  std::uint64_t used = 0;                           /**< of these with a triangle */
 
   void
   add(const TileDoubts& other)
   {
-    handles += other.handles;
+    handles.add(other.handles);
     touching_pieces.add(other.touching_pieces);
     thin_necks.add(other.thin_necks);
     places += other.places;

@@ -17,6 +17,9 @@ struct TopologyDoubts {
   /** \brief Handles of which some may be tunnels that nobody scanned, since the surface
    * has places so thin that their two sides cannot be told apart. */
   std::uint64_t handles = 0;
+  /** \brief A point at each of these places that a handle passes through, ascending:
+   * they may be fewer than the handles, as one may have several, or none. */
+  std::vector<index_t> thin_handles;
   /** \brief Where a closed piece comes nearer to another piece than its points lie
    * apart, so that they may be one body, of which a thin neck was cut: a point of each,
    * by the first. */
