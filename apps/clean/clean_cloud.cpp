@@ -4,6 +4,10 @@
 #include "clean_cloud.h"
 
 #include <pcl/common/point_tests.h>
+// Compiled here: with pcl_filters and what it needs, 50 000 symbols to look for, each
+// program starts in 48 instead of 27 ms.
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/filters/impl/statistical_outlier_removal.hpp>
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/surface/mls.h>
 #include <pcl/surface_ccaa/block_search.h>
