@@ -15,7 +15,12 @@ set(PSR_TEST_NAMES "" CACHE STRING
 # Sanitizers look at what is tested, which libraries and programs hold. In the tests' own
 # code they find nothing, and compiling it once more is two fifths of a sanitized build.
 set(PSR_TEST_OBJECTS "" CACHE PATH
-    "Build folder whose test programs are linked anew, where it is, not compiled anew")
+    "Build folder whose test programs are linked anew, where it has any, not compiled anew")
+set(psr_links_tests "")
+if(EXISTS "${PSR_TEST_OBJECTS}/CMakeCache.txt")
+  file(STRINGS "${PSR_TEST_OBJECTS}/CMakeCache.txt" psr_links_tests
+       REGEX "^PSR_BUILD_TESTS:BOOL=ON$")
+endif()
 
 # Compiling tests takes longer than running them. At -O1 GCC takes values for uninitialized
 # that it sees to be set at -O3, and Clang spends most of its time on what it inlines.
@@ -47,7 +52,7 @@ endfunction()
 
 # psr_add_compiled(<target> <files>): a test program, of these or of their objects there.
 function(psr_add_compiled target sources)
-  if(NOT EXISTS "${PSR_TEST_OBJECTS}/CMakeCache.txt")
+  if(NOT psr_links_tests)
     add_executable(${target} ${sources})
     # Which is only for the same level.
     target_precompile_headers(${target} REUSE_FROM test_support)
@@ -59,7 +64,7 @@ function(psr_add_compiled target sources)
     return()
   endif()
   set(compiled "${PSR_TEST_OBJECTS}/test/${target}")
-  file(TOUCH "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp" CONTENT "")
   add_executable(${target} "${CMAKE_CURRENT_BINARY_DIR}/empty.cpp")
   target_link_options(${target} PRIVATE "@${compiled}.objects")
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${compiled}")
@@ -70,7 +75,7 @@ endfunction()
 # here or there; comes after them.
 function(psr_add_test_objects)
   get_property(programs GLOBAL PROPERTY PSR_TEST_PROGRAMS)
-  if(NOT EXISTS "${PSR_TEST_OBJECTS}/CMakeCache.txt")
+  if(NOT psr_links_tests)
     add_custom_target(test_objects DEPENDS ${programs})
     return()
   endif()

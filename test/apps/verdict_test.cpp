@@ -107,8 +107,10 @@ thinPlate()
   test::Shape plate;
   for (const double side : {0.0, 1.2})
     for (int i = 0; i < 40; ++i)
-      for (int j = 0; j < 40; ++j)
-        plate.vertices.emplace_back(i + random.uniform(), j + random.uniform(), side);
+      for (int j = 0; j < 40; ++j) {
+        const double y = j + random.uniform(); // arguments come in any order
+        plate.vertices.emplace_back(i + random.uniform(), y, side);
+      }
   return plate;
 }
 
