@@ -59,10 +59,11 @@ choices_of() {
   sed -E 's/,? or /, /; s/, */ /g' <<<"$words"
 }
 
-# What may follow an option that takes an argument: "words ...", "files ...", "folder".
+# What may follow an option that takes an argument: "words ...", "files ...", "folder". One
+# whose default is a number takes no words, and the program need not be asked.
 kind_of() {
-  local choices
-  choices=$(choices_of "$1" "$2")
+  local choices=''
+  [[ $3 =~ \(=-?[0-9] ]] || choices=$(choices_of "$1" "$2")
   if [[ -n $choices ]]; then
     echo "words $choices"
   elif [[ $2 == *folder* ]]; then
@@ -87,7 +88,7 @@ kind_of() {
   echo '  local -A values=('
   help_options <<<"$help" | while IFS=$'\t' read -r option takes text; do
     if [[ $takes == arg* ]]; then
-      echo "    [$option]='$(kind_of "$option" "$text")'"
+      echo "    [$option]='$(kind_of "$option" "$text" "$takes")'"
     fi
   done
   echo '  )'
