@@ -9,12 +9,11 @@ namespace app {
 DoubtCounts
 countsOf(const pcl::TopologyDoubts& doubts)
 {
-  return {doubts.handles,
-          doubts.touching_pieces.size(),
-          doubts.thin_necks.size(),
-          "",
-          "",
-          ""};
+  DoubtCounts counts;
+  counts.handles = doubts.handles;
+  counts.touching_pieces = doubts.touching_pieces.size();
+  counts.thin_necks = doubts.thin_necks.size();
+  return counts;
 }
 
 std::size_t

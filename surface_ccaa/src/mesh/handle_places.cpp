@@ -133,9 +133,8 @@ private:
   {
     for (edge = after(edge); !isCut(edge);) {
       const pcl::index_t vertex = startOf(edge);
-      edge = 3 * across(edge);
-      while (startOf(edge) != vertex)
-        ++edge;
+      const std::size_t t = across(edge);
+      edge = 3 * t + static_cast<std::size_t>(cornerOf(triangles_[t], vertex));
     }
     return edge;
   }
