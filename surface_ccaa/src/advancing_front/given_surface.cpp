@@ -154,7 +154,7 @@ hintsOf(const PartialMesh& mesh, int threads)
 
 void
 alignGiven(PartialMesh& mesh,
-           const GivenSurface& given,
+           GivenSurface& given,
            const std::vector<pcl::index_t>& open,
            const std::vector<pcl::index_t>& table,
            const LoopContext& context)

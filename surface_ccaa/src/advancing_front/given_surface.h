@@ -74,11 +74,12 @@ hintsOf(const PartialMesh& mesh, int threads);
  * alignIslands(). Normals that are overruled, or that agree with each other on less
  * than half of the given surface, would only keep triangles from growing: they are
  * dropped. \param[in,out] mesh its given triangles are re-wound, its normals perhaps
- * left out \param[in] open points that may get triangles \param[in] table of their
- * neighbors among themselves, k a row, see NeighborSearch */
+ * left out \param[in,out] given its adjacency follows \param[in] open points that may
+ * get triangles \param[in] table of their neighbors among themselves, k a row, see
+ * NeighborSearch */
 void
 alignGiven(PartialMesh& mesh,
-           const GivenSurface& given,
+           GivenSurface& given,
            const std::vector<pcl::index_t>& open,
            const std::vector<pcl::index_t>& table,
            const LoopContext& context);

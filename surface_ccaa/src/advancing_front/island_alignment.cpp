@@ -138,7 +138,7 @@ againstNeighbors(const std::map<IslandPair, double>& sums,
 
 bool
 alignIslands(Triangles& triangles,
-             const TriangleAdjacency& adjacency,
+             TriangleAdjacency& adjacency,
              const Islands& islands,
              const PointView& points,
              const std::vector<double>& evidence,
@@ -152,7 +152,7 @@ alignIslands(Triangles& triangles,
   bool any = false;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (reverse[islands[t]] != 0) {
-      std::swap(triangles[t][1], triangles[t][2]);
+      adjacency.turn(static_cast<pcl::index_t>(t), triangles);
       any = true;
     }
   return any;

@@ -27,7 +27,7 @@ struct IslandContact {
  * else the largest one of each group.
  *
  * \param[in,out] triangles consistently wound within each island
- * \param[in] adjacency of these
+ * \param[in,out] adjacency of these, which it follows
  * \param[in] islands of these
  * \param[in] points of the vertices
  * \param[in] evidence one for each island as evidentSides() has it: below 0 to turn
@@ -36,7 +36,7 @@ struct IslandContact {
  * \return whether any island was reversed */
 bool
 alignIslands(Triangles& triangles,
-             const TriangleAdjacency& adjacency,
+             TriangleAdjacency& adjacency,
              const Islands& islands,
              const PointView& points,
              const std::vector<double>& evidence,

@@ -270,9 +270,6 @@ Completion::orient()
   report_.sides = sides.tally;
   if (parameters_.keep_given)
     return;
-  if (sides.reversed > 0) // the corners of those have changed places
-    adjacency_.build(
-        result_.triangles, mesh_.points.size(), context_.threads, &control_);
   result_.topology = topologyOf(
       result_.triangles, adjacency_, sides.components.size(), {context_.threads});
   if (result_.topology.pieces > 1)

@@ -141,21 +141,13 @@ decideByBulge(const WoundMesh& mesh, const LoopContext& context, Decision& decis
       decision.settle(i, OutwardRule::BULGE, bulge[i]);
 }
 
-/** \brief Exchange the second and third corner where turn is 1, without a branch. */
-inline void
-reverseIf(pcl::index_t turn, Triangle& triangle)
-{
-  const pcl::index_t change = (triangle[1] ^ triangle[2]) & -turn;
-  triangle[1] ^= change;
-  triangle[2] ^= change;
-}
-
 /** \brief Reverse what has to be. \return number of triangles reversed */
 std::size_t
 apply(const Decision& decision,
       const Winding& winding,
       int threads,
-      Triangles& triangles)
+      Triangles& triangles,
+      TriangleAdjacency& adjacency)
 {
   const LoopContext context{threads};
   std::vector<std::size_t> reversed(context.blockCount(triangles.size()), 0);
@@ -165,8 +157,10 @@ apply(const Decision& decision,
       const bool two_sided =
           decision.components[component].rule != OutwardRule::ONE_SIDED;
       const bool turn = winding.isTurned(i) != (decision.turn[component] != 0);
-      reverseIf(static_cast<pcl::index_t>(two_sided && turn), triangles[i]);
-      reversed[block] += static_cast<std::size_t>(two_sided && turn);
+      if (!two_sided || !turn)
+        continue;
+      adjacency.turn(static_cast<pcl::index_t>(i), triangles);
+      ++reversed[block];
     }
   };
   forEachBlock(triangles.size(), context, body);
@@ -211,7 +205,7 @@ makeReport(Decision& decision, std::size_t reversed)
 
 OrientationReport
 orientTriangles(Triangles& triangles,
-                const TriangleAdjacency& adjacency,
+                TriangleAdjacency& adjacency,
                 const PointView& positions,
                 const OrientationHints& hints,
                 RunControl& control)
@@ -234,7 +228,8 @@ orientTriangles(Triangles& triangles,
   }
   if (!control.report("outer side", 1.0))
     return cancelledReport();
-  return makeReport(decision, apply(decision, winding, hints.threads, triangles));
+  return makeReport(decision,
+                    apply(decision, winding, hints.threads, triangles, adjacency));
 }
 
 std::vector<double>

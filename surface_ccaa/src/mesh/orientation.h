@@ -87,13 +87,13 @@ struct OrientationReport {
  * thread, 8 bytes a triangle.
  *
  * \param[in,out] triangles with three different corners below positions.size()
- * \param[in] adjacency of these triangles
+ * \param[in,out] adjacency of these triangles, which it follows
  * \param[in] positions of the vertices; triangles with a non-finite corner do not vote
  * \param[in] hints see there
  * \param[in,out] control stages "orientation" and "outer side" */
 OrientationReport
 orientTriangles(Triangles& triangles,
-                const TriangleAdjacency& adjacency,
+                TriangleAdjacency& adjacency,
                 const PointView& positions,
                 const OrientationHints& hints,
                 RunControl& control);

@@ -33,7 +33,8 @@ enum class Fan : std::uint8_t {
  * filter (thesis 3.4) has to judge.
  *
  * Every triangle must have three different corners, each in [0, vertex_count). Cost:
- * linear; memory 5 bytes a vertex and 24 bytes a triangle. Const methods may be called
+ * linear; memory 5 bytes a vertex and 24 bytes a triangle. across() goes by the order
+ * of corners: where that changes, turn() has to follow. Const methods may be called
  * from several threads.
  */
 class TriangleAdjacency {
@@ -74,6 +75,15 @@ public:
          std::size_t vertex_count,
          int threads = 1,
          RunControl* control = nullptr);
+
+  /** \brief Exchange the second and third corner of a triangle, and follow that. */
+  void
+  turn(pcl::index_t triangle, Triangles& triangles)
+  {
+    const auto t = static_cast<std::size_t>(triangle);
+    std::swap(triangles[t][1], triangles[t][2]);
+    std::swap(across_[3 * t], across_[3 * t + 2]);
+  }
 
   void
   clear();

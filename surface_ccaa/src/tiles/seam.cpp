@@ -191,7 +191,7 @@ private:
     winding.find(given_, adjacency, 1, control);
     for (std::size_t t = 0; t < given_.size(); ++t)
       if (winding.isTurned(t))
-        std::swap(given_[t][1], given_[t][2]);
+        adjacency.turn(static_cast<pcl::index_t>(t), given_);
     is_twisted_ = findDisagreements(given_, adjacency, {threads_});
     return winding;
   }

@@ -312,7 +312,7 @@ sumUpSides(Triangles& triangles,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     piece_of.push_back(static_cast<std::uint32_t>(winding.componentOf(t)));
     if (winding.isTurned(t))
-      std::swap(triangles[t][1], triangles[t][2]);
+      adjacency.turn(static_cast<pcl::index_t>(t), triangles);
   }
   return pieces;
 }

@@ -20,8 +20,8 @@ namespace {
 /** \brief Turn islands back whose given windings mostly agree.
  * \return how many triangles differ from the input now */
 std::size_t
-keepGivenSides(const ccaa::TriangleAdjacency& adjacency,
-               const Triangles& given,
+keepGivenSides(const Triangles& given,
+               ccaa::TriangleAdjacency& adjacency,
                Triangles& triangles)
 {
   const ccaa::Islands islands = ccaa::labelIslands(adjacency);
@@ -36,7 +36,7 @@ keepGivenSides(const ccaa::TriangleAdjacency& adjacency,
     const auto against = static_cast<double>(votes[islands[t]]);
     const auto all = static_cast<double>(sizes[islands[t]]);
     if (2.0 * against - all >= ccaa::VOTE_MARGIN * all)
-      std::swap(triangles[t][1], triangles[t][2]);
+      adjacency.turn(static_cast<pcl::index_t>(t), triangles);
     reversed += triangles[t] != given[t] ? 1 : 0;
   }
   return reversed;
@@ -165,7 +165,7 @@ private:
                           hints,
                           context_.control != nullptr ? *context_.control : unwatched);
     if (!context_.cancelled())
-      report_.reversed_triangles = keepGivenSides(adjacency_, given, mesh_.triangles);
+      report_.reversed_triangles = keepGivenSides(given, adjacency_, mesh_.triangles);
   }
 
   Positions

@@ -226,22 +226,17 @@ orientIslands(const IncompleteModel& model,
 void
 turnIslands(IncompleteModel& model, const std::vector<IslandSide>& sides)
 {
-  bool turned = false;
   std::vector<bool> of_turned(model.positions.size(), false);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     if (!sides[model.island_of[t]].flipped)
       continue;
-    turned = true;
-    std::swap(model.triangles[t][1], model.triangles[t][2]);
+    model.adjacency.turn(static_cast<pcl::index_t>(t), model.triangles);
     for (const pcl::index_t vertex : model.triangles[t])
       of_turned[static_cast<std::size_t>(vertex)] = true;
   }
-  if (!turned)
-    return;
   for (std::size_t v = 0; v < model.normals.size(); ++v)
     if (of_turned[v])
       model.normals[v] = -model.normals[v];
-  model.adjacency.build(model.triangles, model.positions.size());
 }
 
 } // namespace pcl::repair

@@ -143,18 +143,19 @@ contactsWithin(const Shape& shape, double reach)
 bool
 align(Shape& shape, double reach, const Positions& normals = {})
 {
-  const TriangleAdjacency adjacency = adjacencyOf(shape);
+  TriangleAdjacency adjacency = adjacencyOf(shape);
   OrientationHints hints;
   if (!normals.empty())
     hints.normals = normals;
   RunControl control;
-  return alignIslands(
-      shape.triangles,
-      adjacency,
-      labelIslands(adjacency),
-      shape.vertices,
-      evidentSides(shape.triangles, adjacency, shape.vertices, hints, control),
-      contactsWithin(shape, reach));
+  const std::vector<double> evidence =
+      evidentSides(shape.triangles, adjacency, shape.vertices, hints, control);
+  return alignIslands(shape.triangles,
+                      adjacency,
+                      labelIslands(adjacency),
+                      shape.vertices,
+                      evidence,
+                      contactsWithin(shape, reach));
 }
 
 /** A sphere cut into pieces by gaps one triangle wide. */

@@ -232,6 +232,19 @@ TEST(TriangleAdjacency, FollowsDeletionAsIfBuiltAnew)
   expectMatches(adjacency, kept, shape.vertices.size());
 }
 
+TEST(TriangleAdjacency, FollowsTurnedTrianglesAsIfBuiltAnew)
+{
+  Shape shape = joined(threeOnEdge(), grid(5, 4));
+  TriangleAdjacency adjacency;
+  adjacency.build(shape.triangles, shape.vertices.size());
+  for (std::size_t t = 0; t < shape.triangles.size(); t += 3) {
+    const Triangle before = shape.triangles[t];
+    adjacency.turn(static_cast<pcl::index_t>(t), shape.triangles);
+    EXPECT_EQ((Triangle{before[0], before[2], before[1]}), shape.triangles[t]);
+  }
+  expectMatches(adjacency, shape.triangles, shape.vertices.size());
+}
+
 TEST(TriangleAdjacency, FollowsAppendedTrianglesAsIfBuiltAnew)
 {
   const auto shape = icosphere(2);

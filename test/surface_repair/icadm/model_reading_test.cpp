@@ -140,6 +140,24 @@ TEST(ModelReading, WhateverComesInAManifoldComesOut)
   }
 }
 
+TEST(ModelReading, TheAdjacencyIsThatOfTheTrianglesAsTheyAreWoundNow)
+{
+  Shape open = icosphere(3);
+  open.triangles.resize(open.triangles.size() - 40);
+  open.triangles = randomlyReversed(open.triangles, 2);
+  std::vector<Shape> shapes = faultyShapes();
+  shapes.push_back(open);
+  for (const Shape& shape : shapes) {
+    const IncompleteModel model = read(shape).model;
+    ccaa::TriangleAdjacency anew;
+    anew.build(model.triangles, model.positions.size());
+    for (std::size_t t = 0; t < model.triangles.size(); ++t)
+      for (int corner = 0; corner < 3; ++corner)
+        ASSERT_EQ(anew.across(pcl::index_t(t), corner),
+                  model.adjacency.across(pcl::index_t(t), corner));
+  }
+}
+
 TEST(ModelReading, AnIslandKeepsTheSideMostOfItWasGiven)
 {
   Shape shape = icosphere(2);
