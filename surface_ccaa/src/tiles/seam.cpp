@@ -10,6 +10,7 @@
 #include "mesh/intersection.h"
 #include "mesh/winding.h"
 #include "tiles/facing.h"
+#include "tiles/seam_settlement.h"
 
 #include <algorithm>
 #include <numeric>
@@ -79,104 +80,17 @@ private:
   attempt(const std::vector<std::uint8_t>& goes) const
   {
     Attempt result;
-    result.is_open = seam_.is_open;
-    settle(goes, result);
+    SettledSeam settled = settleSeam(seam_, goes, is_twisted_, threads_);
+    for (const pcl::index_t t : settled.shown)
+      result.given.push_back(given_[static_cast<std::size_t>(t)]);
+    for (const pcl::index_t t : settled.hidden)
+      result.hidden.push_back(given_[static_cast<std::size_t>(t)]);
+    result.removed = std::move(settled.removed);
+    result.is_open = std::move(settled.is_open);
     complete(result);
     keepClear(result);
     findFlaws(result);
     return result;
-  }
-
-  /** One fan for each point. What goes at an open point goes for good; at the rim of
-   * what was gathered only the rest of a fan is missing. */
-  void
-  settle(const std::vector<std::uint8_t>& goes, Attempt& result) const
-  {
-    TriangleAdjacency adjacency;
-    adjacency.build(seam_.given, seam_.points.size(), threads_);
-    const PointView points(seam_.points);
-    PartialSurface surface(seam_.given, adjacency, points, OrientationHints());
-    std::vector<pcl::index_t> looked_at;
-    for (std::size_t v = 0; v < seam_.points.size(); ++v)
-      if (const Fan fan = adjacency.fans()[v];
-          fan == Fan::SEVERAL || fan == Fan::OVERFULL)
-        looked_at.push_back(static_cast<pcl::index_t>(v));
-    for (std::size_t t = 0; t < goes.size(); ++t)
-      if (goes[t] != 0 || is_twisted_[t] != 0) {
-        surface.remove(static_cast<pcl::index_t>(t));
-        looked_at.insert(looked_at.end(), seam_.given[t].begin(), seam_.given[t].end());
-        if (goes[t] != 0)
-          open(seam_.given[t], result);
-      }
-    settleFans(surface, looked_at, false, nullptr, &seam_.is_whole);
-    const std::vector<pcl::index_t> gone = goneFrom(surface);
-    keepAtRim(gone, result);
-    hideAtRim(gone, surface, result);
-    for (std::size_t t = 0; t < seam_.given.size(); ++t)
-      if (const auto i = static_cast<pcl::index_t>(t); surface.isAlive(i))
-        result.given.push_back(given_[t]);
-      else if (!std::binary_search(result.removed.begin(), result.removed.end(), i))
-        result.hidden.push_back(given_[t]);
-  }
-
-  std::vector<pcl::index_t>
-  goneFrom(const PartialSurface& surface) const
-  {
-    std::vector<pcl::index_t> gone;
-    for (std::size_t t = 0; t < seam_.given.size(); ++t)
-      if (!surface.isAlive(static_cast<pcl::index_t>(t)))
-        gone.push_back(static_cast<pcl::index_t>(t));
-    return gone;
-  }
-
-  /** Where not all triangles of a point are given, the rest may look like several fans:
-   * what is not shown to the base algorithm for that stays, and nothing grows from it.
-   */
-  void
-  hideAtRim(const std::vector<pcl::index_t>& gone,
-            PartialSurface& surface,
-            Attempt& result) const
-  {
-    std::vector<pcl::index_t> rim;
-    for (std::size_t v = 0; v < seam_.points.size(); ++v)
-      if (seam_.is_whole[v] == 0)
-        rim.push_back(static_cast<pcl::index_t>(v));
-    settleFans(surface, rim, false);
-    for (const pcl::index_t t : goneFrom(surface))
-      if (!std::binary_search(gone.begin(), gone.end(), t))
-        for (const pcl::index_t corner : seam_.given[static_cast<std::size_t>(t)])
-          result.is_open[static_cast<std::size_t>(corner)] = 0;
-  }
-
-  /** Of triangles that are gone, those connected with open points by others of them go
-   * for good, and their corners are open. Those at the rim stay: what is left there
-   * could be several fans, of which one is not given. */
-  void
-  keepAtRim(std::vector<pcl::index_t> gone, Attempt& result) const
-  {
-    const auto goesForGood = [&](pcl::index_t t) {
-      const Triangle& triangle = seam_.given[static_cast<std::size_t>(t)];
-      return anyCorner(triangle, seam_.is_open) ||
-             (anyCorner(triangle, result.is_open) &&
-              allCorners(triangle, seam_.is_whole));
-    };
-    for (auto more = gone.end(); !gone.empty(); gone.erase(more, gone.end())) {
-      more = std::stable_partition(
-          gone.begin(), gone.end(), [&](pcl::index_t t) { return !goesForGood(t); });
-      if (more == gone.end())
-        break;
-      result.removed.insert(result.removed.end(), more, gone.end());
-      for (auto t = more; t != gone.end(); ++t)
-        open(seam_.given[static_cast<std::size_t>(*t)], result);
-    }
-    std::sort(result.removed.begin(), result.removed.end());
-  }
-
-  static void
-  open(const Triangle& triangle, Attempt& result)
-  {
-    for (const pcl::index_t corner : triangle)
-      result.is_open[static_cast<std::size_t>(corner)] = 1;
   }
 
   /** All triangles of a piece alike, whichever way. Those of a one-sided piece that

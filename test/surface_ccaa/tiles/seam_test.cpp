@@ -10,8 +10,10 @@
 #include "support/random_source.h"
 #include "tiles/facing.h"
 #include "tiles/seam.h"
+#include "tiles/seam_settlement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
@@ -179,6 +181,36 @@ TEST(Seam, FansInSeveralPiecesKeepTheLargest)
                     seam.given[std::size_t(t)].end(),
                     [&](index_t i) { return seam.is_open[std::size_t(i)] != 0; }));
   EXPECT_TRUE(sameUnorientedTriangles(sphere.triangles, closed(seam, filling)));
+}
+
+/** Seven triangles around a point, of which (0, 1, 2) is to be made anew and (0, 4, 5)
+ * cannot be wound like the others. \param[in] rim points of which some are missing */
+SettledSeam
+settledWheel(const std::vector<std::size_t>& rim)
+{
+  Seam seam;
+  seam.points.emplace_back(0.0F, 0.0F, 0.0F);
+  for (index_t i = 1; i <= 7; ++i) {
+    const double angle = i * 2.0 * M_PI / 7.0;
+    seam.points.emplace_back(float(std::cos(angle)), float(std::sin(angle)), 0.0F);
+    seam.given.push_back({0, i, i % 7 + 1});
+  }
+  seam.is_open.assign(8, 0);
+  seam.is_near = seam.is_whole = std::vector<std::uint8_t>(8, 1);
+  for (const std::size_t v : rim)
+    seam.is_whole[v] = 0;
+  seam.room.assign(8, ENDLESS);
+  return settleSeam(seam, {1, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 0, 0, 0}, 1);
+}
+
+TEST(Seam, TheSmallerOfTwoFansThatARemovalLeavesGoesAsWell)
+{
+  EXPECT_EQ(settledWheel({}).removed, (std::vector<index_t>{0, 1, 2, 3}));
+}
+
+TEST(Seam, NothingGoesWhereTheSmallerFanHasToStay)
+{
+  EXPECT_TRUE(settledWheel({3, 6}).removed.empty());
 }
 
 TEST(Seam, RandomDamageIsMendedWithoutLosingWhatIsNotTold)
