@@ -39,9 +39,7 @@ HoleGathering::HoleGathering(const TilePlan& plan, std::size_t tile) : plan_(pla
   tree_ = pcl::ccaa::BoxTree(regions);
   own_tree_ = pcl::ccaa::BoxTree(regions_);
   for (std::size_t part = 0; part < plan.tiling.tiles.size(); ++part) {
-    // Its triangles reach out of its box as far as its halo.
-    const pcl::ccaa::Tile& one = plan.tiling.tiles[part];
-    const Box around = pcl::ccaa::widened(one.box, one.halo);
+    const Box around = plan.tiling.tiles[part].surroundings();
     if (std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) {
           return around.intersects(region);
         }))

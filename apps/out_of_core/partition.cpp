@@ -6,6 +6,7 @@
 
 #include "cli/run_facts.h"
 #include "io/point_columns.h"
+#include "mesh/box_tree.h"
 #include "mesh/morton_code.h"
 #include "out_of_core/point_sharing.h"
 #include "out_of_core/point_stream.h"
@@ -26,8 +27,6 @@ using pcl::ccaa::Position;
 /** The spacing of a tile: mean distance to so many nearest points, at this quantile. */
 constexpr unsigned int NEAREST = 6;
 constexpr double QUANTILE = 0.9;
-/** Groups of neighboring points in which it is measured. */
-constexpr std::size_t SAMPLES = 48;
 /** Bits of a whole number that floats hold exactly, beside its sign. */
 constexpr int EXACT_BITS = 24;
 
@@ -152,19 +151,25 @@ private:
   void
   addTile(const std::vector<char>& entries, std::size_t entry)
   {
-    const std::size_t step = plan_.layout.point_step;
     pcl::ccaa::Tile tile;
     const std::vector<std::uint32_t> order = orderOf(entries, entry, tile.box);
-    std::vector<char> records(order.size() * step);
+    std::vector<char> records(order.size() * step());
     std::vector<PointSource> sources(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      std::memcpy(&records[i * step], &entries[order[i] * entry], step);
-      std::memcpy(&sources[i], &entries[order[i] * entry + step], sizeof(PointSource));
+      std::memcpy(&records[i * step()], &entries[order[i] * entry], step());
+      std::memcpy(
+          &sources[i], &entries[order[i] * entry + step()], sizeof(PointSource));
     }
     const std::size_t number = plan_.tiling.tiles.size();
-    TilePoints::write(plan_, plan_.file(number, POINTS_STEP), records, sources);
     tile.count = order.size();
-    tile.halo = pcl::ccaa::Tile::SPACINGS * spacingOf(records, order.size());
+    const std::vector<SparsePoint> sparse = measureHalos(records, tile);
+    for (const SparsePoint& one : sparse) {
+      const double halo = one.halo;
+      widest_ = std::max(widest_, halo);
+      tile.sparse.extend(pcl::ccaa::widened(
+          pcl::ccaa::Box(positionAt(records, one.point * step())), halo));
+    }
+    TilePoints::write(plan_, plan_.file(number, POINTS_STEP), records, sources, sparse);
     plan_.tiling.tiles.push_back(tile);
   }
 
@@ -185,6 +190,12 @@ private:
                                        return tile.distance(a) < tile.distance(b);
                                      })
                         ->halo;
+  }
+
+  std::size_t
+  step() const
+  {
+    return plan_.layout.point_step;
   }
 
   Position
@@ -214,58 +225,66 @@ private:
       if (codes[a] != codes[b])
         return codes[a] < codes[b];
       const char *const one = &entries[a * entry], *const other = &entries[b * entry];
-      const std::size_t step = plan_.layout.point_step;
-      if (const int difference = std::memcmp(one, other, step); difference != 0)
+      if (const int difference = std::memcmp(one, other, step()); difference != 0)
         return difference < 0;
       PointSource first, second;
-      std::memcpy(&first, one + step, sizeof(first));
-      std::memcpy(&second, other + step, sizeof(second));
+      std::memcpy(&first, one + step(), sizeof(first));
+      std::memcpy(&second, other + step(), sizeof(second));
       return first < second;
     });
     return order;
   }
 
-  /** Zero where all points are in one place. */
-  double
-  spacingOf(const std::vector<char>& records, std::size_t count) const
+  /** \param[in,out] tile gets its halo, none where all points are in one place
+   * \return its sparse points, ascending */
+  std::vector<SparsePoint>
+  measureHalos(const std::vector<char>& records, pcl::ccaa::Tile& tile) const
   {
-    std::vector<double> distances;
-    const std::size_t blocks = (count + TilePoints::BLOCK - 1) / TilePoints::BLOCK;
-    const std::size_t samples = std::min(blocks, SAMPLES);
-    for (std::size_t sample = 0; sample < samples; ++sample) {
-      const std::size_t begin = sample * blocks / samples * TilePoints::BLOCK;
-      const std::size_t end = std::min(begin + TilePoints::BLOCK, count);
-      std::vector<Eigen::Vector3f> points;
-      const Position corner = positionAt(records, begin * plan_.layout.point_step);
-      for (std::size_t i = begin; i < end; ++i)
-        points.push_back(
-            (positionAt(records, i * plan_.layout.point_step) - corner).cast<float>());
-      addDistances(points, distances);
-    }
-    if (distances.empty())
-      return 0.0;
-    const auto place = distances.begin() + static_cast<std::ptrdiff_t>(
-                                               QUANTILE * double(distances.size() - 1));
-    std::nth_element(distances.begin(), place, distances.end());
-    return *place;
+    using pcl::ccaa::Tile;
+    const std::vector<float> spacings = spacingsOf(records, tile);
+    std::vector<float> order;
+    std::copy_if(spacings.begin(),
+                 spacings.end(),
+                 std::back_inserter(order),
+                 [](float s) { return s > 0.0F; });
+    if (order.empty())
+      return {};
+    const auto place = order.begin() +
+                       static_cast<std::ptrdiff_t>(QUANTILE * double(order.size() - 1));
+    std::nth_element(order.begin(), place, order.end());
+    tile.halo = Tile::SPACINGS * double(*place);
+    const double widest =
+        std::max(tile.halo, Tile::WIDEST * tile.box.sizes().maxCoeff());
+    std::vector<SparsePoint> sparse;
+    for (std::size_t i = 0; i < spacings.size(); ++i)
+      if (const double halo = Tile::SPACINGS * double(spacings[i]);
+          halo >= Tile::SPARSE * tile.halo)
+        sparse.push_back({static_cast<std::uint32_t>(i),
+                          static_cast<float>(std::min(halo, widest))});
+    return sparse;
   }
 
-  static void
-  addDistances(const std::vector<Eigen::Vector3f>& points,
-               std::vector<double>& distances)
+  /** Mean distances to the nearest points of the tile; 0 where there are too few. */
+  std::vector<float>
+  spacingsOf(const std::vector<char>& records, const pcl::ccaa::Tile& tile) const
   {
+    std::vector<float> spacings(tile.count, 0.0F);
+    if (tile.count <= NEAREST)
+      return spacings;
+    std::vector<Eigen::Vector3f> points;
+    points.reserve(tile.count);
+    for (std::size_t i = 0; i < tile.count; ++i)
+      points.push_back(
+          (positionAt(records, i * step()) - tile.box.center()).cast<float>());
     pcl::ccaa::PointBlocks blocks;
     blocks.build({points.front().data(), 3, points.size()}, 1);
     const auto table =
         blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, 1);
-    for (std::size_t rank = 0; points.size() > NEAREST && rank < points.size();
-         ++rank) {
-      double sum = 0.0;
+    for (std::size_t rank = 0; rank < blocks.size(); ++rank)
       for (unsigned int i = 0; i < NEAREST; ++i)
-        sum += std::sqrt(double(table->sqrDistances(rank)[i]));
-      if (sum > 0.0)
-        distances.push_back(sum / NEAREST);
-    }
+        spacings[static_cast<std::size_t>(blocks.order()[rank])] +=
+            std::sqrt(table->sqrDistances(rank)[i]) / float(NEAREST);
+    return spacings;
   }
 
   /** The first point of each tile, and a lattice on which doubles are exact floats. */
@@ -279,7 +298,8 @@ private:
       tile.first = first;
       first += tile.count;
       whole.extend(tile.box);
-      extent = std::max(extent, tile.box.sizes().maxCoeff() + 2 * tile.halo);
+      extent = std::max(extent,
+                        tile.box.sizes().maxCoeff() + 2 * std::max(tile.halo, widest_));
     }
     if (!whole.isEmpty())
       plan_.origin = whole.center();
@@ -296,6 +316,7 @@ private:
   TilePlan plan_;
   pcl::ccaa::PointView view_; /**< of positions in records */
   std::uint64_t announced_ = 0;
+  double widest_ = 0.0; /**< halo of a sparse point */
 };
 
 } // namespace

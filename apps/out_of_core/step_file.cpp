@@ -8,7 +8,7 @@ namespace app {
 namespace {
 
 /** Tells the file, its layout and, by the number behind it, the byte order. */
-constexpr char MARK[8] = {'P', 'S', 'R', 't', 'i', 'l', 'e', '2'};
+constexpr char MARK[8] = {'P', 'S', 'R', 't', 'i', 'l', 'e', '3'};
 constexpr std::uint32_t ORDER = 0x01020304;
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "out_of_core/tile_cloud.h"
 
 #include "io/point_columns.h"
-#include "mesh/box_tree.h"
 
 #include <algorithm>
 
@@ -23,14 +22,14 @@ TileCloud::TileCloud(const TilePlan& plan, std::size_t tile) : TileCloud(plan)
   std::vector<std::size_t> parts = plan.tiling.neighborsOf(tile);
   parts.insert(std::upper_bound(parts.begin(), parts.end(), tile), tile);
   const pcl::ccaa::Tile& own = plan.tiling.tiles[tile];
-  const Eigen::AlignedBox3d around = pcl::ccaa::widened(own.box, own.halo);
   for (const std::size_t part : parts) {
     if (part == tile) {
       addOwn(plan, tile);
       continue;
     }
     const TilePoints points(plan, part);
-    points.forEachIn(around, [&](std::size_t i) { add(plan, part, points, i); });
+    for (const std::size_t i : points.knownTo(own))
+      add(plan, part, points, i);
   }
   finish();
 }
@@ -94,6 +93,7 @@ TileCloud::add(const TilePlan& plan,
   const std::uint8_t* const record = points.record(i);
   cloud_.data.insert(cloud_.data.end(), record, record + cloud_.point_step);
   wide_.push_back(plan.tiling.tiles[part].first + i);
+  halos_.push_back(points.halo(i));
   if (plan.step <= 0.0)
     return;
   const pcl::ccaa::Position rounded = points.position(i);

@@ -31,6 +31,13 @@ public:
     return wide_;
   }
 
+  /** \brief Halos of the points themselves, 0 for those that are not sparse. */
+  const std::vector<double>&
+  halos() const
+  {
+    return halos_;
+  }
+
   /** \brief With all fields; doubles are rounded as all tiles round them. */
   const pcl::PCLPointCloud2&
   cloud() const
@@ -72,6 +79,7 @@ private:
 
   pcl::PCLPointCloud2 cloud_;
   std::vector<pcl::ccaa::WideIndex> wide_;
+  std::vector<double> halos_;
   std::array<std::size_t, 3> position_offsets_{};
   std::size_t first_own_ = 0;
 };

@@ -18,6 +18,7 @@ using pcl::ccaa::WideTriangle;
 struct StoredPoint {
   WideIndex index;
   std::array<double, 3> position;
+  double wide;
 };
 
 /** The sums of a piece as plain numbers. */
@@ -64,7 +65,7 @@ restored(const std::vector<StoredPoint>& stored)
   pcl::ccaa::BorderPoints points;
   points.reserve(stored.size());
   for (const StoredPoint& point : stored)
-    points.push_back({point.index, Eigen::Vector3d(point.position.data())});
+    points.push_back({point.index, Eigen::Vector3d(point.position.data()), point.wide});
   return points;
 }
 
@@ -132,8 +133,9 @@ writeMesh(const TilePlan& plan, std::size_t tile, TileMesh mesh)
   const std::vector<OwnerEnd> ends = sortByOwner(plan.tiling, mesh.border.triangles);
   std::vector<StoredPoint> points;
   for (const pcl::ccaa::BorderPoint& point : mesh.border.points)
-    points.push_back(
-        {point.index, {point.position.x(), point.position.y(), point.position.z()}});
+    points.push_back({point.index,
+                      {point.position.x(), point.position.y(), point.position.z()},
+                      point.wide});
   const auto place_of = [&points](WideIndex first) {
     const auto found = std::lower_bound(
         points.begin(), points.end(), first, [](const StoredPoint& point, WideIndex i) {

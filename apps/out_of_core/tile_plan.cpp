@@ -43,6 +43,13 @@ optionalJson(const std::optional<Eigen::Vector3d>& vector)
   return vector ? toJson(*vector) : Json();
 }
 
+/** Null for an empty box. */
+Json
+boxJson(const pcl::ccaa::Box& box)
+{
+  return box.isEmpty() ? Json() : Json{toJson(box.min()), toJson(box.max())};
+}
+
 Json
 describeFields(const pcl::PCLPointCloud2& layout)
 {
@@ -80,6 +87,7 @@ listTiles(const TilePlan& plan)
                      {"first", tile.first},
                      {"points", tile.count},
                      {"halo", tile.halo},
+                     {"sparse", boxJson(tile.sparse)},
                      {"corner", toJson(plan.corners[i])}});
   }
   return tiles;
@@ -94,6 +102,8 @@ readTiles(const Json& tiles, TilePlan& plan)
     tile.first = json.at("first");
     tile.count = json.at("points");
     tile.halo = json.at("halo");
+    if (const Json& sparse = json.at("sparse"); !sparse.is_null())
+      tile.sparse = {vectorOf(sparse.at(0)), vectorOf(sparse.at(1))};
     plan.tiling.tiles.push_back(tile);
     plan.corners.push_back(vectorOf(json.at("corner")));
   }

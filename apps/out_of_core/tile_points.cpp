@@ -2,6 +2,8 @@
 // Part of PclSurfaceRepair: the points of a tile on disk.
 #include "out_of_core/tile_points.h"
 
+#include "mesh/sort_unique.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -25,6 +27,7 @@ TilePoints::TilePoints(const TilePlan& plan, std::size_t tile)
 {
   std::size_t bytes = 0;
   boxes_ = reader_.getAll<std::array<double, 6>>();
+  sparse_ = reader_.getAll<SparsePoint>();
   sources_ = reader_.skipAll<PointSource>(count_);
   records_ = reinterpret_cast<const std::uint8_t*>(reader_.skipAll<char>(bytes));
   if (bytes != count_ * record_bytes_)
@@ -35,7 +38,8 @@ void
 TilePoints::write(const TilePlan& plan,
                   const std::string& path,
                   const std::vector<char>& records,
-                  const std::vector<PointSource>& sources)
+                  const std::vector<PointSource>& sources,
+                  const std::vector<SparsePoint>& sparse)
 {
   const pcl::ccaa::PointView layout = recordView(plan);
   std::vector<std::array<double, 6>> boxes;
@@ -53,6 +57,7 @@ TilePoints::write(const TilePlan& plan,
   }
   StepWriter file(path, plan.key);
   file.putAll(boxes);
+  file.putAll(sparse);
   file.putAll(sources);
   file.putAll(records);
   file.commit();
@@ -75,6 +80,29 @@ TilePoints::forEachIn(const Eigen::AlignedBox3d& box,
       if (box.contains(position(i)))
         use(i);
   }
+}
+
+double
+TilePoints::halo(std::size_t point) const
+{
+  const auto place = std::lower_bound(
+      sparse_.begin(), sparse_.end(), point, [](const SparsePoint& one, std::size_t p) {
+        return one.point < p;
+      });
+  return place == sparse_.end() || place->point != point ? 0.0 : double(place->halo);
+}
+
+std::vector<std::size_t>
+TilePoints::knownTo(const pcl::ccaa::Tile& tile) const
+{
+  std::vector<std::size_t> known;
+  forEachIn(pcl::ccaa::widened(tile.box, tile.halo),
+            [&](std::size_t i) { known.push_back(i); });
+  for (const SparsePoint& one : sparse_)
+    if (tile.knows(position(one.point), double(one.halo)))
+      known.push_back(one.point);
+  pcl::ccaa::sortUnique(known);
+  return known;
 }
 
 } // namespace app

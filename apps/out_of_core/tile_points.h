@@ -19,6 +19,12 @@ namespace app {
 /** \brief Ending of the file of a tile's points. */
 constexpr const char* POINTS_STEP = "points";
 
+/** \brief A point with a halo of its own (pcl::ccaa::Tile::SPARSE). */
+struct SparsePoint {
+  std::uint32_t point = 0; /**< its number in the tile */
+  float halo = 0.0F;
+};
+
 /** \brief The file is looked at in place: it takes no memory of its own but what is
  * touched while the object lives. */
 class TilePoints {
@@ -33,7 +39,8 @@ public:
   write(const TilePlan& plan,
         const std::string& path,
         const std::vector<char>& records,
-        const std::vector<PointSource>& sources);
+        const std::vector<PointSource>& sources,
+        const std::vector<SparsePoint>& sparse);
 
   std::size_t
   size() const
@@ -67,6 +74,14 @@ public:
   forEachIn(const Eigen::AlignedBox3d& box,
             const std::function<void(std::size_t)>& use) const;
 
+  /** \brief Its own halo, 0 unless it is sparse. */
+  double
+  halo(std::size_t point) const;
+
+  /** \brief Those that another tile knows, ascending. */
+  std::vector<std::size_t>
+  knownTo(const pcl::ccaa::Tile& tile) const;
+
 private:
   StepReader reader_;
   pcl::ccaa::PointView layout_;
@@ -76,6 +91,7 @@ private:
   const std::uint8_t* records_ = nullptr;
   const char* sources_ = nullptr;
   std::vector<std::array<double, 6>> boxes_;
+  std::vector<SparsePoint> sparse_; /**< ascending */
 };
 
 /** \brief A view that tells where positions lie in the records of a plan: for

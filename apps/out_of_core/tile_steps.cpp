@@ -8,6 +8,7 @@
 #include "out_of_core/tile_cloud.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace app {
@@ -56,17 +57,23 @@ class MeshSorter {
 public:
   MeshSorter(const TilePlan& plan,
              std::size_t tile,
-             const std::vector<WideIndex>& wide,
+             const TileCloud& cloud,
              const pcl::ccaa::PointView& positions)
-  : own_(plan.tiling.tiles[tile]), wide_(wide), positions_(positions)
+  : own_(plan.tiling.tiles[tile])
+  , wide_(cloud.wide())
+  , halos_(cloud.halos())
+  , positions_(positions)
   {
     const auto others = pcl::ccaa::TilesAround::border(plan.tiling, tile);
     const auto sight = pcl::ccaa::TilesAround::sight(plan.tiling, tile);
-    for (std::size_t i = 0; i < wide.size(); ++i) {
+    for (std::size_t i = 0; i < wide_.size(); ++i) {
       const Position position = positions[i];
-      is_border_.push_back(others.isNear(position));
-      is_sighted_.push_back(is_border_.back() && sight.isNear(position));
-      is_seen_.push_back(own_.sees(position));
+      const double halo = halos_[i];
+      is_border_.push_back(others.isNear(position, halo));
+      is_sighted_.push_back(is_border_.back() && sight.isNear(position, halo));
+      is_seen_.push_back(own_.sees(position, halo));
+      if (halo > 0.0 && is_sighted_.back())
+        addAround(i);
     }
   }
 
@@ -106,7 +113,7 @@ public:
     }
     for (std::size_t i = 0; i < wide_.size(); ++i)
       if (is_told[i])
-        mesh.border.points.push_back({wide_[i], positions_[i]});
+        mesh.border.points.push_back({wide_[i], positions_[i], halos_[i]});
     return mesh;
   }
 
@@ -136,17 +143,27 @@ private:
            Tile::LONGEST * own_.halo;
   }
 
-  /** A triangle that is too long to be believed is disputed at its other corners, too,
-   * however far they are from where tiles meet. */
+  /** What seams have to know around a point that may be disputed. */
+  void
+  addAround(std::size_t i)
+  {
+    const pcl::ccaa::Box around = pcl::ccaa::widened(
+        pcl::ccaa::Box(positions_[i]), Tile::TOLD * std::max(own_.halo, halos_[i]));
+    if (around.intersects(own_.box))
+      around_far_.push_back(around);
+  }
+
+  /** A triangle that is too long to be believed, or of sparse points, is disputed at
+   * its other corners, too, however far they are from where tiles meet. */
   void
   noteFarCorners(const Triangle& triangle)
   {
-    if (!isLong(triangle))
-      return;
-    for (const pcl::index_t corner : triangle)
-      if (!is_sighted_[static_cast<std::size_t>(corner)])
-        around_far_.push_back(
-            pcl::ccaa::widened(pcl::ccaa::Box(at(corner)), Tile::TOLD * own_.halo));
+    const bool is_long = isLong(triangle);
+    for (const pcl::index_t corner : triangle) {
+      const auto i = static_cast<std::size_t>(corner);
+      if (!is_sighted_[i] && (is_long || halos_[i] > 0.0))
+        addAround(i);
+    }
   }
 
   /** What is around them may be made anew as around others. */
@@ -162,6 +179,7 @@ private:
 
   const Tile& own_;
   const std::vector<WideIndex>& wide_;
+  const std::vector<double>& halos_;
   pcl::ccaa::PointView positions_;
   std::vector<bool> is_border_, is_sighted_, is_seen_;
   pcl::ccaa::Triangles triangles_;
@@ -202,24 +220,26 @@ addDisputes(const TilePlan& plan,
             const pcl::ccaa::BorderPoints& points,
             std::vector<PlacedDispute>& disputes)
 {
-  std::vector<PlacedDispute> corners;
+  std::vector<pcl::ccaa::BorderPoint> corners;
   for (const WideIndex index : triangle)
-    if (const auto place = findPoint(points, index); place != points.end()) {
-      PlacedDispute dispute;
-      dispute.index = index;
-      Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = place->position;
-      dispute.reach = REACH * plan.tiling.tiles[plan.tiling.ownerOf(index)].halo;
-      dispute.room = MOST_ROOM * dispute.reach;
-      corners.push_back(dispute);
-    }
-  if (corners.size() == 3) {
-    const auto at = [&](std::size_t i) { return Position(corners[i].position.data()); };
-    const double room = 2.0 * pcl::ccaa::longestEdge({at(0), at(1), at(2)});
-    for (PlacedDispute& dispute : corners)
-      dispute.room =
-          std::clamp(room, LEAST_ROOM * dispute.reach, MOST_ROOM * dispute.reach);
+    if (const auto place = findPoint(points, index); place != points.end())
+      corners.push_back(*place);
+  const double room =
+      corners.size() < 3
+          ? std::numeric_limits<double>::infinity()
+          : 2.0 * pcl::ccaa::longestEdge(
+                      {corners[0].position, corners[1].position, corners[2].position});
+  for (const pcl::ccaa::BorderPoint& corner : corners) {
+    const double halo = plan.tiling.tiles[plan.tiling.ownerOf(corner.index)].halo;
+    PlacedDispute dispute;
+    dispute.index = corner.index;
+    Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = corner.position;
+    dispute.reach =
+        std::clamp(room / MOST_ROOM, REACH * halo, REACH * std::max(halo, corner.wide));
+    dispute.room =
+        std::clamp(room, LEAST_ROOM * dispute.reach, MOST_ROOM * dispute.reach);
+    disputes.push_back(dispute);
   }
-  disputes.insert(disputes.end(), corners.begin(), corners.end());
 }
 
 /** Each once, ascending, with the most room. */
@@ -283,7 +303,7 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   TileCloud cloud(plan, tile);
   const ReconstructResult result = reconstructTile(plan, tile, cloud, run);
   MeshSorter sorter(
-      plan, tile, cloud.wide(), pcl::ccaa::positionView(result.model.mesh.cloud));
+      plan, tile, cloud, pcl::ccaa::positionView(result.model.mesh.cloud));
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
   TileMesh mesh = sorter.take();

@@ -69,6 +69,34 @@ TEST_F(TiledApp, LongTrianglesBesideCutsLeaveTheMeshSound)
   }
 }
 
+/** A strip of points one unit apart, and beside it some that are ten units apart. */
+pcl::ccaa::Positions
+stripWithSparseSide()
+{
+  pcl::ccaa::test::RandomSource random(1);
+  pcl::ccaa::Positions points;
+  const auto add = [&](double step, double from, int columns, int rows) {
+    for (int i = 0; i < columns; ++i)
+      for (int j = 0; j < rows; ++j)
+        points.emplace_back(step * (i + random.uniform(0.2, 0.8)),
+                            from + step * (j + random.uniform(0.2, 0.8)),
+                            random.uniform(0.0, 0.2));
+  };
+  add(1.0, 0.0, 1000, 16);
+  add(10.0, 16.0, 100, 6);
+  return points;
+}
+
+TEST_F(TiledApp, ACutThroughSparsePointsTearsNothing)
+{
+  save(folder_.path("in.ply"), test::toRawCloud(stripWithSparseSide()));
+  ASSERT_TRUE(hasMeshed(tiled({"in.ply"}, "cut.ply", {"--tiles=16000"})));
+  ASSERT_TRUE(hasMeshed(tiled({"in.ply"}, "whole.ply", {"--tiles=20000"})));
+  const auto cut = expectSound(loadMesh(folder_.path("cut.ply")).mesh);
+  const auto whole = expectSound(loadMesh(folder_.path("whole.ply")).mesh);
+  EXPECT_LT(double(cut.boundary_edges), 1.05 * double(whole.boundary_edges));
+}
+
 TEST_F(TiledApp, ShardsAreTheSameForAnyThreadsAndMemory)
 {
   save(folder_.path("in.ply"), colouredCloud(6000, 2));

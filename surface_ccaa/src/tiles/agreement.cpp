@@ -15,14 +15,13 @@
 namespace pcl::ccaa {
 namespace {
 
-/** How many of the corners a tile sees. */
-std::size_t
-seenBy(const Tile& tile, const Corners& corners)
+/** Whether a tile sees all corners. */
+bool
+sees(const Tile& tile, const std::array<BorderPoint, 3>& corners)
 {
-  return static_cast<std::size_t>(
-      std::count_if(corners.begin(), corners.end(), [&](const Position& corner) {
-        return tile.sees(corner);
-      }));
+  return std::all_of(corners.begin(), corners.end(), [&](const BorderPoint& corner) {
+    return tile.sees(corner.position, corner.wide);
+  });
 }
 
 std::vector<WideTriangle>
@@ -48,7 +47,8 @@ public:
       others_.push_back(sortedCorners(other));
     const TilesAround sight = TilesAround::sight(tiling, tile);
     for (const BorderPoint& point : own.points) {
-      sight.forEachNear(point.position, [&](std::size_t i) { seers_.push_back(i); });
+      sight.forEachNear(
+          point.position, point.wide, [&](std::size_t i) { seers_.push_back(i); });
       seers_end_.push_back(seers_.size());
     }
   }
@@ -81,11 +81,11 @@ private:
   bool
   isAgreed(const WideTriangle& triangle) const
   {
-    Corners corners;
+    std::array<BorderPoint, 3> corners;
     std::vector<std::size_t> seers; // once for each corner that they see
     for (std::size_t i = 0; i < 3; ++i) {
       const auto place = findPoint(own_.points, triangle[i]);
-      corners[i] = place->position;
+      corners[i] = *place;
       const auto p = static_cast<std::size_t>(place - own_.points.begin());
       const auto all = seers_.begin();
       seers.insert(seers.end(),
@@ -100,10 +100,12 @@ private:
         return false;
     if (seers.empty())
       return true;
-    return std::all_of(triangle.begin(), triangle.end(), [&](WideIndex corner) {
-      const Tile& owner = tiling_.tiles[tiling_.ownerOf(corner)];
-      return seenBy(owner, corners) == 3 &&
-             longestEdge(corners) <= Tile::LONGEST * owner.halo;
+    const double longest =
+        longestEdge({corners[0].position, corners[1].position, corners[2].position});
+    return std::all_of(corners.begin(), corners.end(), [&](const BorderPoint& corner) {
+      const Tile& owner = tiling_.tiles[tiling_.ownerOf(corner.index)];
+      return sees(owner, corners) &&
+             longest <= Tile::LONGEST * std::max(owner.halo, corner.wide);
     });
   }
 

@@ -27,8 +27,9 @@ struct Agreed {
  *
  * So all kept triangles at a point are in the mesh of the tile to which the point
  * belongs: where each tile's mesh is manifold, so is the union, up to fans that were
- * cut. And as no triangle near a cut is longer than Tile::LONGEST of the halo, some
- * tile has any two that could cross. A tile with nothing but the whole cloud keeps all.
+ * cut. And as no triangle near a cut is longer than Tile::LONGEST of the halo, or of
+ * that of each corner if these are sparse, some tile has any two that could cross. A
+ * tile with nothing but the whole cloud keeps all.
  *
  * \param[in] tile number of the tile \param[in] own what it made
  * \param[in] others what each of its neighbors made (Tiling::neighborsOf()), as far as

@@ -47,7 +47,9 @@ Tiling::neighborsOf(std::size_t tile) const
   std::vector<std::size_t> neighbors;
   const Tile& own = tiles[tile];
   for (std::size_t i = 0; i < tiles.size(); ++i)
-    if (i != tile && own.distance(tiles[i]) <= std::max(own.halo, tiles[i].halo))
+    if (i != tile &&
+        (own.distance(tiles[i]) <= std::max(own.halo, tiles[i].halo) ||
+         own.sparse.intersects(tiles[i].box) || tiles[i].sparse.intersects(own.box)))
       neighbors.push_back(i);
   return neighbors;
 }

@@ -37,12 +37,20 @@ struct Tile {
   WideIndex first = 0;     /**< its first point */
   std::uint64_t count = 0; /**< of its points */
   double halo = 0.0;       /**< units around the box in which it knows all points */
+  Box sparse; /**< around its sparse points, each with its own halo; empty if none is */
 
   /** \brief Spacings of its points that make the halo. With 6, one triangle in 500 near
    * a cut was made differently by two tiles, with 16 one in 1000, noise of 0.3 spacings
    * ten times as many; at 32 it was no better: what is left depends on things farther
    * away. */
   static constexpr double SPACINGS = 20.0;
+  /** \brief A point is sparse if its own spacing is at least so many times its tile's.
+   * Where a halo is too narrow for its triangles it has one of its own: all tiles that
+   * near know, see and tell of it. */
+  static constexpr double SPARSE = 2.0;
+  /** \brief Widest halo of a sparse point, as a share of the longest side of its tile:
+   * so what is read to close a seam is a small part of the tiles around. */
+  static constexpr double WIDEST = 0.5;
   /** \brief Share of the halo in which the tile's triangles count: farther out they
    * may follow from the end of what it knows. */
   static constexpr double TRUSTED = 0.4;
@@ -67,10 +75,24 @@ struct Tile {
     return point >= first && point < first + count;
   }
 
+  /** \param[in] wide halo of the point itself, 0 unless it is sparse */
   bool
-  sees(const Position& position) const
+  knows(const Position& position, double wide) const
   {
-    return distance(position) <= TRUSTED * halo;
+    return distance(position) <= std::max(halo, wide);
+  }
+
+  bool
+  sees(const Position& position, double wide) const
+  {
+    return distance(position) <= TRUSTED * std::max(halo, wide);
+  }
+
+  /** \brief Where points and triangles of it may be that others know. */
+  Box
+  surroundings() const
+  {
+    return widened(box, halo).extend(sparse);
   }
 
   /** \brief Distance of a position from the box along the farthest axis; 0 within. */
@@ -120,26 +142,29 @@ public:
   static TilesAround
   sight(const Tiling& tiling, std::size_t tile);
 
-  /** \brief Calls \a use(i) for all near a position, ascending. */
+  /** \brief Calls \a use(i) for all near a position, ascending. \param[in] wide halo
+   * of the point there, 0 unless it is sparse: such a one is near all that see it */
   template <typename Use>
   void
-  forEachNear(const Position& position, const Use& use) const
+  forEachNear(const Position& position, double wide, const Use& use) const
   {
-    if ((position - clear_.min()).minCoeff() > 0.0 &&
+    if (wide == 0.0 && (position - clear_.min()).minCoeff() > 0.0 &&
         (clear_.max() - position).minCoeff() > 0.0)
       return;
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if ((boxes_[i].min() - position).maxCoeff() <= limits_[i] &&
-          (position - boxes_[i].max()).maxCoeff() <= limits_[i])
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const double limit = std::max(limits_[i], Tile::TRUSTED * wide);
+      if ((boxes_[i].min() - position).maxCoeff() <= limit &&
+          (position - boxes_[i].max()).maxCoeff() <= limit)
         use(i);
+    }
   }
 
   /** \brief Whether it is near any. */
   bool
-  isNear(const Position& position) const
+  isNear(const Position& position, double wide) const
   {
     bool is_near = false;
-    forEachNear(position, [&](std::size_t) { is_near = true; });
+    forEachNear(position, wide, [&](std::size_t) { is_near = true; });
     return is_near;
   }
 
@@ -159,6 +184,7 @@ private:
 struct BorderPoint {
   WideIndex index = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double wide = 0.0; /**< its own halo, 0 unless it is sparse */
 };
 
 /** \brief The border points of a tile, ascending. */

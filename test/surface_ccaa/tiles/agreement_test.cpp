@@ -48,8 +48,8 @@ public:
     return !is_shared ||
            std::all_of(triangle.begin(), triangle.end(), [&](WideIndex i) {
              const std::size_t owner = all_.tiling.ownerOf(i);
-             return seesAll(owner, triangle) &&
-                    longest(triangle) <= 0.2 * all_.tiling.tiles[owner].halo;
+             const double halo = std::max(all_.tiling.tiles[owner].halo, all_.wide[i]);
+             return seesAll(owner, triangle) && longest(triangle) <= 0.2 * halo;
            });
   }
 
@@ -106,10 +106,11 @@ keptOf(const Patchwork& patchwork, std::size_t tile, Agreed& agreed)
   return kept;
 }
 
-TEST(Agreement, KeepsWhatTheTwinKeepsAndTellsTheRest)
+void
+expectWhatTheTwinKeeps(double sparse)
 {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    const Patchwork patchwork(seed, 0.02 * double(seed - 1));
+    const Patchwork patchwork(seed, 0.02 * double(seed - 1), 9.0, sparse);
     const Twin twin(patchwork);
     for (std::size_t tile = 0; tile < patchwork.tiling.tiles.size(); ++tile) {
       Agreed agreed;
@@ -127,6 +128,22 @@ TEST(Agreement, KeepsWhatTheTwinKeepsAndTellsTheRest)
                 agreed.refused);
     }
   }
+}
+
+TEST(Agreement, KeepsWhatTheTwinKeepsAndTellsTheRest) { expectWhatTheTwinKeeps(0.0); }
+
+TEST(Agreement, KeepsWhatTheTwinKeepsAmongSparsePoints) { expectWhatTheTwinKeeps(0.3); }
+
+TEST(Agreement, TrianglesTooLongForTheirTilesStayWhereAllCornersAreSparse)
+{
+  const Patchwork dense(30, 0.0, 2.0), sparse(30, 0.0, 2.0, 1.0);
+  std::size_t of_dense = 0, of_sparse = 0;
+  for (std::size_t tile = 0; tile < dense.tiling.tiles.size(); ++tile) {
+    Agreed agreed;
+    of_dense += keptOf(dense, tile, agreed).size();
+    of_sparse += keptOf(sparse, tile, agreed).size();
+  }
+  EXPECT_LT(of_dense, of_sparse);
 }
 
 TEST(Agreement, WhatStaysHasNoEdgeWithThreeTriangles)

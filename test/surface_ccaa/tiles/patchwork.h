@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "mesh/box_tree.h"
 #include "support/random_source.h"
 #include "tiles/agreement.h"
 #include "tiles/world_grid.h"
@@ -19,8 +20,10 @@ namespace pcl::ccaa::test {
 class Patchwork {
 public:
   /** \param[in] unlike share of what a tile makes differently
-   * \param[in] halo the smallest: below 14 the longest edges are too long for it */
-  Patchwork(std::uint64_t seed, double unlike, double halo = 9.0) : random_(seed)
+   * \param[in] halo the smallest: below 14 the longest edges are too long for it
+   * \param[in] sparse share of points with a halo of their own */
+  Patchwork(std::uint64_t seed, double unlike, double halo = 9.0, double sparse = 0.0)
+  : random_(seed)
   {
     std::vector<std::pair<GridCell, std::size_t>> by_cell;
     Positions places;
@@ -47,12 +50,14 @@ public:
       points.push_back(places[by_cell[i].second]);
       index_of[by_cell[i].second] = i;
     }
+    giveHalos(seed, sparse);
     for (std::size_t tile = 0; tile < tiling.tiles.size(); ++tile)
       meshes.push_back(meshOf(tile, index_of, unlike));
   }
 
   Tiling tiling;
   Positions points;                              /**< by index */
+  std::vector<double> wide;                      /**< their own halos, 0: none */
   std::vector<std::vector<WideTriangle>> meshes; /**< by tile */
 
   /** As a tile tells it to others. */
@@ -64,7 +69,7 @@ public:
     BorderMesh border;
     std::set<WideIndex> near, told;
     for (WideIndex i = 0; i < points.size(); ++i)
-      if (own.distance(points[i]) <= own.halo && others.isNear(points[i]))
+      if (own.knows(points[i], wide[i]) && others.isNear(points[i], wide[i]))
         near.insert(i);
     for (const WideTriangle& triangle : meshes[tile])
       if (std::any_of(triangle.begin(), triangle.end(), [&](WideIndex i) {
@@ -75,7 +80,7 @@ public:
       }
     told.insert(near.begin(), near.end());
     for (const WideIndex i : told)
-      border.points.push_back({i, points[i]});
+      border.points.push_back({i, points[i], wide[i]});
     return border;
   }
 
@@ -95,11 +100,24 @@ public:
   bool
   sees(std::size_t tile, WideIndex point) const
   {
-    return tiling.tiles[tile].sees(points[point]);
+    return tiling.tiles[tile].sees(points[point], wide[point]);
   }
 
 private:
   static constexpr std::size_t SIDE = 48;
+
+  void
+  giveHalos(std::uint64_t seed, double sparse)
+  {
+    RandomSource random(1000 + seed);
+    for (WideIndex i = 0; i < points.size(); ++i) {
+      Tile& owner = tiling.tiles[tiling.ownerOf(i)];
+      const bool is_sparse = random.uniform() < sparse;
+      wide.push_back(is_sparse ? random.uniform(1.5, 3.5) * owner.halo : 0.0);
+      if (is_sparse)
+        owner.sparse.extend(widened(Box(points[i]), wide.back()));
+    }
+  }
 
   std::vector<WideTriangle>
   meshOf(std::size_t tile, const std::vector<WideIndex>& index_of, double unlike)

@@ -30,6 +30,24 @@ TEST(Tiling, KnowsTheOwnerOfEachPointAndTheTilesAround)
   }
 }
 
+TEST(Tiling, WhoKnowsASparsePointIsANeighbor)
+{
+  const Patchwork patchwork(41, 0.0, 9.0, 0.02);
+  std::size_t far = 0;
+  for (WideIndex i = 0; i < patchwork.points.size(); ++i) {
+    const std::size_t owner = patchwork.tiling.ownerOf(i);
+    const auto neighbors = patchwork.tiling.neighborsOf(owner);
+    for (std::size_t tile = 0; tile < patchwork.tiling.tiles.size(); ++tile) {
+      const Tile& other = patchwork.tiling.tiles[tile];
+      if (tile == owner || !other.knows(patchwork.points[i], patchwork.wide[i]))
+        continue;
+      far += other.knows(patchwork.points[i], 0.0) ? 0 : 1;
+      ASSERT_EQ(1, std::count(neighbors.begin(), neighbors.end(), tile));
+    }
+  }
+  EXPECT_GT(far, 10U);
+}
+
 TEST(Tile, IsAsFarAsItsBoxAlongTheFarthestAxis)
 {
   RandomSource random(4);
@@ -60,27 +78,30 @@ TEST(TilesAround, AreThoseWhoseDistanceIsWithinTheirLimit)
 {
   std::size_t near = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const Patchwork patchwork(seed, 0.05);
+    const Patchwork patchwork(seed, 0.05, 9.0, 0.1);
     const Tiling& tiling = patchwork.tiling;
     for (std::size_t tile = 0; tile < tiling.tiles.size(); ++tile) {
       const std::vector<std::size_t> neighbors = tiling.neighborsOf(tile);
       const double halo = tiling.tiles[tile].halo;
       const TilesAround border = TilesAround::border(tiling, tile);
       const TilesAround sight = TilesAround::sight(tiling, tile);
-      for (const Position& point : patchwork.points) {
+      for (WideIndex p = 0; p < patchwork.points.size(); ++p) {
+        const Position& point = patchwork.points[p];
+        const double wide = patchwork.wide[p];
         std::vector<std::size_t> seers, expected;
-        sight.forEachNear(point, [&](std::size_t i) { seers.push_back(i); });
+        sight.forEachNear(point, wide, [&](std::size_t i) { seers.push_back(i); });
         bool is_border = false;
         for (std::size_t i = 0; i < neighbors.size(); ++i) {
           const Tile& other = tiling.tiles[neighbors[i]];
-          if (other.sees(point))
+          if (other.sees(point, wide))
             expected.push_back(i);
-          is_border = is_border || other.distance(point) <=
-                                       Tile::TRUSTED * other.halo +
-                                           Tile::TOLD * std::max(other.halo, halo);
+          is_border =
+              is_border || other.sees(point, wide) ||
+              other.distance(point) <=
+                  Tile::TRUSTED * other.halo + Tile::TOLD * std::max(other.halo, halo);
         }
         ASSERT_EQ(expected, seers);
-        ASSERT_EQ(is_border, border.isNear(point));
+        ASSERT_EQ(is_border, border.isNear(point, wide));
         near += expected.size();
       }
     }
@@ -99,7 +120,7 @@ TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
       const auto neighbors = tiling.neighborsOf(tile);
       const double halo = tiling.tiles[tile].halo;
       if (std::none_of(neighbors.begin(), neighbors.end(), [&](std::size_t other) {
-            return tiling.tiles[other].sees(patchwork.points[i]);
+            return tiling.tiles[other].sees(patchwork.points[i], 0.0);
           }))
         continue;
       for (WideIndex j = 0; j < patchwork.points.size(); ++j) {
@@ -107,7 +128,8 @@ TEST(Tiling, TellsOthersWhatLiesAroundWhatTheyDisagreeAbout)
           continue;
         ++around;
         const std::size_t owner = tiling.ownerOf(j);
-        EXPECT_TRUE(TilesAround::border(tiling, owner).isNear(patchwork.points[j]));
+        EXPECT_TRUE(
+            TilesAround::border(tiling, owner).isNear(patchwork.points[j], 0.0));
       }
     }
   }
