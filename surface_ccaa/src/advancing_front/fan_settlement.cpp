@@ -37,7 +37,7 @@ leavesThem(const PartialSurface& surface,
 
 } // namespace
 
-void
+std::vector<pcl::index_t>
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
            bool keep_given,
@@ -45,6 +45,7 @@ settleFans(PartialSurface& surface,
            const std::vector<std::uint8_t>* whole)
 {
   WorkCount work(control);
+  std::vector<pcl::index_t> taken;
   std::vector<pcl::index_t> waiting = points;
   while (!waiting.empty() && work.add(SETTLING_WORK)) {
     const pcl::index_t vertex = waiting.back();
@@ -69,9 +70,11 @@ settleFans(PartialSurface& surface,
         if (fan == stays || (keep_given && surface.isGiven(t)))
           continue;
         surface.remove(t);
+        taken.push_back(t);
         waiting.insert(waiting.end(), surface[t].begin(), surface[t].end());
       }
   }
+  return taken;
 }
 
 } // namespace pcl::ccaa

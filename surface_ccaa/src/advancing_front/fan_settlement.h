@@ -62,8 +62,9 @@ fansOf(std::vector<pcl::index_t> waiting, Index vertex, const TriangleOf& triang
  * cancelling some points may have several
  * \param[in] whole flags of the points all triangles of which are there: the others
  * are not looked at, and of given fans one that reaches one of these stays; null: all
- * are */
-void
+ * are
+ * \return the triangles taken away */
+std::vector<pcl::index_t>
 settleFans(PartialSurface& surface,
            const std::vector<pcl::index_t>& points,
            bool keep_given,

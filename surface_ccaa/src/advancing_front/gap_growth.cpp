@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the gaps of a surface, and how it grows into them.
 #include "advancing_front/gap_growth.h"
 
+#include "advancing_front/loop_closure.h"
 #include "advancing_front/open_regions.h"
 #include "advancing_front/scattered_points.h"
 #include "advancing_front/spacing.h"
@@ -146,6 +147,28 @@ dropCrossings(PartialSurface& surface,
       findSelfIntersections(triangles, points, context.threads, *context.control);
   for (const TrianglePair& pair : found.pairs)
     surface.remove(added[static_cast<std::size_t>(pair.second)]);
+}
+
+bool
+closeBetween(const std::vector<pcl::index_t>& open,
+             const NearbyTriangles& nearby,
+             const CompletionParameters& parameters,
+             PartialSurface& surface,
+             RunControl* control)
+{
+  std::vector<pcl::index_t> vertices;
+  OpenSurface gap = surface.openAt(open, {}, vertices, control);
+  if (open.empty() || isCancelled(control))
+    return false;
+  completeSpacings(gap);
+  GrowingSurface growing(gap);
+  TriangleTrial trial(gap, growing, parameters.support, &nearby);
+  closeLoops(growing, trial, control);
+  const auto& all = growing.triangles();
+  const auto rim = static_cast<std::ptrdiff_t>(gap.rim.size());
+  for (const Triangle& triangle : inTheWhole({all.begin() + rim, all.end()}, vertices))
+    surface.add(triangle);
+  return all.size() > gap.rim.size();
 }
 
 std::vector<pcl::index_t>

@@ -67,6 +67,17 @@ dropCrossings(PartialSurface& surface,
               const PointView& points,
               const LoopContext& context);
 
+/** \brief Close the loops between some points (see closeLoops()).
+ * \param[in] open these, ascending \param[in] nearby what must not be crossed
+ * \param[in,out] control told the work, may be null
+ * \return whether there are new triangles */
+bool
+closeBetween(const std::vector<pcl::index_t>& open,
+             const NearbyTriangles& nearby,
+             const CompletionParameters& parameters,
+             PartialSurface& surface,
+             RunControl* control);
+
 /** \brief The open points, and the corners of triangles that went or came. */
 std::vector<pcl::index_t>
 touchedVertices(const PartialSurface& surface,

@@ -136,7 +136,7 @@ openVertices(const PartialMesh& mesh, const GivenSurface& given, bool alone)
       is_open[static_cast<std::size_t>(corner)] = 1;
   std::vector<pcl::index_t> open;
   for (std::size_t v = 0; v < is_open.size(); ++v)
-    if (is_open[v] != 0 && (mesh.is_cut.empty() || mesh.is_cut[v] == 0))
+    if (is_open[v] != 0 && !mesh.isCut(static_cast<pcl::index_t>(v)))
       open.push_back(static_cast<pcl::index_t>(v));
   return open;
 }

@@ -25,6 +25,12 @@ struct PartialMesh {
   Triangles given;      /**< three different vertices each */
   std::vector<std::uint8_t> is_cut; /**< one flag per vertex, or empty: the surface goes
                                          on there outside of what is given */
+
+  bool
+  isCut(pcl::index_t vertex) const
+  {
+    return !is_cut.empty() && is_cut[static_cast<std::size_t>(vertex)] != 0;
+  }
 };
 
 /** \brief What is wrong with a partial mesh. */

@@ -57,6 +57,8 @@ private:
   advanceFront();
   void
   regrowObstructed();
+  std::vector<pcl::index_t>
+  settleFansAndCrossings();
   void
   settle();
   void
@@ -200,16 +202,34 @@ Completion::regrowObstructed()
   regrowth.run(obstructed_, context_);
 }
 
-/** One fan for every point, and no crossings; then the triangles that there are, and
- * nothing that only growth needs. */
+/** \return corners of fans that are gone, without cut points, ascending */
+std::vector<pcl::index_t>
+Completion::settleFansAndCrossings()
+{
+  dropCrossings(*surface_, mesh_.points, context_);
+  const std::vector<pcl::index_t> gone =
+      settleFans(*surface_,
+                 touchedVertices(*surface_, gap_.open, &control_),
+                 parameters_.keep_given,
+                 &control_);
+  std::vector<pcl::index_t> corners;
+  for (const pcl::index_t t : gone)
+    for (const pcl::index_t corner : (*surface_)[t])
+      if (!mesh_.isCut(corner))
+        corners.push_back(corner);
+  sortUnique(corners);
+  return corners;
+}
+
+/** One fan for every point, and no crossings; where a fan went, the hole is closed on
+ * the side where it was. Then the triangles that there are, and nothing that only
+ * growth needs. */
 void
 Completion::settle()
 {
-  dropCrossings(*surface_, mesh_.points, context_);
-  settleFans(*surface_,
-             touchedVertices(*surface_, gap_.open, &control_),
-             parameters_.keep_given,
-             &control_);
+  if (closeBetween(
+          settleFansAndCrossings(), *nearby_, parameters_, *surface_, &control_))
+    settleFansAndCrossings();
   for (std::size_t t = 0; t < surface_->triangleCount(); ++t) {
     const auto triangle = static_cast<pcl::index_t>(t);
     if (!surface_->isAlive(triangle))

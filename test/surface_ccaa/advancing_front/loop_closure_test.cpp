@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 
+#include "advancing_front/gap_growth.h"
 #include "advancing_front/loop_closure.h"
 #include "open_shapes.h"
+#include "support/edge_sets.h"
 #include "support/mesh_asserts.h"
 
 #include <algorithm>
@@ -66,6 +68,33 @@ private:
   std::ptrdiff_t corner_;
   std::size_t before_;
 };
+
+/** Boundary edges of a sphere without two triangles after closing between some corners
+ * of the first. */
+std::size_t
+boundaryAfterClosing(std::size_t corners)
+{
+  Shape sphere = icosphere(3);
+  std::vector<index_t> open(sphere.triangles[0].begin(), sphere.triangles[0].end());
+  std::sort(open.begin(), open.end());
+  open.resize(corners);
+  sphere.triangles.erase(sphere.triangles.begin());
+  sphere.triangles.pop_back();
+  PartialShape partial(sphere);
+  const AliveFlags alive(sphere.triangles.size(), 1);
+  const NearbyTriangles nearby(sphere.triangles, alive, sphere.vertices, open, 0.5);
+  EXPECT_EQ(
+      closeBetween(open, nearby, CompletionParameters(), partial.surface, nullptr),
+      corners == 3);
+  return countBoundaryEdges(liveTriangles(partial.surface));
+}
+
+TEST(CloseBetween, ClosesLoopsOfWhichAllCornersAreOpen)
+{
+  EXPECT_EQ(boundaryAfterClosing(0), 6U);
+  EXPECT_EQ(boundaryAfterClosing(2), 6U);
+  EXPECT_EQ(boundaryAfterClosing(3), 3U);
+}
 
 /** The triangles with a corner that is to go, and these vertices far away. */
 Shape

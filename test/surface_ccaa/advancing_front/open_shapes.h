@@ -23,6 +23,16 @@ adjacencyOf(const Shape& shape)
   return adjacency;
 }
 
+inline Triangles
+liveTriangles(const PartialSurface& surface)
+{
+  Triangles live;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t)
+    if (surface.isAlive(static_cast<index_t>(t)))
+      live.push_back(surface[static_cast<index_t>(t)]);
+  return live;
+}
+
 /** \brief A shape as a partial surface, whose parts it keeps alive. */
 struct PartialShape {
   explicit PartialShape(const Shape& whole)

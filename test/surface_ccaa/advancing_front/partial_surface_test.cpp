@@ -22,16 +22,6 @@ trianglesAtVertex(const PartialSurface& surface, index_t vertex)
   return found;
 }
 
-Triangles
-liveTriangles(const PartialSurface& surface)
-{
-  Triangles live;
-  for (std::size_t t = 0; t < surface.triangleCount(); ++t)
-    if (surface.isAlive(static_cast<index_t>(t)))
-      live.push_back(surface[static_cast<index_t>(t)]);
-  return live;
-}
-
 TEST(PartialSurface, NumbersNewTrianglesAfterTheGivenOnes)
 {
   PartialShape partial(tetrahedron());

@@ -6,6 +6,7 @@
 #include "support/clouds.h"
 #include "support/random_source.h"
 #include "support/shapes.h"
+#include "support/shared_data.h"
 
 #include <limits>
 
@@ -84,6 +85,21 @@ expectNoTunnels(const Wedge& wedge, const std::vector<std::uint64_t>& seeds)
     EXPECT_EQ(0, topology.genus) << seed;
     EXPECT_EQ(1U, topology.pieces) << seed;
     EXPECT_EQ(0U, chain.getReport().doubts.handles) << seed;
+  }
+}
+
+/** Where fans touched at a point and one of them went, a hole was left. */
+TEST(Fandisk, IsClosedWhicheverAxisComesFirst)
+{
+  const std::string path = sharedData("fandisk/fandisk_large.ply");
+  SKIP_WITHOUT_DATA(path);
+  Shape fandisk;
+  ASSERT_TRUE(readShape(path, fandisk));
+  for (int turn = 0; turn < 3; ++turn) {
+    Chain chain;
+    EXPECT_EQ(reconstructed(fandisk.vertices, chain).boundary_loops, 0U) << turn;
+    for (Position& point : fandisk.vertices)
+      point = Position(point.y(), point.z(), point.x());
   }
 }
 
