@@ -18,7 +18,7 @@ using pcl::ccaa::WideTriangle;
 struct StoredPoint {
   WideIndex index;
   std::array<double, 3> position;
-  double wide;
+  double halo;
 };
 
 /** The sums of a piece as plain numbers. */
@@ -65,7 +65,7 @@ restored(const std::vector<StoredPoint>& stored)
   pcl::ccaa::BorderPoints points;
   points.reserve(stored.size());
   for (const StoredPoint& point : stored)
-    points.push_back({point.index, Eigen::Vector3d(point.position.data()), point.wide});
+    points.push_back({point.index, Eigen::Vector3d(point.position.data()), point.halo});
   return points;
 }
 
@@ -135,7 +135,7 @@ writeMesh(const TilePlan& plan, std::size_t tile, TileMesh mesh)
   for (const pcl::ccaa::BorderPoint& point : mesh.border.points)
     points.push_back({point.index,
                       {point.position.x(), point.position.y(), point.position.z()},
-                      point.wide});
+                      point.halo});
   const auto place_of = [&points](WideIndex first) {
     const auto found = std::lower_bound(
         points.begin(), points.end(), first, [](const StoredPoint& point, WideIndex i) {

@@ -235,7 +235,7 @@ addDisputes(const TilePlan& plan,
     dispute.index = corner.index;
     Eigen::Map<Eigen::Vector3d>(dispute.position.data()) = corner.position;
     dispute.reach =
-        std::clamp(room / MOST_ROOM, REACH * halo, REACH * std::max(halo, corner.wide));
+        std::clamp(room / MOST_ROOM, REACH * halo, REACH * std::max(halo, corner.halo));
     dispute.room =
         std::clamp(room, LEAST_ROOM * dispute.reach, MOST_ROOM * dispute.reach);
     disputes.push_back(dispute);

@@ -20,7 +20,7 @@ bool
 sees(const Tile& tile, const std::array<BorderPoint, 3>& corners)
 {
   return std::all_of(corners.begin(), corners.end(), [&](const BorderPoint& corner) {
-    return tile.sees(corner.position, corner.wide);
+    return tile.sees(corner.position, corner.halo);
   });
 }
 
@@ -48,7 +48,7 @@ public:
     const TilesAround sight = TilesAround::sight(tiling, tile);
     for (const BorderPoint& point : own.points) {
       sight.forEachNear(
-          point.position, point.wide, [&](std::size_t i) { seers_.push_back(i); });
+          point.position, point.halo, [&](std::size_t i) { seers_.push_back(i); });
       seers_end_.push_back(seers_.size());
     }
   }
@@ -105,7 +105,7 @@ private:
     return std::all_of(corners.begin(), corners.end(), [&](const BorderPoint& corner) {
       const Tile& owner = tiling_.tiles[tiling_.ownerOf(corner.index)];
       return sees(owner, corners) &&
-             longest <= Tile::LONGEST * std::max(owner.halo, corner.wide);
+             longest <= Tile::LONGEST * std::max(owner.halo, corner.halo);
     });
   }
 

@@ -75,17 +75,17 @@ struct Tile {
     return point >= first && point < first + count;
   }
 
-  /** \param[in] wide halo of the point itself, 0 unless it is sparse */
+  /** \param[in] own_halo of the point, 0 unless it is sparse */
   bool
-  knows(const Position& position, double wide) const
+  knows(const Position& position, double own_halo) const
   {
-    return distance(position) <= std::max(halo, wide);
+    return distance(position) <= std::max(halo, own_halo);
   }
 
   bool
-  sees(const Position& position, double wide) const
+  sees(const Position& position, double own_halo) const
   {
-    return distance(position) <= TRUSTED * std::max(halo, wide);
+    return distance(position) <= TRUSTED * std::max(halo, own_halo);
   }
 
   /** \brief Where points and triangles of it may be that others know. */
@@ -142,17 +142,17 @@ public:
   static TilesAround
   sight(const Tiling& tiling, std::size_t tile);
 
-  /** \brief Calls \a use(i) for all near a position, ascending. \param[in] wide halo
+  /** \brief Calls \a use(i) for all near a position, ascending. \param[in] own_halo
    * of the point there, 0 unless it is sparse: such a one is near all that see it */
   template <typename Use>
   void
-  forEachNear(const Position& position, double wide, const Use& use) const
+  forEachNear(const Position& position, double own_halo, const Use& use) const
   {
-    if (wide == 0.0 && (position - clear_.min()).minCoeff() > 0.0 &&
+    if (own_halo == 0.0 && (position - clear_.min()).minCoeff() > 0.0 &&
         (clear_.max() - position).minCoeff() > 0.0)
       return;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      const double limit = std::max(limits_[i], Tile::TRUSTED * wide);
+      const double limit = std::max(limits_[i], Tile::TRUSTED * own_halo);
       if ((boxes_[i].min() - position).maxCoeff() <= limit &&
           (position - boxes_[i].max()).maxCoeff() <= limit)
         use(i);
@@ -161,10 +161,10 @@ public:
 
   /** \brief Whether it is near any. */
   bool
-  isNear(const Position& position, double wide) const
+  isNear(const Position& position, double own_halo) const
   {
     bool is_near = false;
-    forEachNear(position, wide, [&](std::size_t) { is_near = true; });
+    forEachNear(position, own_halo, [&](std::size_t) { is_near = true; });
     return is_near;
   }
 
@@ -184,7 +184,7 @@ private:
 struct BorderPoint {
   WideIndex index = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double wide = 0.0; /**< its own halo, 0 unless it is sparse */
+  double halo = 0.0; /**< its own, 0 unless it is sparse */
 };
 
 /** \brief The border points of a tile, ascending. */

@@ -48,7 +48,7 @@ public:
     return !is_shared ||
            std::all_of(triangle.begin(), triangle.end(), [&](WideIndex i) {
              const std::size_t owner = all_.tiling.ownerOf(i);
-             const double halo = std::max(all_.tiling.tiles[owner].halo, all_.wide[i]);
+             const double halo = std::max(all_.tiling.tiles[owner].halo, all_.halos[i]);
              return seesAll(owner, triangle) && longest(triangle) <= 0.2 * halo;
            });
   }

@@ -57,7 +57,7 @@ public:
 
   Tiling tiling;
   Positions points;                              /**< by index */
-  std::vector<double> wide;                      /**< their own halos, 0: none */
+  std::vector<double> halos;                     /**< their own, 0: none */
   std::vector<std::vector<WideTriangle>> meshes; /**< by tile */
 
   /** As a tile tells it to others. */
@@ -69,7 +69,7 @@ public:
     BorderMesh border;
     std::set<WideIndex> near, told;
     for (WideIndex i = 0; i < points.size(); ++i)
-      if (own.knows(points[i], wide[i]) && others.isNear(points[i], wide[i]))
+      if (own.knows(points[i], halos[i]) && others.isNear(points[i], halos[i]))
         near.insert(i);
     for (const WideTriangle& triangle : meshes[tile])
       if (std::any_of(triangle.begin(), triangle.end(), [&](WideIndex i) {
@@ -80,7 +80,7 @@ public:
       }
     told.insert(near.begin(), near.end());
     for (const WideIndex i : told)
-      border.points.push_back({i, points[i], wide[i]});
+      border.points.push_back({i, points[i], halos[i]});
     return border;
   }
 
@@ -100,7 +100,7 @@ public:
   bool
   sees(std::size_t tile, WideIndex point) const
   {
-    return tiling.tiles[tile].sees(points[point], wide[point]);
+    return tiling.tiles[tile].sees(points[point], halos[point]);
   }
 
 private:
@@ -113,9 +113,9 @@ private:
     for (WideIndex i = 0; i < points.size(); ++i) {
       Tile& owner = tiling.tiles[tiling.ownerOf(i)];
       const bool is_sparse = random.uniform() < sparse;
-      wide.push_back(is_sparse ? random.uniform(1.5, 3.5) * owner.halo : 0.0);
+      halos.push_back(is_sparse ? random.uniform(1.5, 3.5) * owner.halo : 0.0);
       if (is_sparse)
-        owner.sparse.extend(widened(Box(points[i]), wide.back()));
+        owner.sparse.extend(widened(Box(points[i]), halos.back()));
     }
   }
 

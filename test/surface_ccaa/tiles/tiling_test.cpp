@@ -39,7 +39,7 @@ TEST(Tiling, WhoKnowsASparsePointIsANeighbor)
     const auto neighbors = patchwork.tiling.neighborsOf(owner);
     for (std::size_t tile = 0; tile < patchwork.tiling.tiles.size(); ++tile) {
       const Tile& other = patchwork.tiling.tiles[tile];
-      if (tile == owner || !other.knows(patchwork.points[i], patchwork.wide[i]))
+      if (tile == owner || !other.knows(patchwork.points[i], patchwork.halos[i]))
         continue;
       far += other.knows(patchwork.points[i], 0.0) ? 0 : 1;
       ASSERT_EQ(1, std::count(neighbors.begin(), neighbors.end(), tile));
@@ -87,21 +87,21 @@ TEST(TilesAround, AreThoseWhoseDistanceIsWithinTheirLimit)
       const TilesAround sight = TilesAround::sight(tiling, tile);
       for (WideIndex p = 0; p < patchwork.points.size(); ++p) {
         const Position& point = patchwork.points[p];
-        const double wide = patchwork.wide[p];
+        const double own_halo = patchwork.halos[p];
         std::vector<std::size_t> seers, expected;
-        sight.forEachNear(point, wide, [&](std::size_t i) { seers.push_back(i); });
+        sight.forEachNear(point, own_halo, [&](std::size_t i) { seers.push_back(i); });
         bool is_border = false;
         for (std::size_t i = 0; i < neighbors.size(); ++i) {
           const Tile& other = tiling.tiles[neighbors[i]];
-          if (other.sees(point, wide))
+          if (other.sees(point, own_halo))
             expected.push_back(i);
           is_border =
-              is_border || other.sees(point, wide) ||
+              is_border || other.sees(point, own_halo) ||
               other.distance(point) <=
                   Tile::TRUSTED * other.halo + Tile::TOLD * std::max(other.halo, halo);
         }
         ASSERT_EQ(expected, seers);
-        ASSERT_EQ(is_border, border.isNear(point, wide));
+        ASSERT_EQ(is_border, border.isNear(point, own_halo));
         near += expected.size();
       }
     }
