@@ -43,7 +43,7 @@ public:
     settleFans(surface, looked_at, false, nullptr, &seam_.is_whole);
     const std::vector<pcl::index_t> gone = goneFrom(surface);
     keepAtRim(gone);
-    hideAtRim(gone, surface);
+    hideAtRim(surface);
     for (std::size_t t = 0; t < seam_.given.size(); ++t)
       if (const auto i = static_cast<pcl::index_t>(t); surface.isAlive(i))
         result_.shown.push_back(i);
@@ -80,17 +80,15 @@ private:
    * what is not shown to the base algorithm for that stays, and nothing grows from it.
    */
   void
-  hideAtRim(const std::vector<pcl::index_t>& gone, PartialSurface& surface)
+  hideAtRim(PartialSurface& surface)
   {
     std::vector<pcl::index_t> rim;
     for (std::size_t v = 0; v < seam_.points.size(); ++v)
       if (seam_.is_whole[v] == 0)
         rim.push_back(static_cast<pcl::index_t>(v));
-    settleFans(surface, rim, false);
-    for (const pcl::index_t t : goneFrom(surface))
-      if (!std::binary_search(gone.begin(), gone.end(), t))
-        for (const pcl::index_t corner : at(t))
-          result_.is_open[static_cast<std::size_t>(corner)] = 0;
+    for (const pcl::index_t t : settleFans(surface, rim, false))
+      for (const pcl::index_t corner : at(t))
+        result_.is_open[static_cast<std::size_t>(corner)] = 0;
   }
 
   /** Of what is gone, triangles at the rim stay: what is left there could be several

@@ -94,22 +94,6 @@ TEST_F(RepairContract, ClosesASingleTriangleOrLeavesItButSurvives)
   expectNothingWorse(result, toTriangles(result.input.polygons));
 }
 
-TEST_F(RepairContract, WindingsThatContradictEachOtherMakeNoDifference)
-{
-  const Shape shape = holedSphere();
-  const Triangles expected = repaired(toPolygonMesh(shape)).triangles();
-  ASSERT_GT(expected.size(), shape.triangles.size());
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    Shape mixed = shape;
-    ccaa::test::RandomSource random(seed);
-    for (Triangle& triangle : mixed.triangles)
-      if (random.uniform() < 0.1)
-        std::swap(triangle[1], triangle[2]);
-    EXPECT_TRUE(
-        sameUnorientedTriangles(expected, repaired(toPolygonMesh(mixed)).triangles()));
-  }
-}
-
 TEST_F(RepairContract, KeepsPointsThatAreNotFinite)
 {
   Shape shape = holedSphere();

@@ -34,6 +34,23 @@ INSTANTIATE_TEST_SUITE_P(Seeds,
                          RepairOfRandomDamage,
                          ::testing::Range<std::uint64_t>(1, 51));
 
+TEST(RepairOfMixedWindings, IsThatOfAMeshWoundAlike)
+{
+  const Shape shape =
+      inPieces(icosphere(3), [](const Position& p) { return p.z() > 0.8 ? -1 : 0; });
+  const Triangles expected = repaired(toPolygonMesh(shape)).triangles();
+  ASSERT_GT(expected.size(), shape.triangles.size());
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    Shape mixed = shape;
+    RandomSource random(seed);
+    for (Triangle& triangle : mixed.triangles)
+      if (random.uniform() < 0.1)
+        std::swap(triangle[1], triangle[2]);
+    EXPECT_TRUE(
+        sameUnorientedTriangles(expected, repaired(toPolygonMesh(mixed)).triangles()));
+  }
+}
+
 /** Whatever the method proposes, changed at random. */
 Decisions
 randomDecisions(const pcl::PolygonMesh& mesh, RandomSource& random)
