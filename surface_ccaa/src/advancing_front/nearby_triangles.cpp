@@ -3,6 +3,7 @@
 #include "advancing_front/nearby_triangles.h"
 
 #include "mesh/curve_order.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <array>
@@ -133,23 +134,33 @@ NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& watched,
     is_watched[static_cast<std::size_t>(vertex)] = 1;
   const auto isAsked = [&](pcl::index_t triangle) {
     const Triangle& corners = triangles_[static_cast<std::size_t>(triangle)];
-    return alive_[static_cast<std::size_t>(triangle)] != 0 &&
+    return isAlive(triangle) &&
            std::any_of(corners.begin(), corners.end(), [&](pcl::index_t corner) {
              return is_watched[static_cast<std::size_t>(corner)] != 0;
            });
   };
   std::vector<std::vector<pcl::index_t>> found(context.blockCount(chosen_.size()));
   forEachBlock(chosen_.size(), context, [&](auto block, auto begin, auto end) {
-    std::vector<pcl::index_t> itself(1);
     for (std::size_t place = begin; place < end; ++place) {
-      itself[0] = chosen_[place];
+      if (!isAsked(chosen_[place]))
+        continue;
       const Corners corners = cornersAt(place);
-      if (isAsked(itself[0]) && meets(corners, boxOf(corners), itself))
-        found[block].push_back(itself[0]);
+      tree_.forEachMeeting(boxOf(corners), [&](pcl::index_t met) {
+        const auto other = static_cast<std::size_t>(met);
+        const pcl::index_t triangle = chosen_[other];
+        const bool is_asked = isAsked(triangle); // then the first of both asks
+        if (is_asked ? other <= place : !isAlive(triangle))
+          return;
+        if (!trianglesMeet(corners, cornersAt(other)))
+          return;
+        found[block].push_back(chosen_[place]);
+        if (is_asked)
+          found[block].push_back(triangle);
+      });
     }
   });
   std::vector<pcl::index_t> crossing = joinBlocks(found);
-  std::sort(crossing.begin(), crossing.end());
+  sortUnique(crossing);
   return crossing;
 }
 
@@ -161,7 +172,7 @@ NearbyTriangles::meets(const Corners& corners,
   return tree_.anyMeeting(box, [&](pcl::index_t found) {
     const auto place = static_cast<std::size_t>(found);
     const pcl::index_t triangle = chosen_[place];
-    return alive_[static_cast<std::size_t>(triangle)] != 0 &&
+    return isAlive(triangle) &&
            !std::binary_search(ignored.begin(), ignored.end(), triangle) &&
            trianglesMeet(corners, cornersAt(place));
   });

@@ -67,6 +67,11 @@ private:
          const LoopContext& context);
   void
   sortAlongCurve(int threads);
+  bool
+  isAlive(pcl::index_t triangle) const
+  {
+    return alive_[static_cast<std::size_t>(triangle)] != 0;
+  }
   Corners
   cornersAt(std::size_t place) const
   {

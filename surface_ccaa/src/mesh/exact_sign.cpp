@@ -205,22 +205,33 @@ exactTurn(const Position (&points)[3], int u, int v)
 
 } // namespace
 
+ExactPlane::ExactPlane(const Position& a, const Position& b, const Position& c)
+: a_(a), b_(b), c_(c)
+{
+  const Eigen::Vector3d u = b - a, v = c - a;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
+    const double left = u[i] * v[j], right = u[j] * v[i];
+    normal_[k] = left - right;
+    magnitude_[k] = std::abs(left) + std::abs(right);
+  }
+}
+
+int
+ExactPlane::sideOf(const Position& p) const
+{
+  const Eigen::Vector3d w = p - a_;
+  const int sign =
+      filteredSign(normal_.dot(w), magnitude_.dot(w.cwiseAbs()), PLANE_ERROR);
+  if (sign != UNDECIDED)
+    return sign;
+  return isFlatInAnAxis(b_ - a_, c_ - a_, w) ? 0 : exactSideOfPlane({a_, b_, c_, p});
+}
+
 int
 sideOfPlane(const Position& a, const Position& b, const Position& c, const Position& d)
 {
-  const Eigen::Vector3d u = a - d, v = b - d, w = c - d;
-  const double vw1 = v.x() * w.y(), vw2 = w.x() * v.y();
-  const double wu1 = w.x() * u.y(), wu2 = u.x() * w.y();
-  const double uv1 = u.x() * v.y(), uv2 = v.x() * u.y();
-  const double determinant =
-      u.z() * (vw1 - vw2) + v.z() * (wu1 - wu2) + w.z() * (uv1 - uv2);
-  const double magnitude = (std::abs(vw1) + std::abs(vw2)) * std::abs(u.z()) +
-                           (std::abs(wu1) + std::abs(wu2)) * std::abs(v.z()) +
-                           (std::abs(uv1) + std::abs(uv2)) * std::abs(w.z());
-  const int sign = filteredSign(-determinant, magnitude, PLANE_ERROR);
-  if (sign != UNDECIDED)
-    return sign;
-  return isFlatInAnAxis(u, v, w) ? 0 : exactSideOfPlane({a, b, c, d});
+  return ExactPlane(a, b, c).sideOf(d);
 }
 
 int

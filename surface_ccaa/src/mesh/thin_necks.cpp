@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -31,20 +33,31 @@ static_assert(MOST_RINGS + MORE_RINGS == EDGES_AROUND_NECK);
  * angle from its axis to its side. */
 constexpr double TURN_OF_CONE = M_PI;
 
-/** What the angles at a vertex add up to, over those of its triangles that count. */
-template <typename Counts>
+/** What the angles at a vertex add up to. */
+template <typename AngleOf>
 double
 anglesAt(pcl::index_t vertex,
-         const Triangles& triangles,
          const TriangleAdjacency& adjacency,
-         const PointView& points,
-         const Counts& counts)
+         const AngleOf& angleOf)
 {
-  double sum = 0.0;
-  for (const auto* t = adjacency.begin(vertex); t != adjacency.end(vertex); ++t)
-    if (counts(*t))
-      sum += angleAt(triangles[static_cast<std::size_t>(*t)], vertex, points);
-  return sum;
+  return std::accumulate(adjacency.begin(vertex),
+                         adjacency.end(vertex),
+                         0.0,
+                         [&](double sum, auto t) { return sum + angleOf(t); });
+}
+
+/** Make items a part of an ascending set. \return those that are new, ascending */
+std::vector<pcl::index_t>
+addTo(std::vector<pcl::index_t>& set, std::vector<pcl::index_t> items)
+{
+  sortUnique(items);
+  std::vector<pcl::index_t> added;
+  std::set_difference(
+      items.begin(), items.end(), set.begin(), set.end(), std::back_inserter(added));
+  const auto old = static_cast<std::ptrdiff_t>(set.size());
+  set.insert(set.end(), added.begin(), added.end());
+  std::inplace_merge(set.begin(), set.begin() + old, set.end());
+  return added;
 }
 
 /** The triangles within some edges of a vertex. */
@@ -54,23 +67,28 @@ public:
                const Triangles& triangles,
                const TriangleAdjacency& adjacency,
                const PointView& points)
-  : triangles_(triangles), adjacency_(adjacency), points_(points), vertices_{center}
+  : triangles_(triangles)
+  , adjacency_(adjacency)
+  , points_(points)
+  , vertices_{center}
+  , rim_{center}
   {}
 
   /** \return false, and nothing of use, at boundaries and where the surface is none */
   bool
   addRing()
   {
-    std::set<pcl::index_t> grown = vertices_;
-    for (const pcl::index_t vertex : vertices_) {
+    std::vector<pcl::index_t> around, corners;
+    for (const pcl::index_t vertex : rim_) {
       if (adjacency_.fan(vertex) != Fan::CLOSED)
         return false;
-      for (const auto* t = adjacency_.begin(vertex); t != adjacency_.end(vertex); ++t)
-        if (chosen_.insert(*t).second)
-          for (const pcl::index_t corner : triangles_[static_cast<std::size_t>(*t)])
-            grown.insert(corner);
+      around.insert(around.end(), adjacency_.begin(vertex), adjacency_.end(vertex));
     }
-    vertices_ = std::move(grown);
+    for (const pcl::index_t t : addTo(chosen_, std::move(around))) {
+      const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+    }
+    rim_ = addTo(vertices_, std::move(corners));
     return true;
   }
 
@@ -78,32 +96,47 @@ public:
   bool
   areNeck() const
   {
-    const std::vector<double> turns = turnsOfRims();
+    const std::vector<TriangleAdjacency::Edge> rims = rimEdges();
+    if (vertices_.size() * 2 == chosen_.size() + rims.size() + 2)
+      return false; // Euler's characteristic is 1: a disc, as nearly always
+    const std::vector<double> turns = turnsOf(rims);
     return turns.size() == 2 && turns[0] >= TURN_OF_CONE && turns[1] >= TURN_OF_CONE;
   }
 
-  const std::set<pcl::index_t>&
+  const std::vector<pcl::index_t>&
   vertices() const
   {
     return vertices_;
   }
 
 private:
-  /** By how much each rim turns towards the inside, radians, 2 pi around a disc. */
-  std::vector<double>
-  turnsOfRims() const
+  bool
+  isChosen(pcl::index_t triangle) const
+  {
+    return std::binary_search(chosen_.begin(), chosen_.end(), triangle);
+  }
+
+  std::vector<TriangleAdjacency::Edge>
+  rimEdges() const
   {
     std::vector<TriangleAdjacency::Edge> edges;
-    std::vector<pcl::index_t> vertices;
     for (const pcl::index_t t : chosen_)
-      for (int corner = 0; corner < 3; ++corner) {
-        if (chosen_.count(adjacency_.across(t, corner)) > 0)
-          continue;
-        const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
-        const auto from = static_cast<std::size_t>(corner);
-        edges.push_back({triangle[from], triangle[(from + 1) % 3]});
-        vertices.insert(vertices.end(), edges.back().begin(), edges.back().end());
-      }
+      for (int corner = 0; corner < 3; ++corner)
+        if (!isChosen(adjacency_.across(t, corner))) {
+          const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
+          const auto from = static_cast<std::size_t>(corner);
+          edges.push_back({triangle[from], triangle[(from + 1) % 3]});
+        }
+    return edges;
+  }
+
+  /** By how much each rim turns towards the inside, radians, 2 pi around a disc. */
+  std::vector<double>
+  turnsOf(const std::vector<TriangleAdjacency::Edge>& edges) const
+  {
+    std::vector<pcl::index_t> vertices;
+    for (const auto& edge : edges)
+      vertices.insert(vertices.end(), edge.begin(), edge.end());
     sortUnique(vertices);
     const auto placeOf = [&](pcl::index_t vertex) {
       return static_cast<std::size_t>(
@@ -117,10 +150,10 @@ private:
     for (const auto& edge : edges)
       turns[rims.find(placeOf(edge[0]))] += M_PI;
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      turns[rims.find(i)] -=
-          anglesAt(vertices[i], triangles_, adjacency_, points_, [&](pcl::index_t t) {
-            return chosen_.count(t) > 0;
-          });
+      turns[rims.find(i)] -= anglesAt(vertices[i], adjacency_, [&](pcl::index_t t) {
+        const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
+        return isChosen(t) ? angleAt(triangle, vertices[i], points_) : 0.0;
+      });
     std::vector<double> list;
     for (const auto& [vertex, turn] : turns)
       list.push_back(turn);
@@ -130,8 +163,9 @@ private:
   const Triangles& triangles_;
   const TriangleAdjacency& adjacency_;
   const PointView& points_;
-  std::set<pcl::index_t> vertices_;
-  std::set<pcl::index_t> chosen_; /**< triangles */
+  std::vector<pcl::index_t> vertices_; /**< ascending */
+  std::vector<pcl::index_t> rim_;      /**< those that the last ring has added */
+  std::vector<pcl::index_t> chosen_;   /**< triangles, ascending */
 };
 
 } // namespace
@@ -144,10 +178,12 @@ thinNecks(const Triangles& triangles,
           const std::vector<pcl::index_t>* among)
 {
   const auto isSaddle = [&](pcl::index_t vertex) {
-    const auto all = [](pcl::index_t) { return true; };
+    const auto angleOf = [&](pcl::index_t t) {
+      return angleAt(triangles[static_cast<std::size_t>(t)], vertex, points);
+    };
     return adjacency.fan(vertex) == Fan::CLOSED &&
            adjacency.end(vertex) - adjacency.begin(vertex) >= FEWEST_AROUND &&
-           anglesAt(vertex, triangles, adjacency, points, all) > 2.0 * M_PI + SADDLE;
+           anglesAt(vertex, adjacency, angleOf) > 2.0 * M_PI + SADDLE;
   };
   /** What is around a vertex of a neck; nothing of any other. */
   const auto neckAt = [&](pcl::index_t vertex) {
@@ -158,7 +194,7 @@ thinNecks(const Triangles& triangles,
       if (in_a_row > MORE_RINGS)
         return around.vertices();
     }
-    return std::set<pcl::index_t>();
+    return std::vector<pcl::index_t>();
   };
   const std::size_t count = among == nullptr ? adjacency.vertexCount() : among->size();
   std::vector<std::vector<ThinNeck>> found(context.blockCount(count));

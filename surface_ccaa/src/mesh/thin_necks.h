@@ -6,7 +6,6 @@
 #include "mesh/point_view.h"
 #include "mesh/triangle_adjacency.h"
 
-#include <set>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -16,8 +15,8 @@ constexpr int EDGES_AROUND_NECK = 6;
 
 /** \brief A place where a surface is thin. */
 struct ThinNeck {
-  pcl::index_t vertex = -1;      /**< one on it */
-  std::set<pcl::index_t> around; /**< vertices, among them all of the ring */
+  pcl::index_t vertex = -1;         /**< one on it */
+  std::vector<pcl::index_t> around; /**< vertices, ascending, with all of the ring */
 };
 
 /** \brief Where a surface narrows to a ring of so few edges that within four of them
@@ -27,8 +26,8 @@ struct ThinNeck {
  *
  * Tips, stems and tubes open to one side or to none, and are no necks; neither is what
  * comes within EDGES_AROUND_NECK of a boundary, nor the bumps of a rough surface, which
- * end within two edges of the ring. Cost: some 0.15 us a vertex, of noise up to 6 us:
- * 10 us for each whose angles exceed those in a plane by a radian.
+ * end within two edges of the ring. Cost: some 0.15 us a vertex, and 30 us for each
+ * whose angles exceed those in a plane by a radian: of noise up to 3 us a vertex.
  *
  * \param[in] among the vertices that are looked at, ascending; null: all
  * \return by their vertices, ascending */

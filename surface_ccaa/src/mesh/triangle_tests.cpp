@@ -84,10 +84,8 @@ segmentMeets(
 Signs
 sidesOf(const Corners& plane, const Corners& points)
 {
-  Signs sides;
-  for (std::size_t i = 0; i < 3; ++i)
-    sides[i] = sideOfPlane(plane[0], plane[1], plane[2], points[i]);
-  return sides;
+  const ExactPlane exact(plane[0], plane[1], plane[2]);
+  return {exact.sideOf(points[0]), exact.sideOf(points[1]), exact.sideOf(points[2])};
 }
 
 bool
@@ -118,6 +116,21 @@ separateTrianglesMeet(const Corners& s, const Corners& t)
     return false;
   const Signs of_s = sidesOf(t, s);
   return !isApart(of_s) && (anEdgeMeets(t, of_t, s) || anEdgeMeets(s, of_s, t));
+}
+
+/** \brief s and t begin with a common corner: nothing else of one that is on one side
+ * of the other's plane can meet the other. */
+bool
+farEdgesMeet(const Corners& s, const Corners& t)
+{
+  const ExactPlane of_t(t[0], t[1], t[2]);
+  const int s1 = of_t.sideOf(s[1]), s2 = of_t.sideOf(s[2]);
+  if (s1 * s2 > 0)
+    return false;
+  const ExactPlane of_s(s[0], s[1], s[2]);
+  const int t1 = of_s.sideOf(t[1]), t2 = of_s.sideOf(t[2]);
+  return t1 * t2 <= 0 &&
+         (segmentMeets(s[1], s[2], s1, s2, t) || segmentMeets(t[1], t[2], t1, t2, s));
 }
 
 /** \brief s and t begin with a common edge. */
@@ -159,9 +172,8 @@ isCollinear(const Corners& triangle)
 bool
 segmentMeetsTriangle(const Position& p, const Position& q, const Corners& triangle)
 {
-  const Corners& t = triangle;
-  return segmentMeets(
-      p, q, sideOfPlane(t[0], t[1], t[2], p), sideOfPlane(t[0], t[1], t[2], q), t);
+  const ExactPlane plane(triangle[0], triangle[1], triangle[2]);
+  return segmentMeets(p, q, plane.sideOf(p), plane.sideOf(q), triangle);
 }
 
 bool
@@ -172,7 +184,7 @@ trianglesMeet(const Corners& first, const Corners& second)
   case 0:
     return separateTrianglesMeet(s, t);
   case 1:
-    return segmentMeetsTriangle(s[1], s[2], t) || segmentMeetsTriangle(t[1], t[2], s);
+    return farEdgesMeet(s, t);
   case 2:
     return foldOnto(s, t);
   default:

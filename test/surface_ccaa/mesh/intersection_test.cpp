@@ -13,6 +13,17 @@ namespace {
 
 const Corners FLOOR = {Position(0, 0, 0), Position(4, 0, 0), Position(0, 4, 0)};
 
+/** Whole numbers from 0 to 3: many of them are coplanar, or alike. */
+Corners
+anyTriangle(RandomSource& random)
+{
+  Corners corners;
+  for (Position& corner : corners)
+    for (Eigen::Index k = 0; k < 3; ++k)
+      corner[k] = static_cast<double>(random.below(4));
+  return corners;
+}
+
 SelfIntersections
 find(const Shape& shape, int threads = 1)
 {
@@ -83,6 +94,23 @@ TEST(TrianglesMeet, AtACommonCornerOnlyWhenAFarEdgeMeetsTheOther)
   EXPECT_TRUE(trianglesMeet(FLOOR, {Position(0, 0, 0), {1, 2, 0}, {2, 1, 0}}));
 }
 
+TEST(TrianglesMeet, AtACommonCornerAsTheFarEdgesTell)
+{
+  RandomSource random(6);
+  for (int i = 0; i < 3000; ++i) {
+    const Corners s = anyTriangle(random);
+    Corners t = anyTriangle(random);
+    t[0] = s[0];
+    const bool another_common =
+        s[1] == t[1] || s[1] == t[2] || s[2] == t[1] || s[2] == t[2];
+    if (isCollinear(s) || isCollinear(t) || another_common)
+      continue;
+    EXPECT_EQ(trianglesMeet(s, t),
+              segmentMeetsTriangle(s[1], s[2], t) ||
+                  segmentMeetsTriangle(t[1], t[2], s));
+  }
+}
+
 TEST(TrianglesMeet, AtACommonEdgeOnlyWhenTheyFoldOntoEachOther)
 {
   const Position p = FLOOR[0], q = FLOOR[1];
@@ -99,13 +127,8 @@ TEST(TrianglesMeet, WithTheSameThreeCornersAlways)
 TEST(TrianglesMeet, DoesNotDependOnTheOrderOfTrianglesOrCorners)
 {
   RandomSource random(5);
-  const auto coordinate = [&] { return static_cast<double>(random.below(4)); };
   for (int i = 0; i < 3000; ++i) {
-    Corners s, t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      s[k] = {coordinate(), coordinate(), coordinate()};
-      t[k] = {coordinate(), coordinate(), coordinate()};
-    }
+    const Corners s = anyTriangle(random), t = anyTriangle(random);
     if (isCollinear(s) || isCollinear(t))
       continue;
     const bool meet = trianglesMeet(s, t);
