@@ -31,6 +31,7 @@ leaveCutsOpen(const pcl::PolygonMesh::ConstPtr& mesh,
   if (decisions->loops.empty())
     return nullptr;
   decisions->mesh = fingerprintOf(*mesh);
+  decisions->settles_doubts = false;
   return decisions;
 }
 

@@ -86,6 +86,12 @@ decidedLoops(const Decisions* decisions, bool join)
   return pairs;
 }
 
+bool
+areSettled(const Decisions* decisions)
+{
+  return decisions != nullptr && decisions->settles_doubts;
+}
+
 std::vector<RepairDoubt>
 weakJunctions(const RepairReport& report, const SurveyParameters& parameters)
 {
@@ -159,7 +165,7 @@ partedJunctions(const IncompleteModel& model,
 std::vector<RepairDoubt>
 newNecks(const RepairedModel& repaired, const SurveyParameters& parameters)
 {
-  if (parameters.decisions != nullptr)
+  if (areSettled(parameters.decisions.get()))
     return {};
   const IncompleteModel& model = repaired.model;
   const std::vector<pcl::index_t> near_new =

@@ -45,6 +45,11 @@ visitPieces(const IncompleteModel& model, const Points& points, const Visit& vis
 std::set<PointPair>
 decidedLoops(const Decisions* decisions, bool join);
 
+/** \brief Whether users have decided about what no junction tells. \param[in] decisions
+ * or null */
+bool
+areSettled(const Decisions* decisions);
+
 /** \brief Junctions that are joined on evidence that hardly decides, or only because
  * there is no better one, or that join an island to itself and do not carry a handle,
  * where the result has some: by their points, ascending. */

@@ -187,7 +187,7 @@ doubtfulPieces(const RepairedModel& repaired,
     return {};
   const std::vector<Piece> pieces = piecesOf(repaired, report);
   std::vector<RepairDoubt> doubts = touchingPieces(pieces, repaired.model);
-  if (parameters.decisions != nullptr)
+  if (areSettled(parameters.decisions.get()))
     return doubts;
   const std::vector<RepairDoubt> stray = strayPieces(pieces, repaired.model);
   doubts.insert(doubts.end(), stray.begin(), stray.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: tests of what a finished model leaves in doubt.
 
+#include "decision/cut_loops.h"
 #include "support/repair_fixture.h"
 #include "verification/junction_doubts.h"
 
@@ -112,8 +113,8 @@ TEST(Doubts, PiecesThatTouchedBeforeAreNone)
 }
 
 /** Two spheres that touch, without one triangle where a point is asked. */
-Repaired
-repairedNeck(const std::function<bool(const Position&)>& is_there)
+Shape
+neckLacking(const std::function<bool(const Position&)>& is_there)
 {
   const Shape shape = spheresJoinedByTube(0.1, 1);
   const auto at = std::find_if(
@@ -122,23 +123,55 @@ repairedNeck(const std::function<bool(const Position&)>& is_there)
           return is_there(shape.vertices[static_cast<std::size_t>(v)]);
         });
       });
-  return repaired(withoutTriangles(
-      shape, {static_cast<std::size_t>(at - shape.triangles.begin())}));
+  return withoutTriangles(shape,
+                          {static_cast<std::size_t>(at - shape.triangles.begin())});
+}
+
+Shape
+partOfNeck()
+{
+  return neckLacking(
+      [](const Position& p) { return std::hypot(p.x(), p.y(), p.z()) < 0.25; });
 }
 
 TEST(Doubts, AThinNeckThatIsPartlyNewIsOne)
 {
-  const Repaired result = repairedNeck(
-      [](const Position& p) { return std::hypot(p.x(), p.y(), p.z()) < 0.25; });
+  const Repaired result = repaired(partOfNeck());
   EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
   EXPECT_EQ(1U, countDoubts(result, DoubtReason::THIN_NECK));
 }
 
 TEST(Doubts, AThinNeckThatWasGivenIsNone)
 {
-  const Repaired result = repairedNeck([](const Position& p) { return p.x() > 1.8; });
+  const Repaired result =
+      repaired(neckLacking([](const Position& p) { return p.x() > 1.8; }));
   EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
   EXPECT_EQ(0U, countDoubts(result, DoubtReason::THIN_NECK));
+}
+
+TEST(Doubts, AThinNeckAboutWhichUsersDecideIsNone)
+{
+  const Repaired result = decided(partOfNeck(), proposed(partOfNeck()));
+  EXPECT_EQ(2, topologyOf(result.triangles()).characteristic);
+  EXPECT_EQ(0U, countDoubts(result, DoubtReason::THIN_NECK));
+}
+
+TEST(Doubts, AThinNeckInAPartThatWasCutOffIsOne)
+{
+  const Shape part =
+      lacking(partOfNeck(), [](const Position& p) { return p.x() > 1.5; });
+  const auto isUncut = [&](pcl::index_t from, pcl::index_t to) {
+    const auto x = [&](auto v) {
+      return part.vertices[static_cast<std::size_t>(v)].x();
+    };
+    return std::max(x(from), x(to)) < 1.0;
+  };
+  RepairParameters parameters;
+  parameters.survey.decisions =
+      leaveCutsOpen(pcl::make_shared<pcl::PolygonMesh>(toPolygonMesh(part)), isUncut);
+  const Repaired result = repaired(part, parameters);
+  EXPECT_EQ(1U, topologyOf(result.triangles()).borders);
+  EXPECT_EQ(1U, countDoubts(result, DoubtReason::THIN_NECK));
 }
 
 TEST(Doubts, OppositeHolesOfAThickBodyAreNone)

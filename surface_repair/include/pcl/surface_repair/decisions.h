@@ -81,6 +81,9 @@ struct Decisions {
   MeshFingerprint mesh;
   std::vector<LoopDecision> loops;
   std::vector<JunctionDecision> junctions;
+  /** Whether no doubt is told any more about thin necks, and about pieces that may
+   * belong together. false: the decisions are no answer to these. */
+  bool settles_doubts = true;
 };
 
 } // namespace pcl::repair
