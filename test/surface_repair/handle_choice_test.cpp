@@ -182,6 +182,35 @@ handlesWithStrip(std::size_t width, double odds)
   return bridgedTopology(survey, survey.joined).handles;
 }
 
+/** Bent so far, degrees, with log odds a little above these. */
+JunctionEvidence
+bentJunction(double bend, double odds)
+{
+  JunctionEvidence evidence;
+  evidence.turn = bend * M_PI / 180.0;
+  evidence.has_sight = true;
+  while (evidence.logOdds() > odds + 0.1)
+    evidence.seen_empty += 0.001;
+  EXPECT_GT(evidence.logOdds(), odds);
+  return evidence;
+}
+
+TEST(CarriesHandle, WhatIsStraightOrSure)
+{
+  EXPECT_TRUE(carriesHandle(bentJunction(115.0, 1.0)));
+  EXPECT_FALSE(carriesHandle(bentJunction(125.0, 3.4)));
+  EXPECT_TRUE(carriesHandle(bentJunction(125.0, 3.7)));
+  EXPECT_TRUE(carriesHandle(bentJunction(135.0, 3.7)));
+}
+
+TEST(CarriesHandle, SurelyWhereWhatIsFarBentIsSurer)
+{
+  EXPECT_FALSE(surelyCarriesHandle(bentJunction(125.0, 3.4)));
+  EXPECT_TRUE(surelyCarriesHandle(bentJunction(125.0, 3.7)));
+  EXPECT_FALSE(surelyCarriesHandle(bentJunction(135.0, 3.7)));
+  EXPECT_TRUE(surelyCarriesHandle(bentJunction(135.0, 4.4)));
+}
+
 TEST(HandleOverStrip, GoesWhereTwoBridgesCarryIt)
 {
   EXPECT_EQ(0, handlesWithStrip(2, 3.0));

@@ -30,6 +30,10 @@ bridgedTopology(const ModelSurvey& survey, const SurveyedBridges& joined);
 bool
 carriesHandle(const JunctionEvidence& evidence);
 
+/** \brief Whether it may without a doubt: a far bent one has to be surer. */
+bool
+surelyCarriesHandle(const JunctionEvidence& evidence);
+
 /** \brief Give up bridges that make a handle, those of narrow strips and then of the
  * most bent junction first, until none is left that evidence does not carry: at a true
  * handle that was cut through the surfaces go on straight. A handle that lies in one

@@ -21,9 +21,10 @@ namespace pcl::repair {
  *
  * LONG_GAP: a junction is joined although its log odds are low, since the mouth of a
  * tube has no other partner (joinLoneStumps()), or are at most 0.2 above what joins; or
- * it joins an island to itself and carries no handle (carriesHandle()), and the result
- * has some. None where the user wants the two joined. Or a crumb lies farther from the
- * rim of the patch that took it in than 0.3 of its length.
+ * it joins an island to itself and does not surely carry a handle
+ * (surelyCarriesHandle()), and the result has some. None where the user wants the two
+ * joined. Or a crumb lies farther from the rim of the patch that took it in than 0.3 of
+ * its length.
  *
  * PARTED: a junction is joined by its evidence, but its two boundaries are in different
  * pieces. None where the user decides about junctions, or limits bridges.

@@ -41,7 +41,7 @@ mayBeFalseHandle(const RepairJunction& junction, const RepairReport& report)
 {
   return report.after.genus.value_or(0) > 0 &&
          junction.islands[0] == junction.islands[1] &&
-         !carriesHandle(junction.evidence);
+         !surelyCarriesHandle(junction.evidence);
 }
 
 /** Of new triangles, and so many edges around these, ascending. */
