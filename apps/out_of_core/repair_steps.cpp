@@ -238,10 +238,12 @@ numberRepairs(const TilePlan& plan)
   for (const pcl::ccaa::TilePieces& pieces : readAllSums(plan))
     for (const pcl::ccaa::SideSums& sums : pieces.sums)
       area += sums.area / 2.0;
-  const double most = settingsOf(plan).method.greatest_unsupported;
+  const pcl::repair::RepairParameters method = settingsOf(plan).method;
+  const double most = method.greatest_unsupported;
   const bool is_closed =
       std::int64_t(readSides(plan).open_edges) + numbers.sum.open_edges == 0;
-  if (is_closed && most < 1.0 && numbers.sum.area > most * (area + numbers.sum.area))
+  if (is_closed && !method.closesAll() && most < 1.0 &&
+      numbers.sum.area > most * (area + numbers.sum.area))
     ++numbers.facts.doubts[std::size_t(pcl::DoubtReason::UNSUPPORTED)].count;
   writeNumbers(plan, numbers);
 }

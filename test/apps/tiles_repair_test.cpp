@@ -57,6 +57,21 @@ TEST_F(TiledApp, RepairClosesHolesWithinTilesAndAcrossCuts)
   EXPECT_EQ(0, report().at("open_edges"));
 }
 
+TEST_F(TiledApp, RepairTellsThatMuchIsNewUnlessAllIsToBeClosed)
+{
+  save(folder_.path("in.ply"),
+       test::toRawCloud(
+           withHoles(test::bumpySphere(4000), {Position(0.0, 0.0, 1.0)}, 1.2)));
+  const RunResult told = tiled({"in.ply"}, "out.ply", {"--tiles=5000", "--repair"});
+  EXPECT_EQ(2, told.exit_code);
+  EXPECT_NE(std::string::npos, told.output.find("1 UNSUPPORTED")) << told.output;
+  const RunResult asked = tiled(
+      {"in.ply"}, "out.ply", {"--tiles=5000", "--repair", "--watertight", "--force"});
+  EXPECT_EQ(0, asked.exit_code) << asked.errors;
+  EXPECT_NE(std::string::npos, asked.output.find("complete: watertight, 1 piece\n"))
+      << asked.output;
+}
+
 TEST_F(TiledApp, RepairKeepsAllPointsAndAppendsNewOnesWithTheirFields)
 {
   pcl::PCLPointCloud2 cloud = colouredCloud(8000);

@@ -32,12 +32,6 @@ closingStage(int pass)
                          std::to_string(MOST_PASSES);
 }
 
-bool
-closesAll(const RepairParameters& parameters)
-{
-  return parameters.watertight || parameters.filling.close == CloseChoice::ALL;
-}
-
 /** Nothing is left that another look could find. */
 bool
 allIsClosed(const HoleList& list, const ClosedHoles& closed)
@@ -147,7 +141,7 @@ roundsFor(const RepairParameters& wanted, double diagonal)
   first.survey.trace_between_islands = wanted.join_islands;
   for (Extent* limit : {&first.filling.greatest_length, &first.survey.greatest_bridge})
     *limit = Extent(limit->length(diagonal));
-  if (!closesAll(wanted))
+  if (!wanted.closesAll())
     return {first};
   first.filling.close = CloseChoice::HOLES;
   RepairParameters second = first;

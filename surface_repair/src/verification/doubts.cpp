@@ -116,8 +116,6 @@ doubtsAbout(const RepairedModel& repaired,
                            newNecks(repaired, parameters.survey)})
     doubts.insert(doubts.end(), more.begin(), more.end());
   const double share = unsupported / areaOf(repaired.model);
-  const bool is_asked_for =
-      parameters.watertight || parameters.filling.close == CloseChoice::ALL;
   const auto is_body = [&] {
     return report.after.boundary_loops == 0 ||
            isSeenFromAllSides(facingOf(repaired.model, repaired.input_triangles));
@@ -126,7 +124,7 @@ doubtsAbout(const RepairedModel& repaired,
       parameters.greatest_unsupported >= 1.0 || report.after.genus.value_or(0) <= 0
           ? parameters.greatest_unsupported
           : LIMIT_WITH_HANDLES * parameters.greatest_unsupported;
-  if (share > limit && !is_asked_for && is_body())
+  if (share > limit && !parameters.closesAll() && is_body())
     doubts.push_back({DoubtReason::UNSUPPORTED, {-1, -1}, share});
   return doubts;
 }

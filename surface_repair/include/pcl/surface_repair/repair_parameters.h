@@ -339,6 +339,13 @@ struct RepairParameters {
   bool relax = true;
   RefinementParameters refinement;
   RelaxationParameters relaxation; /**< its trust is that of the field */
+
+  /** \brief Whether all boundaries are to be closed. */
+  bool
+  closesAll() const
+  {
+    return watertight || filling.close == CloseChoice::ALL;
+  }
 };
 
 } // namespace repair
