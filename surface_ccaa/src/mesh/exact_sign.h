@@ -15,9 +15,9 @@ public:
    * clockwise, 0 when the four are coplanar.
    *
    * Exact for all finite doubles: a floating-point filter answers when rounding cannot
-   * have changed the sign (some 5 ns), integers of sufficient length otherwise: some
-   * 0.1 us for coordinates that are multiples of 2^n below 2^(n + 40), as nearly all
-   * floats of a cloud are, 1 us for up to 80 bits. */
+   * have changed the sign (some 10 ns with the plane), integers of sufficient length
+   * otherwise: some 0.1 us for coordinates that are multiples of 2^n below 2^(n + 40),
+   * as nearly all floats of a cloud are, 1 us for up to 80 bits. */
   int
   sideOf(const Position& p) const;
 
