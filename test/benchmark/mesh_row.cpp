@@ -5,6 +5,8 @@
 #include <pcl/io/ply_io.h>
 #include <pcl/conversions.h>
 
+#include "mesh/turn_between.h"
+
 #include <stdexcept>
 
 namespace bench {
@@ -12,7 +14,7 @@ namespace bench {
 MeshRow::MeshRow(const pcl::ccaa::Position& view,
                  const pcl::ccaa::Positions& positions,
                  const pcl::ccaa::Triangles& triangles)
-: turn_(Eigen::Quaterniond::FromTwoVectors(view, pcl::ccaa::Position::UnitZ()))
+: turn_(pcl::ccaa::turnBetween(view, pcl::ccaa::Position::UnitZ()))
 {
   for (const pcl::ccaa::Position& position : positions)
     box_.extend(turn_ * position);

@@ -128,6 +128,13 @@ TEST_F(HandleChoice, OfCrossedPairsOneGoesHoweverLikelyTheJunctionIs)
   EXPECT_EQ(4U, survey_.joined.bridges.size());
 }
 
+void
+lowerOdds(double most, JunctionEvidence& evidence)
+{
+  while (evidence.logOdds() > most)
+    evidence.seen_empty += 0.001;
+}
+
 /** Handles of a sphere in three slices, of which the outer ones are connected by a
  * strip of so many bridges through the body, whose junction has at most such log odds,
  * after those that nothing supports are given up. */
@@ -165,8 +172,7 @@ handlesWithStrip(std::size_t width, double odds)
   Junction junction = survey.joined.junctions.front();
   junction.curves = {std::min(upper[0].curve, lower[0].curve),
                      std::max(upper[0].curve, lower[0].curve)};
-  while (junction.evidence.logOdds() > odds)
-    junction.evidence.seen_empty += 0.01;
+  lowerOdds(odds, junction.evidence);
   survey.joined.junctions.push_back(junction);
   for (std::size_t i = 0; i < width; ++i) {
     Bridge bridge = bridges.front();
@@ -189,8 +195,7 @@ bentJunction(double bend, double odds)
   JunctionEvidence evidence;
   evidence.turn = bend * M_PI / 180.0;
   evidence.has_sight = true;
-  while (evidence.logOdds() > odds + 0.1)
-    evidence.seen_empty += 0.001;
+  lowerOdds(odds + 0.1, evidence);
   EXPECT_GT(evidence.logOdds(), odds);
   return evidence;
 }

@@ -156,9 +156,11 @@ closeBetween(const std::vector<pcl::index_t>& open,
              PartialSurface& surface,
              RunControl* control)
 {
+  if (open.empty())
+    return false;
   std::vector<pcl::index_t> vertices;
   OpenSurface gap = surface.openAt(open, {}, vertices, control);
-  if (open.empty() || isCancelled(control))
+  if (isCancelled(control))
     return false;
   completeSpacings(gap);
   GrowingSurface growing(gap);

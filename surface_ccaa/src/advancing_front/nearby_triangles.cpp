@@ -149,9 +149,8 @@ NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& watched,
         const auto other = static_cast<std::size_t>(met);
         const pcl::index_t triangle = chosen_[other];
         const bool is_asked = isAsked(triangle); // then the first of both asks
-        if (is_asked ? other <= place : !isAlive(triangle))
-          return;
-        if (!trianglesMeet(corners, cornersAt(other)))
+        if ((is_asked ? other <= place : !isAlive(triangle)) ||
+            !trianglesMeet(corners, cornersAt(other)))
           return;
         found[block].push_back(chosen_[place]);
         if (is_asked)

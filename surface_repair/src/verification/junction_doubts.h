@@ -51,8 +51,8 @@ bool
 areSettled(const Decisions* decisions);
 
 /** \brief Junctions that are joined on evidence that hardly decides, or only because
- * there is no better one, or that join an island to itself and do not carry a handle,
- * where the result has some: by their points, ascending. */
+ * there is no better one, or that join an island to itself and do not surely carry a
+ * handle, where the result has some: by their points, ascending. */
 std::vector<RepairDoubt>
 weakJunctions(const RepairReport& report, const SurveyParameters& parameters);
 
@@ -62,7 +62,8 @@ std::vector<RepairDoubt>
 unjoinedMouths(const RepairReport& report, const SurveyParameters& parameters);
 
 /** \brief Junctions that are joined by what they are, but not in the model: by their
- * points, ascending. \param[in] model as it is written */
+ * points, ascending. None where anything is decided, if only where a part was cut off:
+ * its pieces may hang together outside it. \param[in] model as it is written */
 std::vector<RepairDoubt>
 partedJunctions(const IncompleteModel& model,
                 const RepairReport& report,
