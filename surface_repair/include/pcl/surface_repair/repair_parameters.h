@@ -316,8 +316,7 @@ struct RelaxationParameters {
 struct RepairParameters {
   SurveyParameters survey; /**< sides, classes, field, lines, bridges */
   FillingParameters filling;
-  /** \brief false: only holes are closed. Set it false where each island is an object.
-   */
+  /** \brief false: only holes are closed. Set it false where islands are objects. */
   bool join_islands = true;
   /** \brief Discs of fewer triangles wait until the other islands are joined, and are
    * laid into the patches that cover them. Not where islands are not to be joined, nor
@@ -329,8 +328,7 @@ struct RepairParameters {
   bool watertight = false;
   /** \brief Share of the area, 0 to 1, above which new triangles that little supports
    * leave the topology in doubt (DoubtReason::UNSUPPORTED); of a surface with handles
-   * a quarter of it does. 1: never. Default 0.2. Set it lower where invented
-   * surface does harm. */
+   * a quarter of it does. 1: never. Default 0.2. Set it lower where inventions harm. */
   double greatest_unsupported = 0.2;
   /** \brief Make patches as dense as what is around. Set it false where few triangles
    * matter more than a smooth patch. */
