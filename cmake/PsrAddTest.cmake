@@ -50,6 +50,33 @@ function(psr_select_tests list)
   set(${list} ${selected} PARENT_SCOPE)
 endfunction()
 
+# psr_add_test_support(<files>): the library test_support, of these or the one there.
+function(psr_add_test_support sources)
+  set(scope PUBLIC)
+  if(psr_links_tests)
+    set(scope INTERFACE)
+    set(compiled "${PSR_TEST_OBJECTS}/lib/libtest_support.a")
+    add_library(test_support INTERFACE)
+    target_link_libraries(test_support INTERFACE "${compiled}")
+    set_property(GLOBAL APPEND PROPERTY PSR_TEST_PROGRAMS "${compiled}")
+  else()
+    add_library(test_support STATIC ${sources})
+    target_link_libraries(test_support PRIVATE psr_warnings)
+    set_target_properties(test_support PROPERTIES LINKER_LANGUAGE CXX)
+    psr_precompile_headers(test_support PUBLIC ${PSR_COMMON_HEADERS} <random>
+                           <gtest/gtest.h> <pcl/conversions.h>)
+    psr_compile_quickly(test_support 1)
+    psr_unite_folders(test_support)
+  endif()
+  target_include_directories(test_support ${scope} "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_compile_definitions(
+    test_support
+    ${scope} PSR_TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data"
+             PSR_SHARED_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
+  target_link_libraries(test_support ${scope} pcl_surface_internal pcl_io pcl_features
+                                              GTest::gtest)
+endfunction()
+
 # psr_add_compiled(<target> <files>): a test program, of these or of their objects there.
 function(psr_add_compiled target sources)
   if(NOT psr_links_tests)

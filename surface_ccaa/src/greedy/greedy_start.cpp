@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: the greedy start for the point types of PCL.
+#include <pcl/impl/instantiate.hpp>
 #include <pcl/surface_ccaa/impl/greedy_start.hpp>
+#include <pcl/point_types.h>
 
-#include "run/point_types.h"
-
-PCL_INSTANTIATE(GreedyStart, PSR_POINT_TYPES)
+PCL_INSTANTIATE(GreedyStart, PCL_XYZ_POINT_TYPES)

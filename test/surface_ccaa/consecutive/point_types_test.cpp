@@ -5,12 +5,12 @@
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 #include <pcl/surface_ccaa/greedy_start.h>
 #include <pcl/surface_ccaa/projection_completion.h>
+#include <pcl/point_types.h>
 
 #include <gtest/gtest.h>
 
 #include <boost/preprocessor/seq/enum.hpp>
 
-#include "run/point_types.h"
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 
@@ -61,7 +61,7 @@ triangulate()
 template <typename PointT>
 class PointTypes : public ::testing::Test {};
 
-using AllTypes = ::testing::Types<BOOST_PP_SEQ_ENUM(PSR_POINT_TYPES)>;
+using AllTypes = ::testing::Types<BOOST_PP_SEQ_ENUM(PCL_XYZ_POINT_TYPES)>;
 TYPED_TEST_SUITE(PointTypes, AllTypes, );
 
 TYPED_TEST(PointTypes, AreAllReconstructedAlike)
