@@ -105,7 +105,7 @@ addGreedyOptions(OptionGroup& options, ReconstructSettings& settings)
 {
   options.count("neighbors", settings.neighbors, 3, 64)(
       "neighbours looked at for each point, 3 to 64",
-      "higher where points lie in lines, as of the profiles of a scanner");
+      "higher where density changes within a few points");
   options.real("min-angle", settings.minimum_angle, 0, 60)(
       "smallest angle between two edges at a point, in degrees, 0 to 60",
       "lower where narrow triangles are better than holes");
@@ -114,7 +114,7 @@ addGreedyOptions(OptionGroup& options, ReconstructSettings& settings)
       "higher against slivers");
   options.real("max-length", settings.length_factor, 1, 1e6)(
       "longest edge as a multiple of the spacing around it, 1 or more",
-      "higher where scan lines lie far apart, lower where separate parts get joined");
+      "higher where thin regions stay open, lower where separate parts get joined");
   options.flag("plain", settings.plain)(
       "shortest edges first and --min-angle alone, without asking for each edge "
       "whether other points speak against it; faults and holes are more",

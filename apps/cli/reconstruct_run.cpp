@@ -245,6 +245,17 @@ cleanInput(const ReconstructSettings& settings,
   result.stages.emplace_back("cleaning", watch.lap());
 }
 
+/** Wires beside each other look the same. */
+void
+noteLines(ReconstructResult& result)
+{
+  if (result.start.line_gap > 0.0)
+    result.model.warnings.push_back(
+        "the points lie in lines, the next " +
+        formatted("%.1f", result.start.line_gap) +
+        " spacings away: these were taken for a scanner's, and joined");
+}
+
 void
 runReconstruction(const ReconstructSettings& settings,
                   const pcl::ccaa::ProgressCallback& progress,
@@ -262,6 +273,7 @@ runReconstruction(const ReconstructSettings& settings,
   const StageTimes stages = stageTimes(settings, result);
   result.stages.insert(result.stages.end(), stages.begin(), stages.end());
   noteViewpoint(settings.sides, result.sides, result.model.viewpoint);
+  noteLines(result);
 }
 
 void

@@ -139,6 +139,17 @@ TEST_F(RunVerdict, IsNotCompleteWhereMostPointsGetNoTriangle)
   EXPECT_NE(std::string::npos, lastLine(result.errors).find(" UNUSED_POINTS)"));
 }
 
+TEST_F(RunVerdict, TellsThatLinesWereJoined)
+{
+  const test::Shape lines{test::terrainLines(12, 60, 10.0), {}};
+  save(folder_.path("lines.ply"), test::toPolygonMesh(lines));
+  const RunResult result = run("pcl_ccaa_reconstruct lines.ply out.ply --report -");
+  EXPECT_EQ(0, result.exit_code);
+  EXPECT_GT(nlohmann::json::parse(result.output).at("line_gap"), 0.0);
+  EXPECT_NE(std::string::npos, result.errors.find("the points lie in lines"))
+      << result.errors;
+}
+
 TEST_F(RunVerdict, TellsANeckThatMayJoinTwoBodies)
 {
   save(folder_.path("two.ply"), spheresThatTouch(2000, 0.04));

@@ -154,6 +154,41 @@ terrainCloud(int columns, std::uint64_t seed)
 }
 
 Positions
+terrainLines(int lines, int points_a_line, double gap, std::uint64_t seed)
+{
+  RandomSource random(seed);
+  Positions points;
+  for (int line = 0; line < lines; ++line) {
+    const double begin = random.uniform();
+    for (int i = 0; i < points_a_line; ++i) {
+      const double x = begin + i, y = gap * line;
+      points.emplace_back(x, y, gap * std::sin(0.1 * x / gap) * std::cos(0.3 * line));
+    }
+  }
+  return points;
+}
+
+Positions
+sphereLines(std::size_t count, double gap)
+{
+  const double spacing = std::sqrt(4.0 * M_PI / (static_cast<double>(count) * gap));
+  Positions points;
+  const int lines = static_cast<int>(M_PI / (gap * spacing));
+  for (int line = 0; line < lines; ++line) {
+    const double polar = M_PI * (line + 0.5) / lines;
+    const int around =
+        std::max(3, static_cast<int>(2 * M_PI * std::sin(polar) / spacing));
+    for (int i = 0; i < around; ++i) {
+      const double azimuth = 2 * M_PI * (i + 0.37 * line) / around;
+      points.emplace_back(std::sin(polar) * std::cos(azimuth),
+                          std::sin(polar) * std::sin(azimuth),
+                          std::cos(polar));
+    }
+  }
+  return points;
+}
+
+Positions
 cylinderCloud(std::size_t count, std::uint64_t seed)
 {
   RandomSource random(seed);

@@ -47,6 +47,16 @@ thinPlateCloud(int columns, double thickness, std::uint64_t seed = 1);
 Positions
 terrainCloud(int columns, std::uint64_t seed = 1);
 
+/** \brief Rolling terrain taken along lines, as by a scanner: points 1 apart, lines
+ * `gap` apart, each beginning anywhere. */
+Positions
+terrainLines(int lines, int points_a_line, double gap, std::uint64_t seed = 1);
+
+/** \brief A sphere taken along circles of latitude, `gap` times as far apart as their
+ * points: about `count` of these. */
+Positions
+sphereLines(std::size_t count, double gap);
+
 /** \brief Jittered points on an open tube about z, radius 1, height 2. */
 Positions
 cylinderCloud(std::size_t count, std::uint64_t seed = 1);

@@ -4,6 +4,7 @@
 #include <pcl/surface_ccaa/impl/point_blocks.h>
 
 #include "greedy/greedy_triangulation.h"
+#include "greedy/scan_lines.h"
 #include "greedy/usable_points.h"
 #include "mesh/block_loop.h"
 #include "mesh/curve_order.h"
@@ -11,6 +12,7 @@
 #include "run/stage_clock.h"
 #include "search/tree_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -18,12 +20,15 @@
 namespace pcl::ccaa {
 namespace {
 
+/** Neighbors of a point: votes for them are the bits of a word. */
+constexpr unsigned int MOST_NEIGHBORS = 64;
+
 /** The name of the first parameter that is out of range, or null. */
 const char*
 outOfRange(const GreedyParameters& parameters)
 {
   const auto is_angle = [](double angle) { return angle >= 0 && angle <= M_PI / 3; };
-  if (parameters.neighbors < 3 || parameters.neighbors > 64)
+  if (parameters.neighbors < 3 || parameters.neighbors > MOST_NEIGHBORS)
     return "number of neighbors (3 to 64)";
   if (!is_angle(parameters.minimum_angle))
     return "minimum angle (0 to pi/3 radians)";
@@ -126,6 +131,38 @@ private:
   GreedyReport& report_;
 };
 
+/** Where points lie in lines and see little but their own, twice as many neighbors,
+ * until they see the next line; if they never do, as many as there are to be. The
+ * algorithm of the thesis does not ask.
+ * \return false when cancelled */
+bool
+searchAcrossLines(const CloudInput& input,
+                  const TreeSearch& search,
+                  const GreedyParameters& parameters,
+                  const LoopContext& context,
+                  GreedyReport& report,
+                  Neighborhoods& found,
+                  ScanLines& lines)
+{
+  const auto searchFor = [&](unsigned int neighbors) {
+    if (!NeighborhoodSearch(input, search, neighbors, context, report).find(found))
+      return false;
+    if (parameters.certificates)
+      lines = findScanLines(found.points, found.rows);
+    return true;
+  };
+  unsigned int neighbors = parameters.neighbors;
+  bool done = searchFor(neighbors);
+  while (done && lines.is_blind && neighbors < MOST_NEIGHBORS) {
+    neighbors = std::min(2 * neighbors, MOST_NEIGHBORS);
+    done = searchFor(neighbors);
+  }
+  if (done && lines.gap == 0.0 && neighbors > parameters.neighbors)
+    done = searchFor(parameters.neighbors);
+  report.line_gap = lines.gap;
+  return done;
+}
+
 } // namespace
 
 std::string
@@ -144,16 +181,16 @@ runGreedyStart(const CloudInput& input,
   const LoopContext context{resolveThreads(input.threads), &control, "neighbors"};
   const StageClock search_clock;
   Neighborhoods found;
+  ScanLines lines;
   const bool searched =
-      NeighborhoodSearch(input, search, parameters.neighbors, context, report)
-          .find(found);
+      searchAcrossLines(input, search, parameters, context, report, found, lines);
   report.search_seconds = search_clock.seconds();
   const StageClock clock;
   if (searched && report.points < 3)
     fault = std::to_string(report.points) + " usable points, at least 3 are needed";
   if (searched && fault.empty()) {
     const Triangles triangles = greedyTriangulation(
-        found.points, found.rows, parameters, context.threads, control, report);
+        found.points, found.rows, lines, parameters, context.threads, control, report);
     writePolygons(triangles,
                   found.points.point_indices,
                   LoopContext{context.threads, &control, "polygons"},

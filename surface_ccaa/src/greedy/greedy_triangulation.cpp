@@ -19,6 +19,10 @@
 namespace pcl::ccaa {
 namespace {
 
+/** Times the distance of the next line that an edge may be long where points lie in
+ * lines. */
+constexpr double NEXT_LINE = 1.5;
+
 /** What one task did; added up afterwards. */
 struct EdgeCounts {
   std::array<std::size_t, 5> by_verdict{};
@@ -57,12 +61,14 @@ class Run {
 public:
   Run(const RankedPoints& points,
       const NeighborRows& neighbors,
+      const ScanLines& lines,
       const GreedyParameters& parameters,
       int threads,
       RunControl& control)
   : points_(points)
   , neighbors_(neighbors)
   , parameters_(parameters)
+  , reach_in_lines_(std::max(parameters.length_factor, NEXT_LINE * lines.gap))
   , threads_(threads)
   , control_(control)
   , schedule_(points.size())
@@ -130,13 +136,33 @@ private:
   bool
   vote()
   {
-    const auto reach = static_cast<float>(parameters_.length_factor);
     return forEachBlock(points_.size(),
                         loop("edges", BlockSchedule::BLOCK),
                         [&](std::size_t, std::size_t first, std::size_t last) {
-                          certifyEdges(
-                              points_, neighbors_, reach, first, last, &votes_[first]);
+                          voteFor(first, last);
                         });
+  }
+
+  double
+  reachAt(std::size_t rank) const
+  {
+    return reach_in_lines_ > parameters_.length_factor &&
+                   isInLine(points_, neighbors_, static_cast<index_t>(rank))
+               ? reach_in_lines_
+               : parameters_.length_factor;
+  }
+
+  /** For ranks in a row whose edges may be equally long at a time. */
+  void
+  voteFor(std::size_t first, std::size_t last)
+  {
+    double reach = reachAt(first), next = reach;
+    for (std::size_t end = first; first < last; first = end, reach = next) {
+      while (++end < last && (next = reachAt(end)) == reach) {
+      }
+      certifyEdges(
+          points_, neighbors_, static_cast<float>(reach), first, end, &votes_[first]);
+    }
   }
 
   /** No edge has been added before, so an insertion touches only points that edges of
@@ -267,6 +293,7 @@ private:
   const RankedPoints& points_;
   const NeighborRows& neighbors_;
   const GreedyParameters& parameters_;
+  const double reach_in_lines_; /**< longest edge in local spacings */
   const int threads_;
   RunControl& control_;
   const BlockSchedule schedule_;
@@ -282,12 +309,13 @@ private:
 Triangles
 greedyTriangulation(const RankedPoints& points,
                     const NeighborRows& neighbors,
+                    const ScanLines& lines,
                     const GreedyParameters& parameters,
                     int threads,
                     RunControl& control,
                     GreedyReport& report)
 {
-  Run run(points, neighbors, parameters, threads, control);
+  Run run(points, neighbors, lines, parameters, threads, control);
   if (!run.execute())
     return {};
   const auto count = [&run](EdgeVerdict verdict) {

@@ -6,6 +6,7 @@
 #include <pcl/surface_ccaa/reconstruction_report.h>
 
 #include "greedy/ranked_points.h"
+#include "greedy/scan_lines.h"
 #include "mesh/triangle.h"
 #include "run/run_control.h"
 
@@ -29,6 +30,7 @@ namespace pcl::ccaa {
 Triangles
 greedyTriangulation(const RankedPoints& points,
                     const NeighborRows& neighbors,
+                    const ScanLines& lines,
                     const GreedyParameters& parameters,
                     int threads,
                     RunControl& control,

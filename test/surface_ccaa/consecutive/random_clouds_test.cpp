@@ -4,6 +4,7 @@
 
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
+#include "support/mesh_topology.h"
 #include "support/random_source.h"
 #include "support/repair_shapes.h"
 
@@ -87,6 +88,20 @@ TEST_P(ReconstructionOfRandomClouds, OfASelectionIsThatOfItsPoints)
 INSTANTIATE_TEST_SUITE_P(Seeds,
                          ReconstructionOfRandomClouds,
                          ::testing::Range<std::uint64_t>(1, 13));
+
+class ReconstructionOfScanLines : public ::testing::TestWithParam<double> {};
+
+TEST_P(ReconstructionOfScanLines, ClosesASphere)
+{
+  const Positions points = sphereLines(8000, GetParam());
+  const Triangles triangles = reconstructed(points);
+  EXPECT_EQ(countBoundaryEdges(triangles), 0u);
+  EXPECT_EQ(topologyOf(triangles).characteristic, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Gaps,
+                         ReconstructionOfScanLines,
+                         ::testing::Values(5.0, 7.0, 10.0, 15.0, 20.0));
 
 } // namespace
 } // namespace pcl::ccaa::test

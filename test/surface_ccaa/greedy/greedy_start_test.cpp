@@ -18,15 +18,6 @@
 namespace pcl::ccaa::test {
 namespace {
 
-std::size_t
-usedPoints(const Triangles& triangles)
-{
-  std::set<index_t> used;
-  for (const Triangle& t : triangles)
-    used.insert(t.begin(), t.end());
-  return used.size();
-}
-
 int
 mostTrianglesOnAnEdge(const Triangles& triangles)
 {

@@ -12,6 +12,7 @@
 #include "support/mesh_asserts.h"
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace pcl::ccaa::test {
@@ -19,6 +20,15 @@ namespace pcl::ccaa::test {
 using Start = GreedyStart<PointXYZ>;
 using Cloud = PointCloud<PointXYZ>;
 using Blocks = pcl::search::BlockSearch<PointXYZ>;
+
+inline std::size_t
+usedPoints(const Triangles& triangles)
+{
+  std::set<index_t> used;
+  for (const Triangle& t : triangles)
+    used.insert(t.begin(), t.end());
+  return used.size();
+}
 
 /** Errors are expected in many tests; their text is not under test. */
 class GreedyStartTest : public ::testing::Test {

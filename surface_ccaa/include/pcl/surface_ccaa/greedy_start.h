@@ -49,9 +49,8 @@ public:
   ~GreedyStart() override;
 
   /** \brief k: neighbors of a point between which edges are considered, 3 to 64.
-   * Default
-   * 16. More find some more triangles on uneven samplings, at a price that grows faster
-   * than k. */
+   * Default 16. More find some more triangles on uneven samplings, at a price that
+   * grows faster than k. Doubled where points in lines hardly see the next line. */
   void
   setNumberOfNeighbors(unsigned int neighbors)
   {
@@ -93,8 +92,7 @@ public:
 
   /** \brief Longest edge as a multiple of the local spacing, the root mean square
    * distance to the six nearest neighbors; the limit of either end counts. At least 1,
-   * default 3.
-   */
+   * default 3. More for points in lines (see GreedyReport::line_gap). */
   void
   setLengthFactor(double factor)
   {

@@ -8,8 +8,10 @@ namespace pcl::ccaa {
 
 /** \brief Settings of the greedy start; the defaults need no knowledge of the cloud. */
 struct GreedyParameters {
-  /** \brief k: neighbors of a point between which edges are considered, 3 to 64. Set it
-   * higher where points lie in lines, as of the profiles of a scanner. */
+  /** \brief k: neighbors of a point between which edges are considered, 3 to 64. Where
+   * points lie in lines, as of the profiles of a scanner, and hardly see the next line,
+   * it is doubled until they do. Set it higher where density changes within a few
+   * points. */
   unsigned int neighbors = 16;
   /** \brief A_T of thesis 3.3 in radians, 0 to pi/3. Default 11 degrees. Holds for
    * every edge that has no certificate (see edge_certificate.h). Set it lower where
@@ -21,12 +23,14 @@ struct GreedyParameters {
    * of the thesis on all edges. */
   double certified_minimum_angle = 0.017453292519943295;
   /** \brief Longest edge as a multiple of the local spacing, the root mean square
-   * distance to the six nearest neighbors of either end. At least 1; default 3. Set it
-   * higher where scan lines lie far apart, lower where separate parts get joined. */
+   * distance to the six nearest neighbors of either end. At least 1; default 3. For
+   * points in lines it is at least one and a half times the usual distance of the next
+   * line. Set it higher where thin regions stay open, lower where separate parts get
+   * joined. */
   double length_factor = 3.0;
   /** \brief Let certified edges go first. With false all candidate edges compete by
-   * length and A_T alone: the plain algorithm of thesis 3.3. Set it false to compare
-   * with that. */
+   * length and A_T alone: the plain algorithm of thesis 3.3, which does not look for
+   * lines either. Set it false to compare with that. */
   bool certificates = true;
   /** \brief After the certified edges, try the other candidates between points whose
    * umbrella is still open. Set it false to hand on what is certain only. */

@@ -37,6 +37,8 @@ struct GreedyReport {
   std::size_t skipped_points =
       0; /**< selected points with a NaN or infinite coordinate */
   std::size_t duplicate_points = 0; /**< further points at a place that is taken */
+  double line_gap = 0; /**< where points lie in lines: how far the next line is, in
+                            spacings along it; else 0 */
   std::size_t candidate_edges = 0;  /**< edges examined, over both passes */
   std::size_t joined_edges = 0;     /**< edges accepted */
   std::size_t refused_overfull = 0; /**< rule 1: an edge would get a third triangle */
