@@ -63,8 +63,15 @@ lineAt(const RankedPoints& points, const NeighborRows& neighbors, index_t rank)
     mean += offset / (IN_LINE + 1.0);
     products += offset * offset.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      products - (IN_LINE + 1.0) * mean * mean.transpose());
+  products -= (IN_LINE + 1.0) * mean * mean.transpose();
+  // The sum of the variances and that of their products in pairs tell without any
+  // roots of nearly all points of a surface that they are in no line.
+  const double sum = products.trace();
+  const double pairs = 0.5 * (sum * sum - products.squaredNorm());
+  constexpr double line_sum = 1.0 + 2.0 * FLATTEST;
+  if (pairs * line_sum * line_sum > FLATTEST * (2.0 + FLATTEST) * sum * sum)
+    return std::nullopt;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(products);
   const auto& variances = solver.eigenvalues();
   if (variances[1] > FLATTEST * variances[2])
     return std::nullopt;
