@@ -2,13 +2,12 @@
 // Part of PclSurfaceRepair: cuts clouds of any size into tiles.
 #include "out_of_core/partition.h"
 
-#include <pcl/surface_ccaa/impl/point_blocks.h>
-
 #include "cli/run_facts.h"
 #include "io/point_columns.h"
 #include "mesh/box_tree.h"
 #include "mesh/morton_code.h"
 #include "out_of_core/point_sharing.h"
+#include "out_of_core/point_spacing.h"
 #include "out_of_core/point_stream.h"
 #include "out_of_core/tile_points.h"
 
@@ -24,8 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using pcl::ccaa::Position;
 
-/** The spacing of a tile: mean distance to so many nearest points, at this quantile. */
-constexpr unsigned int NEAREST = 6;
+/** The spacing of a tile: that of its points, at this quantile. */
 constexpr double QUANTILE = 0.9;
 /** Bits of a whole number that floats hold exactly, beside its sign. */
 constexpr int EXACT_BITS = 24;
@@ -241,7 +239,7 @@ private:
   measureHalos(const std::vector<char>& records, pcl::ccaa::Tile& tile) const
   {
     using pcl::ccaa::Tile;
-    const std::vector<float> spacings = spacingsOf(records, tile);
+    const std::vector<float> spacings = spacingsIn(records, tile);
     std::vector<float> order;
     std::copy_if(spacings.begin(),
                  spacings.end(),
@@ -264,27 +262,15 @@ private:
     return sparse;
   }
 
-  /** Mean distances to the nearest points of the tile; 0 where there are too few. */
   std::vector<float>
-  spacingsOf(const std::vector<char>& records, const pcl::ccaa::Tile& tile) const
+  spacingsIn(const std::vector<char>& records, const pcl::ccaa::Tile& tile) const
   {
-    std::vector<float> spacings(tile.count, 0.0F);
-    if (tile.count <= NEAREST)
-      return spacings;
     std::vector<Eigen::Vector3f> points;
     points.reserve(tile.count);
     for (std::size_t i = 0; i < tile.count; ++i)
       points.push_back(
           (positionAt(records, i * step()) - tile.box.center()).cast<float>());
-    pcl::ccaa::PointBlocks blocks;
-    blocks.build({points.front().data(), 3, points.size()}, 1);
-    const auto table =
-        blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, 1);
-    for (std::size_t rank = 0; rank < blocks.size(); ++rank)
-      for (unsigned int i = 0; i < NEAREST; ++i)
-        spacings[static_cast<std::size_t>(blocks.order()[rank])] +=
-            std::sqrt(table->sqrDistances(rank)[i]) / float(NEAREST);
-    return spacings;
+    return spacingsOf(points);
   }
 
   /** The first point of each tile, and a lattice on which doubles are exact floats. */

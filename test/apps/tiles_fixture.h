@@ -81,6 +81,14 @@ protected:
   }
 
   /** The same into a folder of tiles that stays. */
+  template <typename Cloud>
+  RunResult
+  tiledOf(const Cloud& cloud, const std::vector<std::string>& options = {})
+  {
+    save(folder_.path("in.ply"), cloud);
+    return tiled({"in.ply"}, "out.ply", options);
+  }
+
   RunResult
   intoFolder(const std::vector<std::string>& inputs,
              const std::string& tiles,

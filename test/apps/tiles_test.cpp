@@ -63,8 +63,7 @@ TEST_F(TiledApp, LongTrianglesBesideCutsLeaveTheMeshSound)
   for (const std::uint64_t seed : {1U, 2U}) {
     SCOPED_TRACE(seed);
     const auto points = sheetWithSparseStripes(20000, seed);
-    save(folder_.path("in.ply"), test::toRawCloud(points));
-    ASSERT_TRUE(hasMeshed(tiled({"in.ply"}, "out.ply", {"--tiles=5000"})));
+    ASSERT_TRUE(hasMeshed(tiledOf(test::toRawCloud(points), {"--tiles=5000"})));
     expectSound(loadMesh(folder_.path("out.ply")).mesh);
   }
 }
@@ -258,17 +257,16 @@ TEST_F(TiledApp, EveryFileFormatMakesTheSameMesh)
 
 TEST_F(TiledApp, MapCoordinatesStayExactDoubles)
 {
-  const auto points = test::onGrid(test::bumpySphere(6000, 7));
-  const pcl::PCLPointCloud2 cloud =
-      test::toDoubleCloud(test::shifted(points, test::MAP_PLACE));
-  save(folder_.path("in.ply"), cloud);
-  ASSERT_TRUE(hasMeshed(tiled({"in.ply"}, "out.ply")));
+  const auto points =
+      test::shifted(test::onGrid(test::bumpySphere(6000, 7)), test::MAP_PLACE);
+  const pcl::PCLPointCloud2 cloud = test::toDoubleCloud(points);
+  ASSERT_TRUE(hasMeshed(tiledOf(cloud)));
   const pcl::PolygonMesh mesh = loadMesh(folder_.path("out.ply")).mesh;
   for (const char* axis : {"x", "y", "z"})
     expectSameField(cloud, mesh.cloud, axis);
-  auto there = positionsOf(mesh.cloud);
   pcl::PolygonMesh near = mesh;
-  near.cloud = test::toRawCloud(test::shifted(there, -test::MAP_PLACE));
+  near.cloud =
+      test::toRawCloud(test::shifted(positionsOf(mesh.cloud), -test::MAP_PLACE));
   expectOneClosedBody(near);
 }
 
@@ -318,18 +316,23 @@ TEST_F(TiledApp, ViewpointsOfFilesTellTheOuterSideAcrossTiles)
   }
 }
 
+TEST_F(TiledApp, LinesOfAScannerAreJoinedAcrossCuts)
+{
+  const RunResult result =
+      tiledOf(test::toRawCloud(test::sphereLines(8000, 10.0)), {"--tiles=8000"});
+  EXPECT_NE(std::string::npos, result.output.find(" 0 open edges")) << result.output;
+}
+
 TEST_F(TiledApp, ACloudOfWhichMostPointsGetNoTriangleIsTold)
 {
-  save(folder_.path("in.ply"), helix());
-  const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=2000"});
+  const RunResult result = tiledOf(helix(), {"--tiles=2000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" UNUSED_POINTS)")) << result.output;
 }
 
 TEST_F(TiledApp, ANeckThatMayJoinTwoBodiesIsTold)
 {
-  save(folder_.path("in.ply"), spheresThatTouch(2000, 0.04));
-  const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=100000"});
+  const RunResult result = tiledOf(spheresThatTouch(2000, 0.04), {"--tiles=100000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" THIN_NECK)")) << result.output;
   EXPECT_NE(std::string::npos, result.errors.find(" (one is at ")) << result.errors;
@@ -337,8 +340,8 @@ TEST_F(TiledApp, ANeckThatMayJoinTwoBodiesIsTold)
 
 TEST_F(TiledApp, HandlesThatMayBeTunnelsThroughThinPlacesAreTold)
 {
-  save(folder_.path("in.ply"), test::toRawCloud(test::thinPlateCloud(30, 0.02)));
-  const RunResult result = tiled({"in.ply"}, "out.ply", {"--tiles=2000"});
+  const RunResult result =
+      tiledOf(test::toRawCloud(test::thinPlateCloud(30, 0.02)), {"--tiles=2000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" THIN_HANDLE)")) << result.output;
   EXPECT_NE(std::string::npos, result.errors.find("(one is at ")) << result.errors;

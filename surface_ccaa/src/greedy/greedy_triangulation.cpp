@@ -19,10 +19,6 @@
 namespace pcl::ccaa {
 namespace {
 
-/** Times the distance of the next line that an edge may be long where points lie in
- * lines. */
-constexpr double NEXT_LINE = 1.5;
-
 /** What one task did; added up afterwards. */
 struct EdgeCounts {
   std::array<std::size_t, 5> by_verdict{};
@@ -68,7 +64,7 @@ public:
   : points_(points)
   , neighbors_(neighbors)
   , parameters_(parameters)
-  , reach_in_lines_(std::max(parameters.length_factor, NEXT_LINE * lines.gap))
+  , reach_in_lines_(reachInLines(lines, parameters.length_factor))
   , threads_(threads)
   , control_(control)
   , schedule_(points.size())

@@ -39,6 +39,12 @@ constexpr double LEAST_BETWEEN = 0.6;
 constexpr double OFF_LINE = 0.25;
 constexpr std::size_t ASKED = 1000;
 
+/** The neighbors of a point, nearest first. */
+struct Row {
+  const index_t* ranks;
+  unsigned int count;
+};
+
 Offset
 offsetTo(const RankedPoints& points, index_t from, index_t to)
 {
@@ -52,14 +58,14 @@ offsetTo(const RankedPoints& points, index_t from, index_t to)
 
 /** The direction of the line that a point and those around it lie in, if they do. */
 std::optional<Offset>
-lineAt(const RankedPoints& points, const NeighborRows& neighbors, index_t rank)
+lineAt(const RankedPoints& points, index_t rank, const Row& row)
 {
-  if (neighbors.count(rank) < IN_LINE)
+  if (row.count < IN_LINE)
     return std::nullopt;
   Offset mean = Offset::Zero();
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   for (unsigned int j = 0; j < IN_LINE; ++j) {
-    const Offset offset = offsetTo(points, rank, neighbors.row(rank)[j]);
+    const Offset offset = offsetTo(points, rank, row.ranks[j]);
     mean += offset / (IN_LINE + 1.0);
     products += offset * offset.transpose();
   }
@@ -86,16 +92,13 @@ struct Beside {
 };
 
 Beside
-lookBeside(const RankedPoints& points,
-           const NeighborRows& neighbors,
-           index_t rank,
-           const Offset& line)
+lookBeside(const RankedPoints& points, index_t rank, const Row& row, const Offset& line)
 {
   double sum = 0.0;
   Beside beside;
   Offset first = Offset::Zero();
-  for (unsigned int j = 0; j < neighbors.count(rank); ++j) {
-    const Offset offset = offsetTo(points, rank, neighbors.row(rank)[j]);
+  for (unsigned int j = 0; j < row.count; ++j) {
+    const Offset offset = offsetTo(points, rank, row.ranks[j]);
     const Offset across = offset - offset.dot(line) * line;
     if (j < NEAREST)
       sum += offset.squaredNorm();
@@ -110,30 +113,47 @@ lookBeside(const RankedPoints& points,
   return beside;
 }
 
+/** Times the distance of the next line that an edge may be long where points lie in
+ * lines. */
+constexpr double NEXT_LINE = 1.5;
+
 } // namespace
 
 bool
 isInLine(const RankedPoints& points, const NeighborRows& neighbors, index_t rank)
 {
-  return lineAt(points, neighbors, rank).has_value();
+  return lineAt(points, rank, {neighbors.row(rank), neighbors.count(rank)}).has_value();
 }
 
 ScanLines
 findScanLines(const RankedPoints& points, const NeighborRows& neighbors)
 {
+  return findScanLines(points, [&](index_t rank) {
+    const index_t* const row = neighbors.row(rank);
+    return std::vector<index_t>(row, row + neighbors.count(rank));
+  });
+}
+
+ScanLines
+findScanLines(const RankedPoints& points,
+              const std::function<std::vector<index_t>(index_t)>& neighborsOf)
+{
   const std::size_t step = std::max<std::size_t>(1, points.size() / ASKED);
   std::size_t asked = 0, in_lines = 0, blind = 0, between = 0;
   std::vector<double> gaps;
-  for (std::size_t r = 0; r < points.size(); r += step, ++asked)
-    if (const auto line = lineAt(points, neighbors, static_cast<index_t>(r))) {
-      const Beside beside =
-          lookBeside(points, neighbors, static_cast<index_t>(r), *line);
+  for (std::size_t r = 0; r < points.size(); r += step, ++asked) {
+    const auto rank = static_cast<index_t>(r);
+    const std::vector<index_t> near = neighborsOf(rank);
+    const Row row{near.data(), static_cast<unsigned int>(near.size())};
+    if (const auto line = lineAt(points, rank, row)) {
+      const Beside beside = lookBeside(points, rank, row, *line);
       ++in_lines;
       blind += beside.count < LEAST_BESIDE;
       between += beside.on_both_sides;
       if (beside.count > 0)
         gaps.push_back(beside.gap);
     }
+  }
   const auto is_share = [](std::size_t part, double share, std::size_t whole) {
     return static_cast<double>(part) > share * static_cast<double>(whole);
   };
@@ -144,6 +164,12 @@ findScanLines(const RankedPoints& points, const NeighborRows& neighbors)
   if (is_share(between, LEAST_BETWEEN, in_lines))
     lines.gap = medianOf(std::move(gaps));
   return lines;
+}
+
+double
+reachInLines(const ScanLines& lines, double length_factor)
+{
+  return std::max(length_factor, NEXT_LINE * lines.gap);
 }
 
 } // namespace pcl::ccaa

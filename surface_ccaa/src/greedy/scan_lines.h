@@ -4,6 +4,9 @@
 
 #include "greedy/ranked_points.h"
 
+#include <functional>
+#include <vector>
+
 namespace pcl::ccaa {
 
 /** \brief How far apart the lines lie that the points of a cloud were taken in. */
@@ -24,5 +27,16 @@ isInLine(const RankedPoints& points, const NeighborRows& neighbors, index_t rank
 /** \brief Ask a thousand points, evenly spread over the ranks. */
 ScanLines
 findScanLines(const RankedPoints& points, const NeighborRows& neighbors);
+
+/** \brief The same where neighbors, nearest first, are searched for those alone that
+ * are asked. */
+ScanLines
+findScanLines(const RankedPoints& points,
+              const std::function<std::vector<index_t>(index_t)>& neighborsOf);
+
+/** \brief Longest edge of a point in a line, in local spacings; no less than the
+ * factor that holds for others. */
+double
+reachInLines(const ScanLines& lines, double length_factor);
 
 } // namespace pcl::ccaa

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: how far apart the points of a tile lie.
+#include "out_of_core/point_spacing.h"
+
+#include <pcl/surface_ccaa/impl/point_blocks.h>
+#include <pcl/surface_ccaa/reconstruction_parameters.h>
+
+#include "greedy/scan_lines.h"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+constexpr unsigned int NEAREST = 6;
+/** Neighbors asked for lines: as many as a start can look at. */
+constexpr unsigned int IN_LINES = 64;
+
+/** Times that edges may be longer where points lie in lines, else 1. */
+double
+widening(const pcl::ccaa::PointBlocks& blocks, std::size_t count)
+{
+  pcl::ccaa::RankedPoints points;
+  std::vector<pcl::index_t> rank_of(count);
+  for (std::size_t rank = 0; rank < blocks.size(); ++rank) {
+    points.coordinates.push_back(blocks.point(rank));
+    rank_of[static_cast<std::size_t>(blocks.order()[rank])] =
+        static_cast<pcl::index_t>(rank);
+  }
+  const auto neighborsOf = [&](pcl::index_t rank) {
+    std::vector<pcl::index_t> near;
+    for (const pcl::ccaa::Neighbor& one : blocks.nearest(
+             points.coordinates[static_cast<std::size_t>(rank)], IN_LINES + 1))
+      if (const pcl::index_t other = rank_of[static_cast<std::size_t>(one.point_index)];
+          other != rank)
+        near.push_back(other);
+    return near;
+  };
+  const double usual = pcl::ccaa::GreedyParameters().length_factor;
+  return pcl::ccaa::reachInLines(pcl::ccaa::findScanLines(points, neighborsOf), usual) /
+         usual;
+}
+
+} // namespace
+
+std::vector<float>
+spacingsOf(const std::vector<Eigen::Vector3f>& points)
+{
+  std::vector<float> spacings(points.size(), 0.0F);
+  if (points.size() <= NEAREST)
+    return spacings;
+  pcl::ccaa::PointBlocks blocks;
+  blocks.build({points.front().data(), 3, points.size()}, 1);
+  const auto table =
+      blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, 1);
+  const double wider = widening(blocks, points.size());
+  for (std::size_t rank = 0; rank < blocks.size(); ++rank) {
+    float& spacing = spacings[static_cast<std::size_t>(blocks.order()[rank])];
+    for (unsigned int i = 0; i < NEAREST; ++i)
+      spacing += std::sqrt(table->sqrDistances(rank)[i]) / float(NEAREST);
+    if (wider > 1.0)
+      spacing *= static_cast<float>(wider);
+  }
+  return spacings;
+}
+
+} // namespace app
