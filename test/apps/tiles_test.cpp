@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: what reconstructing tile by tile makes.
+#include "io/wording.h"
 #include "support/random_source.h"
 #include "tiles_fixture.h"
 
@@ -232,16 +233,8 @@ TEST_F(TiledApp, EveryFileFormatMakesTheSameMesh)
   const pcl::PCLPointCloud2 cloud = test::toRawCloud(points);
   std::string ascii = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
                       "WIDTH 3000\nHEIGHT 1\nPOINTS 3000\nDATA ascii\n";
-  for (const auto& position : points) {
-    char line[96];
-    ascii.append(line,
-                 std::size_t(std::snprintf(line,
-                                           sizeof(line),
-                                           "%.4f %.4f %.4f\n",
-                                           position.x(),
-                                           position.y(),
-                                           position.z())));
-  }
+  for (const auto& p : points)
+    ascii += app::formatted("%.4f %.4f %.4f\n", p.x(), p.y(), p.z());
   writeFile(folder_.path("ascii.pcd"), ascii);
   save(folder_.path("binary.pcd"), cloud);
   save(folder_.path("in.ply"), cloud);
