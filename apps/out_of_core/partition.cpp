@@ -265,11 +265,11 @@ private:
   std::vector<float>
   spacingsIn(const std::vector<char>& records, const pcl::ccaa::Tile& tile) const
   {
-    std::vector<Eigen::Vector3f> points;
-    points.reserve(tile.count);
+    pcl::ccaa::RankedPoints points;
+    points.coordinates.resize(tile.count);
     for (std::size_t i = 0; i < tile.count; ++i)
-      points.push_back(
-          (positionAt(records, i * step()) - tile.box.center()).cast<float>());
+      Eigen::Map<Eigen::Vector3f>(points.coordinates[i].data()) =
+          (positionAt(records, i * step()) - tile.box.center()).cast<float>();
     return spacingsOf(points);
   }
 

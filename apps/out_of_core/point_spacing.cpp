@@ -13,27 +13,19 @@ namespace app {
 namespace {
 
 constexpr unsigned int NEAREST = 6;
-/** Neighbors asked for lines: as many as a start can look at. */
-constexpr unsigned int IN_LINES = 64;
 
 /** Times that edges may be longer where points lie in lines, else 1. */
 double
-widening(const pcl::ccaa::PointBlocks& blocks, std::size_t count)
+widening(const pcl::ccaa::RankedPoints& points, const pcl::ccaa::PointBlocks& blocks)
 {
-  pcl::ccaa::RankedPoints points;
-  std::vector<pcl::index_t> rank_of(count);
-  for (std::size_t rank = 0; rank < blocks.size(); ++rank) {
-    points.coordinates.push_back(blocks.point(rank));
-    rank_of[static_cast<std::size_t>(blocks.order()[rank])] =
-        static_cast<pcl::index_t>(rank);
-  }
+  // As many as a start can look at, and the point itself.
+  constexpr unsigned int count = pcl::ccaa::NeighborRows::MOST + 1;
   const auto neighborsOf = [&](pcl::index_t rank) {
     std::vector<pcl::index_t> near;
-    for (const pcl::ccaa::Neighbor& one : blocks.nearest(
-             points.coordinates[static_cast<std::size_t>(rank)], IN_LINES + 1))
-      if (const pcl::index_t other = rank_of[static_cast<std::size_t>(one.point_index)];
-          other != rank)
-        near.push_back(other);
+    for (const pcl::ccaa::Neighbor& one :
+         blocks.nearest(points.coordinates[static_cast<std::size_t>(rank)], count))
+      if (one.point_index != rank)
+        near.push_back(one.point_index);
     return near;
   };
   const double usual = pcl::ccaa::GreedyParameters().length_factor;
@@ -44,16 +36,16 @@ widening(const pcl::ccaa::PointBlocks& blocks, std::size_t count)
 } // namespace
 
 std::vector<float>
-spacingsOf(const std::vector<Eigen::Vector3f>& points)
+spacingsOf(const pcl::ccaa::RankedPoints& points)
 {
   std::vector<float> spacings(points.size(), 0.0F);
   if (points.size() <= NEAREST)
     return spacings;
   pcl::ccaa::PointBlocks blocks;
-  blocks.build({points.front().data(), 3, points.size()}, 1);
+  blocks.build({points.coordinates.front().data(), 3, points.size()}, 1);
   const auto table =
       blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, 1);
-  const double wider = widening(blocks, points.size());
+  const double wider = widening(points, blocks);
   for (std::size_t rank = 0; rank < blocks.size(); ++rank) {
     float& spacing = spacings[static_cast<std::size_t>(blocks.order()[rank])];
     for (unsigned int i = 0; i < NEAREST; ++i)

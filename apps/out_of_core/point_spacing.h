@@ -2,16 +2,16 @@
 // Part of PclSurfaceRepair: how far apart the points of a tile lie.
 #pragma once
 
-#include <Eigen/Core>
+#include "greedy/ranked_points.h"
 
 #include <vector>
 
 namespace app {
 
-/** \brief Mean distances to the six nearest points; where points lie in lines, times by
- * how much edges may be longer there (see pcl::ccaa::ScanLines). 0 where there are too
- * few. */
+/** \brief Mean distances of points to their six nearest; where points lie in lines,
+ * times by how much edges may be longer there (see pcl::ccaa::ScanLines). 0 where there
+ * are too few. */
 std::vector<float>
-spacingsOf(const std::vector<Eigen::Vector3f>& points);
+spacingsOf(const pcl::ccaa::RankedPoints& points);
 
 } // namespace app

@@ -20,15 +20,12 @@
 namespace pcl::ccaa {
 namespace {
 
-/** Neighbors of a point: votes for them are the bits of a word. */
-constexpr unsigned int MOST_NEIGHBORS = 64;
-
 /** The name of the first parameter that is out of range, or null. */
 const char*
 outOfRange(const GreedyParameters& parameters)
 {
   const auto is_angle = [](double angle) { return angle >= 0 && angle <= M_PI / 3; };
-  if (parameters.neighbors < 3 || parameters.neighbors > MOST_NEIGHBORS)
+  if (parameters.neighbors < 3 || parameters.neighbors > NeighborRows::MOST)
     return "number of neighbors (3 to 64)";
   if (!is_angle(parameters.minimum_angle))
     return "minimum angle (0 to pi/3 radians)";
@@ -53,56 +50,84 @@ struct Neighborhoods {
   NeighborTable table;
   std::vector<index_t> searched;
   NeighborRows rows;
+  ScanLines lines;
 };
 
 class NeighborhoodSearch {
 public:
   NeighborhoodSearch(const CloudInput& input,
                      const TreeSearch& search,
-                     unsigned int neighbors,
                      const LoopContext& context,
                      GreedyReport& report)
-  : input_(input)
-  , search_(search)
-  , neighbors_(neighbors)
-  , context_(context)
-  , report_(report)
+  : input_(input), search_(search), context_(context), report_(report)
   {}
 
-  /** \return false when cancelled */
+  /** Where points lie in lines and see little but their own, twice as many neighbors,
+   * until they see the next line; if they never do, as many as there are to be. The
+   * algorithm of the thesis does not ask.
+   * \return false when cancelled */
   bool
-  find(Neighborhoods& found)
+  find(const GreedyParameters& parameters, Neighborhoods& found)
   {
     if (!context_.control->report(context_.stage, 0))
       return false;
-    const bool done =
-        search_.blocks != nullptr ? searchBlocks(found) : searchTree(found);
+    rank(found.points);
     report_.points = found.points.size();
+    const auto findAmong = [&](unsigned int neighbors) {
+      if (!findRows(neighbors, found))
+        return false;
+      if (parameters.certificates)
+        found.lines = findScanLines(found.points, found.rows);
+      return true;
+    };
+    unsigned int neighbors = parameters.neighbors;
+    bool done = findAmong(neighbors);
+    while (done && found.lines.is_blind && neighbors < NeighborRows::MOST) {
+      neighbors = std::min(2 * neighbors, NeighborRows::MOST);
+      done = findAmong(neighbors);
+    }
+    if (done && found.lines.gap == 0.0 && neighbors > parameters.neighbors)
+      done = findAmong(parameters.neighbors);
+    report_.line_gap = found.lines.gap;
     return done;
   }
 
 private:
-  IndicesPtr
-  uniqueOf(const std::vector<index_t>& order)
+  void
+  rank(RankedPoints& points)
   {
-    auto unique = std::make_shared<Indices>(removeDuplicates(input_.points, order));
-    report_.skipped_points = input_.selection->size() - order.size();
-    report_.duplicate_points = order.size() - unique->size();
-    return unique;
+    if (search_.blocks == nullptr) {
+      keepUnique(curveOrder(input_.points, *input_.selection, context_.threads));
+      points = rankPoints(input_.points, *unique_, context_.threads);
+      return;
+    }
+    search_.hold(input_.selection);
+    keepUnique(search_.blocks->order());
+    if (report_.duplicate_points > 0)
+      search_.hold(unique_);
+    points = rankPoints(input_.points, search_.blocks->order(), context_.threads);
   }
 
-  /** All rows at once from the blocks. */
-  bool
-  searchBlocks(Neighborhoods& found)
+  void
+  keepUnique(const std::vector<index_t>& order)
   {
-    const PointBlocks& blocks = *search_.blocks;
-    search_.hold(input_.selection);
-    const IndicesPtr unique = uniqueOf(blocks.order());
-    if (report_.duplicate_points > 0)
-      search_.hold(unique);
-    found.points = rankPoints(input_.points, blocks.order(), context_.threads);
-    auto table = blocks.allNearest(
-        neighbors_, PointBlocks::Distances::OMIT, context_.threads, context_.control);
+    unique_ = std::make_shared<Indices>(removeDuplicates(input_.points, order));
+    report_.skipped_points = input_.selection->size() - order.size();
+    report_.duplicate_points = order.size() - unique_->size();
+  }
+
+  /** All at once from the blocks, or point by point with any search method. */
+  bool
+  findRows(unsigned int neighbors, Neighborhoods& found)
+  {
+    if (search_.blocks == nullptr) {
+      const bool done = searchRows(
+          search_, unique_, input_.points.size, neighbors, context_, found.searched);
+      found.rows = {found.searched.data(), neighbors};
+      return done;
+    }
+    auto table = search_.blocks->allNearest(
+        neighbors, PointBlocks::Distances::OMIT, context_.threads, context_.control);
     if (!table)
       return false;
     found.table = std::move(*table);
@@ -111,57 +136,12 @@ private:
     return true;
   }
 
-  /** Point by point, with any search method. */
-  bool
-  searchTree(Neighborhoods& found)
-  {
-    const IndicesPtr unique =
-        uniqueOf(curveOrder(input_.points, *input_.selection, context_.threads));
-    found.points = rankPoints(input_.points, *unique, context_.threads);
-    const bool done = searchRows(
-        search_, unique, input_.points.size, neighbors_, context_, found.searched);
-    found.rows = {found.searched.data(), neighbors_};
-    return done;
-  }
-
   const CloudInput& input_;
   const TreeSearch& search_;
-  unsigned int neighbors_;
   LoopContext context_;
   GreedyReport& report_;
+  IndicesPtr unique_; /**< usable points, one per place */
 };
-
-/** Where points lie in lines and see little but their own, twice as many neighbors,
- * until they see the next line; if they never do, as many as there are to be. The
- * algorithm of the thesis does not ask.
- * \return false when cancelled */
-bool
-searchAcrossLines(const CloudInput& input,
-                  const TreeSearch& search,
-                  const GreedyParameters& parameters,
-                  const LoopContext& context,
-                  GreedyReport& report,
-                  Neighborhoods& found,
-                  ScanLines& lines)
-{
-  const auto searchFor = [&](unsigned int neighbors) {
-    if (!NeighborhoodSearch(input, search, neighbors, context, report).find(found))
-      return false;
-    if (parameters.certificates)
-      lines = findScanLines(found.points, found.rows);
-    return true;
-  };
-  unsigned int neighbors = parameters.neighbors;
-  bool done = searchFor(neighbors);
-  while (done && lines.is_blind && neighbors < MOST_NEIGHBORS) {
-    neighbors = std::min(2 * neighbors, MOST_NEIGHBORS);
-    done = searchFor(neighbors);
-  }
-  if (done && lines.gap == 0.0 && neighbors > parameters.neighbors)
-    done = searchFor(parameters.neighbors);
-  report.line_gap = lines.gap;
-  return done;
-}
 
 } // namespace
 
@@ -181,16 +161,20 @@ runGreedyStart(const CloudInput& input,
   const LoopContext context{resolveThreads(input.threads), &control, "neighbors"};
   const StageClock search_clock;
   Neighborhoods found;
-  ScanLines lines;
   const bool searched =
-      searchAcrossLines(input, search, parameters, context, report, found, lines);
+      NeighborhoodSearch(input, search, context, report).find(parameters, found);
   report.search_seconds = search_clock.seconds();
   const StageClock clock;
   if (searched && report.points < 3)
     fault = std::to_string(report.points) + " usable points, at least 3 are needed";
   if (searched && fault.empty()) {
-    const Triangles triangles = greedyTriangulation(
-        found.points, found.rows, lines, parameters, context.threads, control, report);
+    const Triangles triangles = greedyTriangulation(found.points,
+                                                    found.rows,
+                                                    found.lines,
+                                                    parameters,
+                                                    context.threads,
+                                                    control,
+                                                    report);
     writePolygons(triangles,
                   found.points.point_indices,
                   LoopContext{context.threads, &control, "polygons"},

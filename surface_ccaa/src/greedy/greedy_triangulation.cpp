@@ -152,12 +152,14 @@ private:
   void
   voteFor(std::size_t first, std::size_t last)
   {
-    double reach = reachAt(first), next = reach;
-    for (std::size_t end = first; first < last; first = end, reach = next) {
-      while (++end < last && (next = reachAt(end)) == reach) {
-      }
+    while (first < last) {
+      const double reach = reachAt(first);
+      std::size_t end = first + 1;
+      while (end < last && reachAt(end) == reach)
+        ++end;
       certifyEdges(
           points_, neighbors_, static_cast<float>(reach), first, end, &votes_[first]);
+      first = end;
     }
   }
 

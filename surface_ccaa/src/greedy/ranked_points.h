@@ -32,6 +32,8 @@ struct RankedPoints {
  * NONE from the end of a short row on; the point itself is not in its row. */
 struct NeighborRows {
   static constexpr index_t NONE = -1;
+  /** Neighbors of a point: votes for them are the bits of a word. */
+  static constexpr unsigned int MOST = 64;
 
   const index_t* ranks = nullptr;
   unsigned int k = 0;
