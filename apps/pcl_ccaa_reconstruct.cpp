@@ -145,8 +145,12 @@ runOne(const ReconstructSettings& settings, ReconstructResult& result)
   if (!bar.show("writing", 0))
     return {INTERRUPTED, stopped_by_signal, {}};
   Outcome outcome;
-  if (!settings.dry_run)
+  if (!settings.dry_run) {
     outcome.reason = tellIncomplete(settings, result);
+    if (const std::string advice = adviceFor(settings, result);
+        outcome.reason.empty() && !advice.empty())
+      result.model.warnings.push_back(advice);
+  }
   outcome.code = outcome.reason.empty() ? DONE : INCOMPLETE;
   writeOutputs(settings, outcome, result);
   bar.clear();

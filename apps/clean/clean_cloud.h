@@ -39,6 +39,9 @@ struct CleanReport {
   double radius = 0;              /**< of the patches */
   double moved = 0;               /**< root mean square, of the means that stayed */
   double moved_most = 0;
+  std::size_t moved_together = 0; /**< with their neighbours, by half a spacing or more
+                                       and more than noise: small parts may be gone */
+  Eigen::Vector3d moved_at = Eigen::Vector3d::Zero(); /**< one of these */
 };
 
 /** \brief Make one even layer of points: the means of a grid without outliers

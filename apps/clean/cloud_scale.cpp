@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace app {
@@ -62,6 +63,36 @@ public:
     return spreads[1] > 0 ? spreads[0] / spreads[1] : 0.0;
   }
 
+  double
+  radiusOf(int count) const
+  {
+    return median(count, [](const pcl::Indices&, const std::vector<float>& found) {
+      return std::sqrt(double{found.back()});
+    });
+  }
+
+  /** The fewest neighbours that are flat, or else the flattest: with more, rods and
+   * walls count as thick. */
+  int
+  flattest() const
+  {
+    const int most =
+        static_cast<int>(std::min<std::size_t>(MOST_NEIGHBORS, points_->size() / 4));
+    int best = FEWEST_NEIGHBORS;
+    double least = std::numeric_limits<double>::infinity();
+    for (int count = FEWEST_NEIGHBORS; least > FLAT && count <= most; count *= 2) {
+      const double now =
+          median(count, [&](const pcl::Indices& near, const std::vector<float>&) {
+            return thickness(near);
+          });
+      if (now < least) {
+        least = now;
+        best = count;
+      }
+    }
+    return best;
+  }
+
 private:
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr points_;
   std::size_t step_;
@@ -83,21 +114,8 @@ measureScale(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points)
           sum += sqr_distance;
         return std::sqrt(sum / SPACING_NEIGHBORS);
       });
-  const int most =
-      static_cast<int>(std::min<std::size_t>(MOST_NEIGHBORS, points->size() / 4));
-  for (int count = FEWEST_NEIGHBORS;; count *= 2) {
-    const bool is_last = 2 * count > most;
-    const auto thickness = [&](const pcl::Indices& near, const std::vector<float>&) {
-      return sample.thickness(near);
-    };
-    if (!is_last && sample.median(count, thickness) > FLAT)
-      continue;
-    scale.flat_radius =
-        sample.median(count, [](const pcl::Indices&, const std::vector<float>& found) {
-          return std::sqrt(double{found.back()});
-        });
-    return scale;
-  }
+  scale.flat_radius = sample.radiusOf(sample.flattest());
+  return scale;
 }
 
 } // namespace app

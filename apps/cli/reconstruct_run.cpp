@@ -242,6 +242,16 @@ cleanInput(const ReconstructSettings& settings,
     result.model.warnings.push_back(
         pluralIs(result.cleaning->in_two_sheets, "point") +
         " part of two sheets closer than the radius of --clean and not smoothed");
+  if (const CleanReport& done = *result.cleaning; done.moved_together > 0)
+    result.model.warnings.push_back(
+        plural(done.moved_together, "point") +
+        (done.moved_together == 1 ? " was" : " were") +
+        formatted(" moved by --clean together with those around (one at %.7g %.7g "
+                  "%.7g): what is thin there may be gone or closed, so look; a lower "
+                  "--clean-radius moves less",
+                  done.moved_at.x(),
+                  done.moved_at.y(),
+                  done.moved_at.z()));
   result.stages.emplace_back("cleaning", watch.lap());
 }
 

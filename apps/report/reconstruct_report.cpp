@@ -160,7 +160,8 @@ describeCleaning(const CleanReport& cleaning)
           {"spacing", cleaning.spacing},
           {"radius", cleaning.radius},
           {"moved", cleaning.moved},
-          {"moved_most", cleaning.moved_most}};
+          {"moved_most", cleaning.moved_most},
+          {"moved_together", cleaning.moved_together}};
 }
 
 std::string

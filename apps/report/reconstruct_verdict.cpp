@@ -11,21 +11,11 @@
 namespace app {
 namespace {
 
-/** Handles a point from which noise makes them: thin walls of whole scans have a
- * twentieth of that, a sphere with noise of its spacing ten times as many. */
-constexpr double NOISY_HANDLES = 0.004;
-
-/** What to do about handles that are in doubt. */
-std::string
-adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
-{
-  const auto points = static_cast<double>(result.chain.points);
-  return !settings.clean && static_cast<double>(result.chain.doubts.handles) >
-                                NOISY_HANDLES * points
-             ? "; they are so many that the points seem to scatter by more than their "
-               "distances: try --clean"
-             : "";
-}
+/** Handles, or holes, a point from which noise makes them: thin walls of whole scans
+ * have a twentieth of that handles, a sphere with noise of its spacing ten times as
+ * many; scans of trees have a quarter of that holes, lines of a scanner with noise of
+ * their spacing more than once and a half. */
+constexpr double NOISY = 0.004;
 
 /** See mostlyUnused(); earlier stages leave to the base stage what they doubt. */
 std::size_t
@@ -51,10 +41,9 @@ tellTopologyDoubts(const ReconstructResult& result)
   return tellDoubts(counts);
 }
 
-} // namespace
-
+/** The first thing that is missing. */
 std::string
-tellIncomplete(const ReconstructSettings& settings, const ReconstructResult& result)
+reasonFor(const ReconstructSettings& settings, const ReconstructResult& result)
 {
   if (result.model.mesh.polygons.empty())
     return "no triangle could be made that is sure to be right (too few points, or "
@@ -66,8 +55,36 @@ tellIncomplete(const ReconstructSettings& settings, const ReconstructResult& res
     return tellUnused(unused);
   if (result.repair && !result.repair->complete())
     return tellShortfalls(*result.repair, result.model.mesh);
-  const std::string doubt = tellTopologyDoubts(result);
-  return doubt.empty() ? "" : doubt + adviceFor(settings, result);
+  return tellTopologyDoubts(result);
+}
+
+} // namespace
+
+std::string
+adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  if (settings.clean || settings.until != "base" || !result.topology)
+    return "";
+  const double many = NOISY * static_cast<double>(result.chain.points);
+  const pcl::ccaa::SurfaceTopology& found = *result.topology;
+  const char* const what = static_cast<double>(result.chain.doubts.handles) > many
+                               ? "handles"
+                           : static_cast<double>(found.boundary_loops) >
+                                   many + static_cast<double>(found.pieces)
+                               ? "holes"
+                               : nullptr;
+  return what == nullptr ? ""
+                         : std::string("the ") + what +
+                               " are so many that the points seem to scatter by more "
+                               "than their distances: try --clean";
+}
+
+std::string
+tellIncomplete(const ReconstructSettings& settings, const ReconstructResult& result)
+{
+  const std::string reason = reasonFor(settings, result);
+  const std::string advice = adviceFor(settings, result);
+  return reason.empty() || advice.empty() ? reason : reason + "; " + advice;
 }
 
 std::string

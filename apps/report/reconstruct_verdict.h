@@ -12,6 +12,11 @@ namespace app {
 std::string
 tellIncomplete(const ReconstructSettings& settings, const ReconstructResult& result);
 
+/** \brief What to do where noise has torn the surface, or made handles; part of
+ * tellIncomplete() where that says anything. */
+std::string
+adviceFor(const ReconstructSettings& settings, const ReconstructResult& result);
+
 /** \brief What came out, such as "watertight, in doubt (1 THIN_NECK)". */
 std::string
 tellVerdict(const ReconstructSettings& settings, const ReconstructResult& result);

@@ -221,6 +221,16 @@ TEST_F(RunVerdict, AdvisesToCleanWhereNoiseMakesHandles)
   EXPECT_EQ(std::string::npos, cleaned.errors.find(advice)) << cleaned.errors;
 }
 
+TEST_F(RunVerdict, AdvisesToCleanWhereNoiseTearsHoles)
+{
+  save(folder_.path("lines.ply"),
+       test::toPolygonMesh(
+           {test::withNoise(test::terrainLines(12, 400, 20.0), 2.0), {}}));
+  const RunResult result = run("pcl_ccaa_reconstruct lines.ply out.ply");
+  EXPECT_NE(std::string::npos, result.errors.find("the holes are so many"))
+      << result.errors;
+}
+
 TEST_F(RunVerdict, EndsEveryProgram)
 {
   const std::pair<const char*, const char*> verdicts[] = {
