@@ -108,53 +108,59 @@ smooth(const Cloud::ConstPtr& cloud,
   return result;
 }
 
-/** Points that were moved with those around them: so shapes change, not noise. */
-void
-tellShapes(const Cloud::ConstPtr& before,
-           const std::vector<Eigen::Vector3f>& moves,
-           double least,
-           CleanReport& report)
+Eigen::Vector3f
+moveOf(std::size_t point, const Cloud& before, const Cloud& after)
+{
+  return after[point].getVector3fMap() - before[point].getVector3fMap();
+}
+
+/** Length of the mean move of each point and those around it: as long as its own where
+ * a shape changes, short for noise. */
+std::vector<double>
+meanMoves(const Cloud::ConstPtr& before, const Cloud& after, int threads)
 {
   pcl::search::BlockSearch<pcl::PointXYZ> search;
   search.setInputCloud(before);
-  pcl::Indices near;
-  std::vector<float> sqr_distances;
-  double most = least;
-  for (std::size_t i = 0; i < before->size(); ++i) {
-    search.nearestKSearch((*before)[i], MOVED_TOGETHER, near, sqr_distances);
+  std::vector<double> means(before->size());
+  const auto count = static_cast<std::ptrdiff_t>(before->size());
+#pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto point = static_cast<std::size_t>(i);
+    pcl::Indices near;
+    std::vector<float> sqr_distances;
+    search.nearestKSearch((*before)[point], MOVED_TOGETHER, near, sqr_distances);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (const pcl::index_t other : near)
-      sum += moves[static_cast<std::size_t>(other)];
-    const double mean = static_cast<double>(sum.norm()) / MOVED_TOGETHER;
-    report.moved_together += mean > least ? 1 : 0;
-    if (mean > most) {
-      most = mean;
-      report.moved_at = (*before)[i].getVector3fMap().cast<double>();
-    }
+      sum += moveOf(static_cast<std::size_t>(other), *before, after);
+    means[point] = static_cast<double>(sum.norm()) / MOVED_TOGETHER;
   }
+  return means;
 }
 
 void
-tellMoves(const Cloud::ConstPtr& before, const Cloud& after, CleanReport& report)
+tellMoves(const Cloud::ConstPtr& before,
+          const Cloud& after,
+          int threads,
+          CleanReport& report)
 {
   if (before->empty())
     return;
-  std::vector<Eigen::Vector3f> moves;
-  std::vector<double> lengths;
+  std::vector<double> moves;
   double sum = 0;
   for (std::size_t i = 0; i < before->size(); ++i) {
-    moves.emplace_back(after[i].getVector3fMap() - (*before)[i].getVector3fMap());
-    const double moved = moves.back().cast<double>().norm();
-    lengths.push_back(moved);
-    sum += moved * moved;
-    report.moved_most = std::max(report.moved_most, moved);
+    moves.push_back(moveOf(i, *before, after).cast<double>().norm());
+    sum += moves.back() * moves.back();
+    report.moved_most = std::max(report.moved_most, moves.back());
   }
   report.moved = std::sqrt(sum / static_cast<double>(before->size()));
-  tellShapes(before,
-             moves,
-             std::max(SHAPE_SPACINGS * report.spacing,
-                      SHAPE_MOVES * pcl::ccaa::medianOf(std::move(lengths))),
-             report);
+  const double least = std::max(SHAPE_SPACINGS * report.spacing,
+                                SHAPE_MOVES * pcl::ccaa::medianOf(std::move(moves)));
+  const std::vector<double> means = meanMoves(before, after, threads);
+  report.moved_together = static_cast<std::size_t>(std::count_if(
+      means.begin(), means.end(), [&](double mean) { return mean > least; }));
+  const auto most = std::max_element(means.begin(), means.end()) - means.begin();
+  report.moved_at =
+      (*before)[static_cast<std::size_t>(most)].getVector3fMap().cast<double>();
 }
 
 /** Points of the result, and the points of the cloud that each is made of. */
@@ -186,7 +192,7 @@ makeLayer(const Cloud& cloud,
   if (!goes_on(0.4))
     return layer;
   const Cloud::Ptr smoothed = smooth(inliers, parameters, threads, report);
-  tellMoves(inliers, *smoothed, report);
+  tellMoves(inliers, *smoothed, threads, report);
   if (!goes_on(0.8))
     return layer;
   std::vector<std::size_t> weights;

@@ -41,7 +41,7 @@ struct CleanReport {
   double moved_most = 0;
   std::size_t moved_together = 0; /**< with their neighbours, by half a spacing or more
                                        and more than noise: small parts may be gone */
-  Eigen::Vector3d moved_at = Eigen::Vector3d::Zero(); /**< one of these */
+  Eigen::Vector3d moved_at = Eigen::Vector3d::Zero(); /**< most of all */
 };
 
 /** \brief Make one even layer of points: the means of a grid without outliers

@@ -11,8 +11,9 @@ namespace app {
 struct CloudScale {
   double spacing = 0; /**< median distance to the six nearest (root mean square) */
 
-  /** \brief Median radius of the smallest neighbourhoods that are flat: a quarter as
-   * thick as wide. Less than that is noise, or the layers of several scans. */
+  /** \brief Median radius of the smallest neighbourhoods that are flat, a quarter as
+   * thick as wide, or else of the flattest ones. Less than that is noise, or the layers
+   * of several scans. */
   double flat_radius = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "grid_start.h"
 #include "io/cloud_normals.h"
 #include "io/point_columns.h"
+#include "io/position_check.h"
 #include "io/wording.h"
 #include "mesh/cloud_access.h"
 #include "repair_run.h"
@@ -246,12 +247,10 @@ cleanInput(const ReconstructSettings& settings,
     result.model.warnings.push_back(
         plural(done.moved_together, "point") +
         (done.moved_together == 1 ? " was" : " were") +
-        formatted(" moved by --clean together with those around (one at %.7g %.7g "
-                  "%.7g): what is thin there may be gone or closed, so look; a lower "
-                  "--clean-radius moves less",
-                  done.moved_at.x(),
-                  done.moved_at.y(),
-                  done.moved_at.z()));
+        " moved by --clean together with those around (one at " +
+        placeIn(result.model.mesh.cloud, done.moved_at) +
+        "): what is thin there may be gone or closed, so look; a lower --clean-radius "
+        "moves less");
   result.stages.emplace_back("cleaning", watch.lap());
 }
 

@@ -5,6 +5,7 @@
 #include "mesh/cloud_access.h"
 #include "mesh/cloud_extent.h"
 #include "point_columns.h"
+#include "wording.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,14 @@ placeText(const Eigen::Vector3d& place, const char* separator)
   text.precision(std::numeric_limits<double>::digits10);
   text << place.x() << separator << place.y() << separator << place.z();
   return text.str();
+}
+
+std::string
+placeIn(const pcl::PCLPointCloud2& cloud, const Eigen::Vector3d& place)
+{
+  return hasDoublePositions(cloud)
+             ? placeText(place, " ")
+             : formatted("%g %g %g", place.x(), place.y(), place.z());
 }
 
 namespace {

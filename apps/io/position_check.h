@@ -20,6 +20,11 @@ checkPositions(Model& model);
 std::string
 placeText(const Eigen::Vector3d& place, const char* separator = ",");
 
+/** \brief "0.5 0 1": the same of a place in a cloud with digits as its positions have.
+ */
+std::string
+placeIn(const pcl::PCLPointCloud2& cloud, const Eigen::Vector3d& place);
+
 /** \brief Say in the warnings which shift there is, if any. */
 void
 noteShift(Model& model);

@@ -167,10 +167,7 @@ placeOf(pcl::index_t number, const pcl::PolygonMesh& mesh)
   std::string place = "at point " + std::to_string(number);
   if (point >= pointCount(mesh.cloud))
     return place;
-  const Eigen::Vector3d position = pcl::ccaa::positionView(mesh.cloud)[point];
-  if (hasDoublePositions(mesh.cloud))
-    return place + ", " + placeText(position, " ");
-  return place + formatted(", %g %g %g", position.x(), position.y(), position.z());
+  return place + ", " + placeIn(mesh.cloud, pcl::ccaa::positionView(mesh.cloud)[point]);
 }
 
 json

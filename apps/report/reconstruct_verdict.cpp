@@ -8,6 +8,8 @@
 #include "io/wording.h"
 #include "verdict.h"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
@@ -66,17 +68,18 @@ adviceFor(const ReconstructSettings& settings, const ReconstructResult& result)
   if (settings.clean || settings.until != "base" || !result.topology)
     return "";
   const double many = NOISY * static_cast<double>(result.chain.points);
-  const pcl::ccaa::SurfaceTopology& found = *result.topology;
-  const char* const what = static_cast<double>(result.chain.doubts.handles) > many
-                               ? "handles"
-                           : static_cast<double>(found.boundary_loops) >
-                                   many + static_cast<double>(found.pieces)
-                               ? "holes"
-                               : nullptr;
-  return what == nullptr ? ""
-                         : std::string("the ") + what +
-                               " are so many that the points seem to scatter by more "
-                               "than their distances: try --clean";
+  const std::size_t loops = result.topology->boundary_loops;
+  const std::size_t holes = loops - std::min(loops, result.topology->pieces);
+  const char* what = nullptr;
+  if (static_cast<double>(result.chain.doubts.handles) > many)
+    what = "handles";
+  else if (static_cast<double>(holes) > many)
+    what = "holes";
+  else
+    return "";
+  return std::string("the ") + what +
+         " are so many that the points seem to scatter by more than their distances: "
+         "try --clean";
 }
 
 std::string

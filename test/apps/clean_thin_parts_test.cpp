@@ -10,12 +10,19 @@ namespace app_test {
 namespace {
 
 app::CleanReport
-clean(const pcl::ccaa::Positions& points)
+clean(const pcl::PCLPointCloud2& cloud)
 {
   app::Model model;
-  model.mesh.cloud = test::toRawCloud(points);
+  model.mesh.cloud = cloud;
+  model.shift = pcl::GlobalShift::of(cloud);
   return app::cleanCloud(
       {}, 2, [](double) { return true; }, model);
+}
+
+app::CleanReport
+clean(const pcl::ccaa::Positions& points)
+{
+  return clean(test::toRawCloud(points));
 }
 
 /** A rod along z, a few points around. */
@@ -37,16 +44,31 @@ TEST(CleanCloud, DoesNotTakeARodForAThickCloud)
   EXPECT_LT(report.moved, 0.5 * report.spacing);
 }
 
-TEST(CleanCloud, TellsOfPointsMovedTogetherWhereAPartIsThin)
+constexpr double ROD_RADIUS = 0.1;
+
+pcl::ccaa::Positions
+sphereWithRod()
 {
-  const double radius = 0.1;
   pcl::ccaa::Positions points = test::noisySphere(4000, 0.0); // spacing 0.06
-  for (const pcl::ccaa::Position& point : rod(radius))
+  for (const pcl::ccaa::Position& point : rod(ROD_RADIUS))
     if (point.z() > 0.0)
       points.emplace_back(point.x(), point.y(), 1.0 + 0.1 * point.z());
-  const app::CleanReport report = clean(points);
+  return points;
+}
+
+TEST(CleanCloud, TellsOfPointsMovedTogetherWhereAPartIsThin)
+{
+  const app::CleanReport report = clean(sphereWithRod());
   EXPECT_GT(report.moved_together, 0U);
-  EXPECT_NEAR(radius, report.moved_at.head<2>().norm(), 0.5 * radius);
+  EXPECT_NEAR(ROD_RADIUS, report.moved_at.head<2>().norm(), 0.5 * ROD_RADIUS);
+}
+
+TEST(CleanCloud, TellsInMapCoordinatesWherePointsWereMovedTogether)
+{
+  const app::CleanReport report =
+      clean(test::toDoubleCloud(test::shifted(sphereWithRod(), test::MAP_PLACE)));
+  const pcl::ccaa::Position at = report.moved_at - test::MAP_PLACE;
+  EXPECT_NEAR(ROD_RADIUS, at.head<2>().norm(), 0.5 * ROD_RADIUS);
 }
 
 TEST(CleanCloud, TakesNoNoiseForPointsMovedTogether)
