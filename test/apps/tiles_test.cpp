@@ -325,7 +325,7 @@ TEST_F(TiledApp, ACloudOfWhichMostPointsGetNoTriangleIsTold)
 
 TEST_F(TiledApp, ANeckThatMayJoinTwoBodiesIsTold)
 {
-  const RunResult result = tiledOf(spheresThatTouch(2000, 0.04), {"--tiles=100000"});
+  const RunResult result = tiledOf(spheresThatTouch(2000, 0.03), {"--tiles=100000"});
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, result.output.find(" THIN_NECK)")) << result.output;
   EXPECT_NE(std::string::npos, result.errors.find(" (one is at ")) << result.errors;

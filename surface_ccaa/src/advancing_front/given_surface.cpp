@@ -7,6 +7,7 @@
 #include "mesh/sort_unique.h"
 #include "mesh/winding.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace pcl::ccaa {
@@ -61,30 +62,36 @@ areNormalsClear(const PartialMesh& mesh,
   return 2 * clear >= mesh.given.size();
 }
 
-/** Open points of one island beside those of another. */
-std::vector<IslandContact>
+/** Open points of one part of an island beside those of another. */
+std::vector<PartContact>
 contactsOf(const GivenSurface& given,
+           const Islands& parts,
            const std::vector<pcl::index_t>& open,
            const std::vector<pcl::index_t>& table)
 {
-  constexpr std::size_t NO_ISLAND = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t NO_PART = std::numeric_limits<std::size_t>::max();
   const TriangleAdjacency& adjacency = given.adjacency;
-  const auto island_of = [&](pcl::index_t vertex) {
-    return adjacency.fan(vertex) == Fan::NONE
-               ? NO_ISLAND
-               : given.islands[static_cast<std::size_t>(*adjacency.begin(vertex))];
-  };
-  const std::size_t k = open.empty() ? 0 : table.size() / open.size();
-  std::vector<IslandContact> contacts;
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const std::size_t island = island_of(open[i]);
-    for (std::size_t j = i * k; j < (i + 1) * k && table[j] >= 0; ++j) {
-      const IslandContact contact{open[i], open[static_cast<std::size_t>(table[j])]};
-      const std::size_t other = island_of(contact.other);
-      if (island != NO_ISLAND && other != NO_ISLAND && other != island)
-        contacts.push_back(contact);
-    }
+  const std::vector<pcl::index_t>& doubts = given.doubts.triangles;
+  std::vector<PartPoint> points;
+  for (const pcl::index_t vertex : open) {
+    const auto* found = std::find_if(
+        adjacency.begin(vertex), adjacency.end(vertex), [&](pcl::index_t t) {
+          return !std::binary_search(doubts.begin(), doubts.end(), t);
+        });
+    points.push_back({vertex,
+                      found == adjacency.end(vertex)
+                          ? NO_PART
+                          : parts[static_cast<std::size_t>(*found)]});
   }
+  const std::size_t k = open.empty() ? 0 : table.size() / open.size();
+  std::vector<PartContact> contacts;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (std::size_t j = i * k; j < (i + 1) * k && table[j] >= 0; ++j) {
+      const PartPoint &one = points[i],
+                      &other = points[static_cast<std::size_t>(table[j])];
+      if (one.part != NO_PART && other.part != NO_PART && other.part != one.part)
+        contacts.push_back({one, other});
+    }
   return contacts;
 }
 
@@ -163,13 +170,24 @@ alignGiven(PartialMesh& mesh,
       (!mesh.normals.empty() && !areNormalsClear(mesh, given, context)))
     mesh.normals = {};
   const OrientationHints hints = hintsOf(mesh, context.threads);
-  const std::vector<IslandContact> contacts = contactsOf(given, open, table);
-  if (contacts.empty() && !GivenVotes(hints).any())
+  const std::vector<pcl::index_t>& doubts = given.doubts.triangles;
+  const Islands parts = doubts.empty()
+                            ? given.islands
+                            : labelIslands(given.adjacency, {context.threads}, doubts);
+  const IslandVotes votes = askNeighbors(mesh.given,
+                                         given.adjacency,
+                                         given.islands,
+                                         parts,
+                                         mesh.points,
+                                         contactsOf(given, parts, open, table));
+  if (votes.between.empty() && !GivenVotes(hints).any())
     return; // a guess from the shape is better made of the finished surface
-  const std::vector<double> evidence =
-      evidentSides(mesh.given, given.adjacency, mesh.points, hints, *context.control);
   alignIslands(
-      mesh.given, given.adjacency, given.islands, mesh.points, evidence, contacts);
+      mesh.given,
+      given.adjacency,
+      parts,
+      votes,
+      evidentSides(mesh.given, given.adjacency, mesh.points, hints, *context.control));
 }
 
 } // namespace pcl::ccaa

@@ -7,23 +7,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 namespace pcl::ccaa {
 namespace {
 
 Position
-normalAt(pcl::index_t vertex,
+normalAt(const PartPoint& at,
          const Triangles& triangles,
          const TriangleAdjacency& adjacency,
+         const Islands& parts,
          const PointView& points)
 {
   Position sum = Position::Zero();
-  for (const auto* t = adjacency.begin(vertex); t != adjacency.end(vertex); ++t)
-    sum += areaNormal(cornersOf(triangles[static_cast<std::size_t>(*t)], points));
+  for (const auto* t = adjacency.begin(at.point); t != adjacency.end(at.point); ++t)
+    if (const auto triangle = static_cast<std::size_t>(*t); parts[triangle] == at.part)
+      sum += areaNormal(cornersOf(triangles[triangle], points));
   return sum.normalized();
 }
 
@@ -88,47 +88,67 @@ private:
   std::vector<std::vector<std::size_t>> members_;
 };
 
-using IslandPair = std::pair<std::size_t, std::size_t>;
+using Pair = std::pair<std::size_t, std::size_t>;
+using Votes = std::map<Pair, double>;
 
-/** What the contacts say: positive for alike. */
-std::map<IslandPair, double>
-votes(const Triangles& triangles,
-      const TriangleAdjacency& adjacency,
-      const Islands& islands,
-      const PointView& points,
-      const std::vector<IslandContact>& contacts)
+/** Of two parts: positive for alike. */
+Votes
+votesOfParts(const Triangles& triangles,
+             const TriangleAdjacency& adjacency,
+             const Islands& parts,
+             const PointView& points,
+             const std::vector<PartContact>& contacts)
 {
-  const auto island_of = [&](pcl::index_t vertex) {
-    return islands[static_cast<std::size_t>(*adjacency.begin(vertex))];
-  };
-  std::map<IslandPair, double> sums;
-  for (const IslandContact& contact : contacts) {
-    const std::size_t one = island_of(contact.one), other = island_of(contact.other);
-    if (one == other)
-      continue;
-    const Position across = (points[contact.other] - points[contact.one]).normalized();
-    const Position n = normalAt(contact.one, triangles, adjacency, points);
-    const Position m = normalAt(contact.other, triangles, adjacency, points);
+  Votes votes;
+  for (const auto& [one, other] : contacts) {
+    const Position across = (points[other.point] - points[one.point]).normalized();
+    const Position n = normalAt(one, triangles, adjacency, parts, points);
+    const Position m = normalAt(other, triangles, adjacency, parts, points);
     if (std::abs(n.dot(across)) < tuning::LARGEST_RISE &&
         std::abs(m.dot(across)) < tuning::LARGEST_RISE)
-      sums[std::minmax(one, other)] += n.dot(m);
+      votes[std::minmax(one.part, other.part)] += n.dot(m);
   }
-  return sums;
+  return votes;
+}
+
+/** The largest part of each island stays, and the others that do not speak against it;
+ * the rest are islands behind the given ones. \return the island of every part */
+std::vector<std::size_t>
+islandsOfParts(const Votes& votes, const Islands& islands, const Islands& parts)
+{
+  std::vector<std::size_t> island_of(parts.count, 0), size(parts.count, 0);
+  for (std::size_t t = 0; t < parts.of_triangle.size(); ++t) {
+    island_of[parts[t]] = islands[t];
+    ++size[parts[t]];
+  }
+  std::vector<double> alike(parts.count, 0.0);
+  for (const auto& [pair, sum] : votes)
+    if (island_of[pair.first] == island_of[pair.second])
+      for (const std::size_t part : {pair.first, pair.second})
+        alike[part] += sum;
+  std::vector<std::size_t> largest(islands.count, parts.count);
+  for (std::size_t part = 0; part < parts.count; ++part)
+    if (std::size_t& most = largest[island_of[part]];
+        most == parts.count || size[part] > size[most])
+      most = part;
+  std::size_t count = islands.count;
+  for (std::size_t part = 0; part < parts.count; ++part)
+    if (alike[part] < 0.0 && part != largest[island_of[part]])
+      island_of[part] = count++;
+  return island_of;
 }
 
 std::vector<std::uint8_t>
-againstNeighbors(const std::map<IslandPair, double>& sums,
-                 const std::vector<std::size_t>& sizes,
-                 const std::vector<double>& evidence)
+againstNeighbors(const IslandVotes& votes, const std::vector<double>& evidence)
 {
-  std::vector<std::pair<double, IslandPair>> pairs;
-  for (const auto& [pair, sum] : sums)
+  std::vector<std::pair<double, Pair>> pairs;
+  for (const auto& [pair, sum] : votes.between)
     pairs.emplace_back(sum, pair);
   std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(-std::abs(a.first), a.second) <
            std::make_tuple(-std::abs(b.first), b.second);
   });
-  TurnedGroups groups(sizes, evidence);
+  TurnedGroups groups(votes.sizes, evidence);
   for (const auto& [sum, pair] : pairs)
     groups.join(pair.first, pair.second, sum < 0.0);
   return groups.turned();
@@ -136,22 +156,44 @@ againstNeighbors(const std::map<IslandPair, double>& sums,
 
 } // namespace
 
+IslandVotes
+askNeighbors(const Triangles& triangles,
+             const TriangleAdjacency& adjacency,
+             const Islands& islands,
+             const Islands& parts,
+             const PointView& points,
+             const std::vector<PartContact>& contacts)
+{
+  const Votes of_parts = votesOfParts(triangles, adjacency, parts, points, contacts);
+  IslandVotes votes;
+  votes.island_of_part = islandsOfParts(of_parts, islands, parts);
+  const auto& island_of = votes.island_of_part;
+  for (const auto& [pair, sum] : of_parts)
+    if (const std::size_t one = island_of[pair.first], other = island_of[pair.second];
+        one != other)
+      votes.between[std::minmax(one, other)] += sum;
+  votes.sizes.resize(islands.count, 0);
+  for (const pcl::index_t part : parts.of_triangle) {
+    const std::size_t island = island_of[static_cast<std::size_t>(part)];
+    votes.sizes.resize(std::max(votes.sizes.size(), island + 1), 0);
+    ++votes.sizes[island];
+  }
+  return votes;
+}
+
 bool
 alignIslands(Triangles& triangles,
              TriangleAdjacency& adjacency,
-             const Islands& islands,
-             const PointView& points,
-             const std::vector<double>& evidence,
-             const std::vector<IslandContact>& contacts)
+             const Islands& parts,
+             const IslandVotes& votes,
+             std::vector<double> evidence)
 {
-  std::vector<std::size_t> sizes(islands.count, 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    ++sizes[islands[t]];
-  const std::vector<std::uint8_t> reverse = againstNeighbors(
-      votes(triangles, adjacency, islands, points, contacts), sizes, evidence);
+  if (!evidence.empty())
+    evidence.resize(votes.sizes.size(), 0.0);
+  const std::vector<std::uint8_t> reverse = againstNeighbors(votes, evidence);
   bool any = false;
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (reverse[islands[t]] != 0) {
+    if (reverse[votes.island_of_part[parts[t]]] != 0) {
       adjacency.turn(static_cast<pcl::index_t>(t), triangles);
       any = true;
     }

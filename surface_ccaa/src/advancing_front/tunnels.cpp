@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -20,10 +21,15 @@ namespace {
  *
  * There a start algorithm may connect two sides through the body. Such a tunnel has a
  * perfect umbrella at each point, and its edges are no sharper than those in which the
- * body ends: nothing here tells the one from the other. */
+ * body ends: nothing here tells the one from the other.
+ *
+ * \param[in] least_rise of such an edge out of the tangent plane at an end, as a share
+ * of its length: below it a triangle that is folded back onto others has turned the
+ * normals of a smooth surface */
 std::vector<std::uint8_t>
 thinPlaces(const Triangles& triangles,
            const PointView& points,
+           double least_rise,
            const LoopContext& context)
 {
   const auto normals = vertexNormals(triangles, points, context);
@@ -32,7 +38,12 @@ thinPlaces(const Triangles& triangles,
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto from = static_cast<std::size_t>(triangle[corner]);
       const auto to = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
-      if (normals[from].dot(normals[to]) < tuning::OPPOSITE)
+      if (normals[from].dot(normals[to]) >= tuning::OPPOSITE)
+        continue;
+      const Position edge = points[to] - points[from];
+      const double rise = std::max(std::abs(edge.dot(normals[from].cast<double>())),
+                                   std::abs(edge.dot(normals[to].cast<double>())));
+      if (rise >= least_rise * edge.norm())
         is_thin[from] = is_thin[to] = 1;
     }
   return is_thin;
@@ -257,10 +268,10 @@ openTunnels(PartialMesh mesh,
   if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
     return;
   const PointView points = mesh.points;
-  auto is_thin = thinPlaces(result.triangles, points, context);
+  auto is_thin = thinPlaces(result.triangles, points, 0.0, context);
   const bool has_thin = countOf(is_thin) > 0;
   if (!has_thin)
-    is_thin = thinPlaces(mesh.given, points, context);
+    is_thin = thinPlaces(mesh.given, points, tuning::LARGEST_RISE, context);
   if (countOf(is_thin) == 0)
     return;
   const auto most_work =
@@ -269,7 +280,7 @@ openTunnels(PartialMesh mesh,
       has_thin &&
       ThinPlaces(std::move(mesh), is_thin, complete, most_work, result, report).run();
   if (is_anew)
-    is_thin = thinPlaces(result.triangles, points, context);
+    is_thin = thinPlaces(result.triangles, points, 0.0, context);
   report.doubts.handles =
       static_cast<std::uint64_t>(std::max(0L, result.topology.genus.value_or(0)));
   if (!is_anew && report.doubts.handles == 0)

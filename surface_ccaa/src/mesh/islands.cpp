@@ -7,9 +7,17 @@
 namespace pcl::ccaa {
 
 Islands
-labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context)
+labelIslands(const TriangleAdjacency& adjacency,
+             const LoopContext& context,
+             const std::vector<pcl::index_t>& alone)
 {
   const std::size_t count = adjacency.triangleCount();
+  std::vector<std::uint8_t> is_alone(alone.empty() ? 0 : count, 0);
+  for (const pcl::index_t t : alone)
+    is_alone[static_cast<std::size_t>(t)] = 1;
+  const auto connects = [&](std::size_t t) {
+    return is_alone.empty() || is_alone[t] == 0;
+  };
   DisjointSets sets(count, DisjointSets::Begin::EMPTY);
   forEachBlock(count, context, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
@@ -17,10 +25,11 @@ labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context)
   });
   forEachBlock(count, context, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
-      for (int corner = 0; corner < 3; ++corner) {
+      for (int corner = 0; corner < 3 && connects(t); ++corner) {
         const pcl::index_t other =
             adjacency.across(static_cast<pcl::index_t>(t), corner);
-        if (other >= 0 && static_cast<std::size_t>(other) < t)
+        if (other >= 0 && static_cast<std::size_t>(other) < t &&
+            connects(static_cast<std::size_t>(other)))
           sets.join(t, static_cast<std::size_t>(other));
       }
   });

@@ -24,8 +24,11 @@ struct Islands {
 };
 
 /** \brief Find the islands, the same for any number of threads. Cost: linear, about
- * 15 ns a triangle; 4 bytes a triangle besides the result. */
+ * 15 ns a triangle; 4 bytes a triangle besides the result.
+ * \param[in] alone triangles, ascending, that connect to none: each is an island */
 Islands
-labelIslands(const TriangleAdjacency& adjacency, const LoopContext& context = {});
+labelIslands(const TriangleAdjacency& adjacency,
+             const LoopContext& context = {},
+             const std::vector<pcl::index_t>& alone = {});
 
 } // namespace pcl::ccaa

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Part of PclSurfaceRepair: islands: which there are, which to trust, how to turn them.
+// Part of PclSurfaceRepair: islands: which to trust, how to turn them.
 #include <gtest/gtest.h>
 
 #include "advancing_front/doubtful_triangles.h"
@@ -16,41 +16,6 @@
 
 namespace pcl::ccaa::test {
 namespace {
-
-std::vector<std::size_t>
-islandsOf(const Shape& shape)
-{
-  const Islands islands = labelIslands(adjacencyOf(shape));
-  std::vector<std::size_t> labels;
-  for (std::size_t t = 0; t < shape.triangles.size(); ++t)
-    labels.push_back(islands[t]);
-  return labels;
-}
-
-TEST(Islands, AreThePiecesThatEdgesConnect)
-{
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const double share = 0.05 * static_cast<double>(seed + 1);
-    const Shape shape =
-        shuffled(withoutRandomTriangles(icosphere(3), share, seed), seed);
-    EXPECT_EQ(islandsOf(shape), pieceOfTriangles(shape.triangles)) << seed;
-  }
-}
-
-TEST(Islands, AreNotConnectedByAnEdgeWithThreeTriangles)
-{
-  EXPECT_EQ(islandsOf(threeOnEdge()), (std::vector<std::size_t>{0, 1, 2}));
-}
-
-TEST(Islands, AreNotConnectedByAPoint)
-{
-  EXPECT_EQ(islandsOf(bowTie()), (std::vector<std::size_t>{0, 1}));
-}
-
-TEST(Islands, OfNothingAreNone)
-{
-  EXPECT_EQ(labelIslands(TriangleAdjacency{}).count, 0u);
-}
 
 Doubts
 doubtsAbout(const Shape& shape)
@@ -124,24 +89,30 @@ TEST(DoubtfulTriangles, OfNothingAreNone)
   EXPECT_TRUE(doubtsAbout({grid(2, 2).vertices, {}}).triangles.empty());
 }
 
-/** Pairs of boundary points of different islands closer than a reach. */
-std::vector<IslandContact>
-contactsWithin(const Shape& shape, double reach)
+/** Pairs of boundary points of different parts closer than a reach. */
+std::vector<PartContact>
+contactsWithin(const Shape& shape, const Islands& parts, double reach)
 {
   const PartialShape partial(shape);
-  std::vector<IslandContact> contacts;
+  const auto at = [&](index_t vertex) {
+    return PartPoint{vertex, parts[std::size_t(*partial.adjacency.begin(vertex))]};
+  };
+  std::vector<PartContact> contacts;
   for (const index_t one : partial.openVertices())
     for (const index_t other : partial.openVertices())
-      if (one != other && partial.adjacency.fan(one) == Fan::OPEN &&
-          partial.adjacency.fan(other) == Fan::OPEN &&
+      if (partial.adjacency.fan(one) == Fan::OPEN &&
+          partial.adjacency.fan(other) == Fan::OPEN && at(one).part != at(other).part &&
           (shape.vertices[std::size_t(one)] - shape.vertices[std::size_t(other)])
                   .norm() < reach)
-        contacts.push_back({one, other});
+        contacts.push_back({at(one), at(other)});
   return contacts;
 }
 
 bool
-align(Shape& shape, double reach, const Positions& normals = {})
+align(Shape& shape,
+      double reach,
+      const Positions& normals = {},
+      const std::vector<index_t>& doubts = {})
 {
   TriangleAdjacency adjacency = adjacencyOf(shape);
   OrientationHints hints;
@@ -150,12 +121,14 @@ align(Shape& shape, double reach, const Positions& normals = {})
   RunControl control;
   const std::vector<double> evidence =
       evidentSides(shape.triangles, adjacency, shape.vertices, hints, control);
-  return alignIslands(shape.triangles,
-                      adjacency,
-                      labelIslands(adjacency),
-                      shape.vertices,
-                      evidence,
-                      contactsWithin(shape, reach));
+  const Islands parts = labelIslands(adjacency, {}, doubts);
+  const IslandVotes votes = askNeighbors(shape.triangles,
+                                         adjacency,
+                                         labelIslands(adjacency),
+                                         parts,
+                                         shape.vertices,
+                                         contactsWithin(shape, parts, reach));
+  return alignIslands(shape.triangles, adjacency, parts, votes, evidence);
 }
 
 /** A sphere cut into pieces by gaps one triangle wide. */
@@ -302,6 +275,40 @@ TEST(LargeComponentFlags, KeepIslandsOfTheFirstTriangles)
   EXPECT_EQ(largeComponentFlags(both.triangles, adjacencyOf(both), 1, 5), expected);
   EXPECT_EQ(largeComponentFlags(both.triangles, adjacencyOf(both), 0, 4),
             std::vector<std::uint8_t>(36, 1));
+}
+
+/** Two pieces of a plane side by side, with two triangles between them. */
+Shape
+pairWithBridge(bool second_is_reversed)
+{
+  const Shape second = translated(grid(3, 3), {9.0, 3.0, 0.0});
+  Shape shape =
+      joined(grid(9, 9),
+             {second.vertices,
+              second_is_reversed ? reversed(second.triangles) : second.triangles});
+  const index_t low = 3 * 9 + 8, high = low + 9, near = 81, far = near + 3;
+  shape.triangles.push_back({low, near, high});
+  shape.triangles.push_back({high, near, far});
+  return shape;
+}
+
+TEST(AlignIslands, TurnAPartThatOnlyDoubtfulTrianglesConnect)
+{
+  const Shape alike = pairWithBridge(false);
+  Shape shape = pairWithBridge(true);
+  const auto last = static_cast<index_t>(shape.triangles.size()) - 1;
+  ASSERT_EQ(labelIslands(adjacencyOf(shape)).count, 1u);
+  EXPECT_TRUE(align(shape, 1.5, {}, {last - 1, last}));
+  shape.triangles.resize(std::size_t(last) - 1);
+  EXPECT_TRUE(sameTriangles(shape.triangles,
+                            {alike.triangles.begin(), alike.triangles.end() - 2}));
+}
+
+TEST(AlignIslands, LeaveAPartAloneThatAgreesWithItsIsland)
+{
+  Shape shape = pairWithBridge(false);
+  const auto last = static_cast<index_t>(shape.triangles.size()) - 1;
+  EXPECT_FALSE(align(shape, 1.5, {}, {last - 1, last}));
 }
 
 } // namespace

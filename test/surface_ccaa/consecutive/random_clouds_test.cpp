@@ -103,5 +103,43 @@ INSTANTIATE_TEST_SUITE_P(Gaps,
                          ReconstructionOfScanLines,
                          ::testing::Values(5.0, 7.0, 10.0, 15.0, 20.0));
 
+/** Points at random on a torus, without an order: some are a hundred times nearer to
+ * each other than others. */
+Positions
+randomPointsOnTorus(std::size_t count, std::uint64_t seed)
+{
+  constexpr double TUBE = 0.4;
+  RandomSource random(seed);
+  Positions points;
+  while (points.size() < count) {
+    const double along = random.uniform(0.0, 2.0 * M_PI);
+    const double around = random.uniform(0.0, 2.0 * M_PI);
+    const double radius = 1.0 + TUBE * std::cos(around);
+    if (random.uniform(0.0, 1.0 + TUBE) < radius)
+      points.emplace_back(
+          radius * std::cos(along), radius * std::sin(along), TUBE * std::sin(around));
+  }
+  return points;
+}
+
+class ReconstructionOfRandomPoints : public ::testing::TestWithParam<std::uint64_t> {};
+
+/** Where the start folds triangles back onto others, what hangs on them was wound the
+ * wrong way, and such folds passed for thin places of the body. */
+TEST_P(ReconstructionOfRandomPoints, UsesAllAndHasNoHandleInDoubt)
+{
+  ConsecutiveReconstruction<PointXYZ> reconstruction;
+  reconstruction.setInputCloud(toCloud(randomPointsOnTorus(40000, GetParam())));
+  std::vector<Vertices> polygons;
+  reconstruction.reconstruct(polygons);
+  const auto& report = reconstruction.getReport();
+  EXPECT_EQ(report.free_points, 0u);
+  EXPECT_EQ(report.doubts.handles, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds,
+                         ReconstructionOfRandomPoints,
+                         ::testing::Range<std::uint64_t>(1, 13));
+
 } // namespace
 } // namespace pcl::ccaa::test
