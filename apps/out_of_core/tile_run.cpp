@@ -23,6 +23,19 @@
 namespace app {
 namespace {
 
+/** Large blocks go back to the system as soon as they are freed: glibc would keep those
+ * of up to 32 MB, and tiles of the same size would take 580 to 675 MB, now 560, for 7 %
+ * more time.
+ */
+void
+returnLargeBlocks()
+{
+#ifdef __GLIBC__
+  constexpr int LARGE_BLOCK = 1 << 22; // bytes
+  mallopt(M_MMAP_THRESHOLD, LARGE_BLOCK);
+#endif
+}
+
 /** Freed memory goes back to the system before a tile takes its own: cutting 100
  * million points leaves 104 MB, and meshing a hundred tiles, one after the other, up to
  * 130 MB.
@@ -216,6 +229,7 @@ runTiles(const TilePlan& plan,
                (hasShard(plan, tile) || isDone(plan.file(tile, PIECES_STEP), plan.key));
   if (!is_wound)
     phases.insert(phases.begin(), before.begin(), before.end());
+  returnLargeBlocks();
   TileRun(plan, memory, threads, tell).run(phases);
 }
 

@@ -169,7 +169,10 @@ judge(const Settings& settings, const char* what, const std::string& mesh)
                            "misoriented_edges",
                            "self_intersections"})
     std::printf(" %s %s", fact, facts[fact].dump().c_str());
-  std::printf("\n");
+  // what the Euler characteristic is where each opening is closed by a disc
+  std::printf(" closed_characteristic %ld\n",
+              long(facts["euler_characteristic"]) +
+                  long(facts["boundary_loops"].size()));
   return facts;
 }
 

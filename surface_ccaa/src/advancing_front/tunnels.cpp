@@ -290,6 +290,8 @@ openTunnels(PartialMesh mesh,
   if (report.doubts.handles > 0) {
     addRings(tuning::AROUND_HANDLE, result.triangles, is_thin);
     report.doubts.thin_handles = handlePlaces(result.triangles, adjacency, is_thin);
+    if (!has_thin && report.doubts.thin_handles.empty())
+      report.doubts.handles = 0; // the given triangles had such places elsewhere
   }
   if (is_anew)
     report.doubts.thin_necks =

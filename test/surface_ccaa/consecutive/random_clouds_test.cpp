@@ -122,6 +122,28 @@ randomPointsOnTorus(std::size_t count, std::uint64_t seed)
   return points;
 }
 
+/** Points at random on a washer: a ring with four sharp edges. */
+Positions
+randomPointsOnWasher(std::size_t count, std::uint64_t seed)
+{
+  constexpr double INNER = 0.5, OUTER = 1.0, HEIGHT = 0.3;
+  constexpr double FACE = OUTER * OUTER - INNER * INNER; // areas over pi
+  constexpr double WALLS = 2.0 * (INNER + OUTER) * HEIGHT;
+  RandomSource random(seed);
+  Positions points;
+  while (points.size() < count) {
+    const double along = random.uniform(0.0, 2.0 * M_PI);
+    double radius = random.uniform() < INNER / (INNER + OUTER) ? INNER : OUTER;
+    double z = random.uniform(0.0, HEIGHT);
+    if (random.uniform(0.0, 2.0 * FACE + WALLS) > WALLS) {
+      radius = std::sqrt(INNER * INNER + FACE * random.uniform());
+      z = random.uniform() < 0.5 ? 0.0 : HEIGHT;
+    }
+    points.emplace_back(radius * std::cos(along), radius * std::sin(along), z);
+  }
+  return points;
+}
+
 class ReconstructionOfRandomPoints : public ::testing::TestWithParam<std::uint64_t> {};
 
 /** Where the start folds triangles back onto others, what hangs on them was wound the
@@ -135,6 +157,17 @@ TEST_P(ReconstructionOfRandomPoints, UsesAllAndHasNoHandleInDoubt)
   const auto& report = reconstruction.getReport();
   EXPECT_EQ(report.free_points, 0u);
   EXPECT_EQ(report.doubts.handles, 0u);
+}
+
+/** At sharp edges the start makes thin places that the base algorithm takes away. */
+TEST_P(ReconstructionOfRandomPoints, HasNoHandleInDoubtBesideSharpEdges)
+{
+  ConsecutiveReconstruction<PointXYZ> reconstruction;
+  reconstruction.setInputCloud(toCloud(randomPointsOnWasher(20000, GetParam())));
+  std::vector<Vertices> polygons;
+  reconstruction.reconstruct(polygons);
+  EXPECT_EQ(topologyOf(toTriangles(polygons)).characteristic, 0);
+  EXPECT_EQ(reconstruction.getReport().doubts.handles, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds,
