@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: surfaces to be completed, and ways to take parts of them.
 #pragma once
 
+#include "mesh/triangle_adjacency.h"
 #include "shapes.h"
 
 #include <cstddef>
@@ -9,6 +10,14 @@
 #include <vector>
 
 namespace pcl::ccaa::test {
+
+inline TriangleAdjacency
+adjacencyOf(const Shape& shape)
+{
+  TriangleAdjacency adjacency;
+  adjacency.build(shape.triangles, shape.vertices.size());
+  return adjacency;
+}
 
 /** \brief Closed box of columns * rows * layers cubes of side 1 with sharp edges,
  * vertices at integer coordinates. With few layers a thin plate with a rim. */

@@ -112,30 +112,28 @@ votesOfParts(const Triangles& triangles,
 }
 
 /** The largest part of each island stays, and the others that do not speak against it;
- * the rest are islands behind the given ones. \return the island of every part */
-std::vector<std::size_t>
-islandsOfParts(const Votes& votes, const Islands& islands, const Islands& parts)
+ * the rest become islands behind the given ones. \return how many islands there are */
+std::size_t
+partOpposed(const Votes& votes,
+            const std::vector<std::size_t>& part_sizes,
+            std::size_t count,
+            std::vector<std::size_t>& island_of)
 {
-  std::vector<std::size_t> island_of(parts.count, 0), size(parts.count, 0);
-  for (std::size_t t = 0; t < parts.of_triangle.size(); ++t) {
-    island_of[parts[t]] = islands[t];
-    ++size[parts[t]];
-  }
-  std::vector<double> alike(parts.count, 0.0);
+  const std::size_t parts = part_sizes.size();
+  std::vector<double> alike(parts, 0.0);
   for (const auto& [pair, sum] : votes)
     if (island_of[pair.first] == island_of[pair.second])
       for (const std::size_t part : {pair.first, pair.second})
         alike[part] += sum;
-  std::vector<std::size_t> largest(islands.count, parts.count);
-  for (std::size_t part = 0; part < parts.count; ++part)
+  std::vector<std::size_t> largest(count, parts);
+  for (std::size_t part = 0; part < parts; ++part)
     if (std::size_t& most = largest[island_of[part]];
-        most == parts.count || size[part] > size[most])
+        most == parts || part_sizes[part] > part_sizes[most])
       most = part;
-  std::size_t count = islands.count;
-  for (std::size_t part = 0; part < parts.count; ++part)
+  for (std::size_t part = 0; part < parts; ++part)
     if (alike[part] < 0.0 && part != largest[island_of[part]])
       island_of[part] = count++;
-  return island_of;
+  return count;
 }
 
 std::vector<std::uint8_t>
@@ -166,18 +164,20 @@ askNeighbors(const Triangles& triangles,
 {
   const Votes of_parts = votesOfParts(triangles, adjacency, parts, points, contacts);
   IslandVotes votes;
-  votes.island_of_part = islandsOfParts(of_parts, islands, parts);
-  const auto& island_of = votes.island_of_part;
+  std::vector<std::size_t>& island_of = votes.island_of_part;
+  island_of.resize(parts.count);
+  std::vector<std::size_t> part_sizes(parts.count, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    island_of[parts[t]] = islands[t];
+    ++part_sizes[parts[t]];
+  }
+  votes.sizes.resize(partOpposed(of_parts, part_sizes, islands.count, island_of), 0);
+  for (std::size_t part = 0; part < parts.count; ++part)
+    votes.sizes[island_of[part]] += part_sizes[part];
   for (const auto& [pair, sum] : of_parts)
     if (const std::size_t one = island_of[pair.first], other = island_of[pair.second];
         one != other)
       votes.between[std::minmax(one, other)] += sum;
-  votes.sizes.resize(islands.count, 0);
-  for (const pcl::index_t part : parts.of_triangle) {
-    const std::size_t island = island_of[static_cast<std::size_t>(part)];
-    votes.sizes.resize(std::max(votes.sizes.size(), island + 1), 0);
-    ++votes.sizes[island];
-  }
   return votes;
 }
 

@@ -6,7 +6,6 @@
 #include "advancing_front/open_surface.h"
 #include "advancing_front/partial_surface.h"
 #include "advancing_front/spacing.h"
-#include "mesh/triangle_adjacency.h"
 #include "support/completion_shapes.h"
 #include "support/random_source.h"
 
@@ -14,14 +13,6 @@
 #include <vector>
 
 namespace pcl::ccaa::test {
-
-inline TriangleAdjacency
-adjacencyOf(const Shape& shape)
-{
-  TriangleAdjacency adjacency;
-  adjacency.build(shape.triangles, shape.vertices.size());
-  return adjacency;
-}
 
 inline Triangles
 liveTriangles(const PartialSurface& surface)

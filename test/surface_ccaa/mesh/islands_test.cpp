@@ -9,18 +9,10 @@
 namespace pcl::ccaa::test {
 namespace {
 
-TriangleAdjacency
-neighborsIn(const Shape& shape)
-{
-  TriangleAdjacency adjacency;
-  adjacency.build(shape.triangles, shape.vertices.size());
-  return adjacency;
-}
-
 std::vector<std::size_t>
 islandsOf(const Shape& shape)
 {
-  const Islands islands = labelIslands(neighborsIn(shape));
+  const Islands islands = labelIslands(adjacencyOf(shape));
   std::vector<std::size_t> labels;
   for (std::size_t t = 0; t < shape.triangles.size(); ++t)
     labels.push_back(islands[t]);
@@ -50,7 +42,7 @@ TEST(Islands, AreNotConnectedByAPoint)
 TEST(Islands, AreNotConnectedByTrianglesThatAreToBeAlone)
 {
   const Shape strip = grid(4, 2); // of the second square one triangle leads on
-  const Islands parts = labelIslands(neighborsIn(strip), {}, {2});
+  const Islands parts = labelIslands(adjacencyOf(strip), {}, {2});
   EXPECT_EQ(parts.of_triangle, (std::vector<index_t>{0, 0, 1, 0, 2, 2}));
 }
 
