@@ -17,35 +17,75 @@
 namespace pcl::ccaa {
 namespace {
 
-/** How much is wrong around the first vertices of a mesh: boundary edges, three for an
- * unused point, ten for one where fans touch. */
+/** A vertex, and the other corners of a triangle there as it winds. */
+using Sector = std::array<pcl::index_t, 3>;
+using Sectors = std::vector<Sector>::const_iterator;
+
+/** \return the number of fans that the sectors of a vertex form */
 std::size_t
-countFlaws(const Triangles& triangles, std::size_t open_points)
+countFans(Sectors begin, Sectors end)
 {
-  using Edge = std::array<pcl::index_t, 2>;
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(end - begin), 0);
+  const auto turn = [&](Sectors sector) {
+    while (sector != end && seen[static_cast<std::size_t>(sector - begin)] == 0) {
+      seen[static_cast<std::size_t>(sector - begin)] = 1;
+      sector = std::find_if(
+          begin, end, [&](const Sector& next) { return next[1] == (*sector)[2]; });
+    }
+  };
+  std::size_t fans = 0;
+  for (const bool closed : {false, true}) // an open fan begins where none ends
+    for (auto sector = begin; sector != end; ++sector)
+      if (seen[static_cast<std::size_t>(sector - begin)] == 0 &&
+          (closed || std::none_of(begin, end, [&](const Sector& before) {
+             return before[2] == (*sector)[1];
+           }))) {
+        ++fans;
+        turn(sector);
+      }
+  return fans;
+}
+
+Flaws
+findFlaws(const Triangles& triangles, std::size_t open_points)
+{
   const auto is_open = [&](pcl::index_t v) {
     return static_cast<std::size_t>(v) < open_points;
   };
-  std::vector<Edge> edges;
-  std::vector<std::size_t> used(open_points, 0), borders(open_points, 0);
+  std::vector<Sector> sectors;
   for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (is_open(t[i]))
-        used[static_cast<std::size_t>(t[i])] = 1;
+    for (std::size_t i = 0; i < 3; ++i)
       if (is_open(t[i]) || is_open(t[(i + 1) % 3]))
-        edges.push_back({t[i], t[(i + 1) % 3]});
-    }
-  std::sort(edges.begin(), edges.end());
-  std::size_t flaws = 0;
-  for (const Edge& edge : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), Edge{edge[1], edge[0]})) {
-      ++flaws;
-      if (is_open(edge[0]))
-        ++borders[static_cast<std::size_t>(edge[0])];
-    }
-  for (std::size_t v = 0; v < open_points; ++v)
-    flaws += (used[v] == 0 ? 3 : 0) + (borders[v] > 1 ? 10 : 0);
+        sectors.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
+  std::sort(sectors.begin(), sectors.end());
+  const auto first = [&](pcl::index_t from, pcl::index_t to) {
+    return std::lower_bound(sectors.begin(), sectors.end(), Sector{from, to, 0});
+  };
+  Flaws flaws;
+  for (const Sector& sector : sectors) {
+    const auto opposite = first(sector[1], sector[0]);
+    flaws.count += opposite == sectors.end() || (*opposite)[0] != sector[1] ||
+                   (*opposite)[1] != sector[0];
+  }
+  flaws.doubled_characteristic = -static_cast<std::ptrdiff_t>(triangles.size()) -
+                                 static_cast<std::ptrdiff_t>(flaws.count);
+  for (pcl::index_t v = 0; is_open(v); ++v) {
+    const std::size_t fans = countFans(first(v, 0), first(v + 1, 0));
+    flaws.count += fans == 0 ? 3 : fans > 1 ? 10 : 0;
+    flaws.doubled_characteristic += 2 * static_cast<std::ptrdiff_t>(fans);
+  }
   return flaws;
+}
+
+/** With ten for each handle that was not there before: where two parts become one the
+ * characteristic falls by one. */
+std::size_t
+flawsAfter(const Flaws& before, const Flaws& after)
+{
+  const std::ptrdiff_t fall =
+      before.doubled_characteristic - after.doubled_characteristic;
+  return after.count +
+         5 * static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, fall - 2));
 }
 
 } // namespace
@@ -171,13 +211,14 @@ LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
   if (best.open.size() > tuning::LARGEST_GROUP)
     return best;
   std::vector<pcl::index_t> vertices;
-  best.flaws =
-      countFlaws(surface_.openAt(best.open, {}, vertices).rim, best.open.size());
+  const Flaws before =
+      findFlaws(surface_.openAt(best.open, {}, vertices).rim, best.open.size());
+  best.flaws = before.count;
   OpenSurface gap = surface_.openAt(best.open, best.removed, vertices);
   findNeighborsDirectly(gap, parameters_.neighbors);
   completeSpacings(gap);
   for (const double smooth_fold : {parameters_.smooth_fold, M_PI}) {
-    Attempt attempt = growInto(gap, vertices, smooth_fold, control);
+    Attempt attempt = growInto(gap, vertices, before, smooth_fold, control);
     if (attempt.is_better && attempt.flaws < best.flaws) {
       best.flaws = attempt.flaws;
       best.made = std::move(attempt.made);
@@ -192,6 +233,7 @@ LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
 LocalRegrowth::Attempt
 LocalRegrowth::growInto(const OpenSurface& gap,
                         const std::vector<pcl::index_t>& vertices,
+                        const Flaws& before,
                         double smooth_fold,
                         RunControl* control) const
 {
@@ -206,7 +248,7 @@ LocalRegrowth::growInto(const OpenSurface& gap,
       growth.surface().triangles(), gap.rim.size(), gap.positions, rule_);
   Triangles all = gap.rim;
   all.insert(all.end(), attempt.made.begin(), attempt.made.end());
-  attempt.flaws = countFlaws(all, gap.open_points);
+  attempt.flaws = flawsAfter(before, findFlaws(all, gap.open_points));
   attempt.made = inTheWhole(std::move(attempt.made), vertices);
   return attempt;
 }

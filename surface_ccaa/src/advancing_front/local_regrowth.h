@@ -15,6 +15,15 @@
 
 namespace pcl::ccaa {
 
+/** \brief How much is wrong around the open points of a mesh. */
+struct Flaws {
+  /** \brief Boundary edges, three for an unused point, ten for one where fans touch. */
+  std::size_t count = 0;
+  /** \brief Twice the Euler characteristic, less what does not depend on the triangles
+   * among the open points. */
+  std::ptrdiff_t doubled_characteristic = 0;
+};
+
 /** \brief Takes triangles away around obstructed points and lets the surface grow there
  * anew; what comes out replaces what was there only if it has fewer flaws: boundary
  * edges, unused points, points where fans touch. So a try can do no harm.
@@ -81,6 +90,7 @@ private:
   Attempt
   growInto(const OpenSurface& gap,
            const std::vector<pcl::index_t>& vertices,
+           const Flaws& before,
            double smooth_fold,
            RunControl* control) const;
   std::vector<Group>

@@ -63,7 +63,7 @@ double
 LoopClosure::largestRoom() const
 {
   return corners_.size() <= tuning::SMALL_LOOP ? tuning::LARGEST_ROOM_OF_SMALL_LOOP
-                                               : tuning::LARGEST_ROOM;
+                                               : trial_.largestRoom();
 }
 
 /** How far from the edges of the loop a patch gets, in spacings: the radius of the
@@ -236,6 +236,9 @@ closeLoops(GrowingSurface& surface, TriangleTrial& trial, RunControl* control)
   LoopClosure closure(surface, trial);
   const Front& front = surface.front();
   std::vector<pcl::index_t> obstructed;
+  for (pcl::index_t vertex = 0; trial.isOpenPoint(vertex); ++vertex)
+    if (hasSeveralFans(front, vertex)) // also if each of them is closed now
+      obstructed.push_back(vertex);
   std::vector<std::uint8_t> seen(front.size(), 0);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const auto edge = static_cast<FrontIndex>(i);
@@ -252,9 +255,6 @@ closeLoops(GrowingSurface& surface, TriangleTrial& trial, RunControl* control)
       obstructed.insert(
           obstructed.end(), closure.corners().begin(), closure.corners().end());
   }
-  for (pcl::index_t vertex = 0; trial.isOpenPoint(vertex); ++vertex)
-    if (hasSeveralFans(front, vertex))
-      obstructed.push_back(vertex);
   sortUnique(obstructed);
   return obstructed;
 }

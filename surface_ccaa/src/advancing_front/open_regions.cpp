@@ -92,6 +92,7 @@ regionOf(const OpenSurface& open,
   OpenSurface region;
   region.open_points = points.size();
   region.removed = open.removed;
+  region.largest_room = open.largest_room;
   for (const pcl::index_t t : rim)
     region.rim.push_back(open.rim[static_cast<std::size_t>(t)]);
   vertices = points;

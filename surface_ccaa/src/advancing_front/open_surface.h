@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the part of a cloud and its partial mesh still to be done.
 #pragma once
 
+#include "advancing_front/tuning.h"
 #include "greedy/ranked_points.h"
 #include "mesh/triangle.h"
 
@@ -26,6 +27,8 @@ struct OpenSurface {
   /** \brief Distance between samples around each open point; 0 where it is not known
    * yet (see completeSpacings()). */
   std::vector<double> spacings;
+  double largest_room =
+      tuning::LARGEST_ROOM; /**< see PartialSurface::setLargestRoom() */
   /** \brief Given triangles that count as taken away, by their numbers in the whole,
    * ascending. */
   std::vector<index_t> removed;

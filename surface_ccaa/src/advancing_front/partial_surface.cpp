@@ -90,6 +90,7 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
   OpenSurface surface;
   surface.open_points = open.size();
   surface.removed = removed;
+  surface.largest_room = largest_room_;
   for (const pcl::index_t t : trianglesAt(open))
     if (!std::binary_search(removed.begin(), removed.end(), t))
       surface.rim.push_back((*this)[t]);
@@ -127,7 +128,6 @@ PartialSurface::noteSpacing(pcl::index_t vertex, double spacing)
   noted_spacings_[static_cast<std::size_t>(vertex)] = static_cast<float>(spacing);
 }
 
-/** Mean length of the shorter half of the given edges. */
 double
 PartialSurface::spacingAt(pcl::index_t vertex) const
 {

@@ -104,9 +104,19 @@ public:
   void
   noteSpacing(pcl::index_t vertex, double spacing);
 
-private:
+  /** \brief Say how far from samples a gap may get that is closed, in spacings. */
+  void
+  setLargestRoom(double room)
+  {
+    largest_room_ = room;
+  }
+
+  /** \brief Mean length of the shorter half of a point's given edges, or what
+   * noteSpacing() said; 0 without either. */
   double
   spacingAt(pcl::index_t vertex) const;
+
+private:
   static constexpr pcl::index_t NO_CORNER = -1;
 
   pcl::index_t
@@ -124,6 +134,7 @@ private:
   std::vector<pcl::index_t> first_added_; /**< of a vertex: its latest new corner */
   std::vector<pcl::index_t> next_added_;  /**< of a new corner: the one before */
   std::vector<float> noted_spacings_;     /**< of a vertex; empty before any note */
+  double largest_room_ = tuning::LARGEST_ROOM;
 };
 
 } // namespace pcl::ccaa

@@ -3,9 +3,11 @@
 #include "advancing_front/spacing.h"
 
 #include "advancing_front/tuning.h"
+#include "mesh/corners.h"
 #include "mesh/quantile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -40,6 +42,21 @@ longestClosedEdges(const OpenSurface& open)
           around[static_cast<std::size_t>(a)] = std::max(
               around[static_cast<std::size_t>(a)], across[static_cast<std::size_t>(b)]);
   return around;
+}
+
+/** Radius of the smallest circle around a triangle: half of the longest side where the
+ * angle across it is obtuse, the circumradius elsewhere. */
+double
+enclosingRadius(const Corners& corners)
+{
+  std::array<double, 3> squared;
+  for (std::size_t i = 0; i < 3; ++i)
+    squared[i] = (corners[(i + 1) % 3] - corners[i]).squaredNorm();
+  std::sort(squared.begin(), squared.end());
+  const double twice_area = areaNormal(corners).norm();
+  if (squared[2] >= squared[0] + squared[1] || twice_area <= 0.0)
+    return 0.5 * std::sqrt(squared[2]);
+  return std::sqrt(squared[0] * squared[1] * squared[2]) / (2.0 * twice_area);
 }
 
 } // namespace
@@ -78,6 +95,28 @@ usualSpacing(const Triangles& given, const PointView& points)
   for (std::size_t t = 0; t < given.size(); t += tuning::SPACING_STRIDE)
     lengths.push_back((points[given[t][0]] - points[given[t][1]]).norm());
   return medianOf(std::move(lengths));
+}
+
+double
+largestRoom(const PartialSurface& surface,
+            const Triangles& given,
+            const PointView& points)
+{
+  std::vector<double> rooms;
+  const std::size_t stride = 1 + given.size() / tuning::ROOM_TRIANGLES;
+  for (std::size_t t = 0; t < given.size(); t += stride) {
+    std::array<double, 3> spacings;
+    std::transform(given[t].begin(), given[t].end(), spacings.begin(), [&](auto v) {
+      return surface.spacingAt(v);
+    });
+    std::sort(spacings.begin(), spacings.end());
+    if (spacings[1] > 0.0)
+      rooms.push_back(enclosingRadius(cornersOf(given[t], points)) / spacings[1]);
+  }
+  const double room = quantile(std::move(rooms), tuning::ROOM_SHARE);
+  return std::clamp(tuning::LARGEST_ROOM_OF_SAMPLES * room * room,
+                    tuning::LARGEST_ROOM,
+                    tuning::MOST_ROOM);
 }
 
 double

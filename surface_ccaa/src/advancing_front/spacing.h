@@ -3,6 +3,7 @@
 #pragma once
 
 #include "advancing_front/open_surface.h"
+#include "advancing_front/partial_surface.h"
 #include "mesh/point_view.h"
 
 #include <vector>
@@ -27,6 +28,15 @@ completeSpacings(OpenSurface& open);
 /** \brief Median length of the given edges, of every so many; 0 without any. */
 double
 usualSpacing(const Triangles& given, const PointView& points);
+
+/** \brief Largest distance from samples inside a gap that is closed, in spacings, by
+ * the room that the given triangles leave: the radius of the smallest circle around
+ * one. Points that lie at random leave wider gaps than those of a grid, and these are
+ * no holes. Of every so many triangles. */
+double
+largestRoom(const PartialSurface& surface,
+            const Triangles& given,
+            const PointView& points);
 
 /** \brief Size of the cells of NearbyTriangles: several times the typical distance of
  * an open point from the sixth of its neighbors, which new edges seldom exceed.

@@ -141,6 +141,7 @@ Completion::openSurface()
       mesh_.given, given_.adjacency, mesh_.points, hintsOf(mesh_, context_.threads));
   for (const pcl::index_t t : given_.doubts.triangles)
     surface_->remove(t);
+  surface_->setLargestRoom(largestRoom(*surface_, mesh_.given, mesh_.points));
   const double spacing = usualSpacing(mesh_.given, mesh_.points);
   gap_ = openGap(*surface_,
                  std::move(open_),
@@ -296,8 +297,9 @@ Completion::orient()
     report_.doubts.touching_pieces =
         pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads});
   if (reopening_.triangles.empty()) // what grows anew is a trial
-    report_.doubts.thin_necks = verticesOf(
-        thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads}));
+    result_.thin_necks =
+        thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads});
+  report_.doubts.thin_necks = verticesOf(result_.thin_necks);
 }
 
 } // namespace

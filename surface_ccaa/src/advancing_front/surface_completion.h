@@ -8,6 +8,7 @@
 #include "advancing_front/gap_growth.h"
 #include "advancing_front/given_surface.h"
 #include "mesh/surface_topology.h"
+#include "mesh/thin_necks.h"
 #include "mesh/triangle.h"
 #include "run/run_control.h"
 
@@ -21,6 +22,7 @@ struct CompletedMesh {
   Triangles triangles; /**< the given ones that stay, in order, then the new ones */
   std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
   SurfaceTopology topology; /**< of the triangles, unless all given ones are kept */
+  std::vector<ThinNeck> thin_necks; /**< unless something was taken away first */
 };
 
 /** \brief Complete a partial mesh: keep what is given, close gaps where the sampling

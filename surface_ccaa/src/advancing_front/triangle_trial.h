@@ -32,6 +32,13 @@ public:
     return open_.spacings[static_cast<std::size_t>(vertex)];
   }
 
+  /** \brief See PartialSurface::setLargestRoom(). */
+  double
+  largestRoom() const
+  {
+    return open_.largest_room;
+  }
+
   /** \brief Whether a vertex is one of the open points; only these take triangles. */
   bool
   isOpenPoint(pcl::index_t vertex) const

@@ -230,7 +230,7 @@ ThinPlaces::growAll(const std::vector<int>& all_rings)
     if (!all || all->flaws >= flaws_ ||
         all->mesh.topology.genus > result_.topology.genus)
       return;
-    const bool helps_much = 2 * all->flaws <= flaws_ && all->flaws > 0;
+    const bool helps_much = 3 * all->flaws <= 2 * flaws_ && all->flaws > 0;
     take(std::move(*all));
     if (!helps_much)
       return;
@@ -255,6 +255,31 @@ ThinPlaces::take(Regrown regrown)
   report_.new_triangles = result_.triangles.size() - result_.kept.size();
 }
 
+/** The adjacency of a completed mesh, and with it where it is narrow. */
+TriangleAdjacency
+readNecks(const PointView& points,
+          int threads,
+          CompletedMesh& mesh,
+          CompletionReport& report)
+{
+  TriangleAdjacency adjacency;
+  adjacency.build(mesh.triangles, points.size(), threads);
+  mesh.thin_necks = thinNecks(mesh.triangles, adjacency, points, {threads});
+  report.doubts.thin_necks = verticesOf(mesh.thin_necks);
+  return adjacency;
+}
+
+/** Flags for a vertex of each small handle. */
+std::vector<std::uint8_t>
+smallHandles(const CompletedMesh& mesh, std::size_t vertex_count)
+{
+  std::vector<std::uint8_t> is_there(vertex_count, 0);
+  for (const ThinNeck& neck : mesh.thin_necks)
+    if (neck.is_handle)
+      is_there[static_cast<std::size_t>(neck.vertex)] = 1;
+  return is_there;
+}
+
 } // namespace
 
 void
@@ -272,30 +297,35 @@ openTunnels(PartialMesh mesh,
   const bool has_thin = countOf(is_thin) > 0;
   if (!has_thin)
     is_thin = thinPlaces(mesh.given, points, tuning::LARGEST_RISE, context);
-  if (countOf(is_thin) == 0)
-    return;
+  mesh.given = {}; // the result takes its place
   const auto most_work =
       static_cast<std::uint64_t>(tuning::MOST_WORK_ANEW * static_cast<double>(work));
-  const bool is_anew =
-      has_thin &&
-      ThinPlaces(std::move(mesh), is_thin, complete, most_work, result, report).run();
-  if (is_anew)
+  const auto regrow = [&](const std::vector<std::uint8_t>& is_chosen) {
+    return result.topology.genus.value_or(0) > 0 && countOf(is_chosen) > 0 &&
+           ThinPlaces(mesh, is_chosen, complete, most_work, result, report).run();
+  };
+  std::optional<TriangleAdjacency> adjacency;
+  if (has_thin && regrow(is_thin))
+    adjacency = readNecks(points, context.threads, result, report);
+  const auto small_handles = smallHandles(result, points.size());
+  if (countOf(small_handles) <= tuning::MANY_SMALL && regrow(small_handles))
+    adjacency = readNecks(points, context.threads, result, report);
+  if (adjacency)
     is_thin = thinPlaces(result.triangles, points, 0.0, context);
-  report.doubts.handles =
-      static_cast<std::uint64_t>(std::max(0L, result.topology.genus.value_or(0)));
-  if (!is_anew && report.doubts.handles == 0)
+  for (const ThinNeck& neck : result.thin_necks)
+    for (const pcl::index_t vertex : neck.around)
+      if (neck.is_handle)
+        is_thin[static_cast<std::size_t>(vertex)] = 1;
+  const long handles = result.topology.genus.value_or(0);
+  if (handles <= 0 || (!has_thin && countOf(is_thin) == 0))
     return;
-  TriangleAdjacency adjacency;
-  adjacency.build(result.triangles, points.size(), context.threads);
-  if (report.doubts.handles > 0) {
-    addRings(tuning::AROUND_HANDLE, result.triangles, is_thin);
-    report.doubts.thin_handles = handlePlaces(result.triangles, adjacency, is_thin);
-    if (!has_thin && report.doubts.thin_handles.empty())
-      report.doubts.handles = 0; // the given triangles had such places elsewhere
-  }
-  if (is_anew)
-    report.doubts.thin_necks =
-        verticesOf(thinNecks(result.triangles, adjacency, points, {context.threads}));
+  report.doubts.handles = static_cast<std::uint64_t>(handles);
+  if (!adjacency)
+    adjacency.emplace().build(result.triangles, points.size(), context.threads);
+  addRings(tuning::AROUND_HANDLE, result.triangles, is_thin);
+  report.doubts.thin_handles = handlePlaces(result.triangles, *adjacency, is_thin);
+  if (!has_thin && report.doubts.thin_handles.empty())
+    report.doubts.handles = 0; // the given triangles had such places elsewhere
 }
 
 } // namespace pcl::ccaa

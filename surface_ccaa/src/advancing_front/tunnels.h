@@ -22,22 +22,24 @@ using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
                                                       CompletionReport& report)>;
 
 /** \brief Where a completed mesh has handles, and edges whose ends face away from each
- * other (normals more than 107 degrees apart), as at the tip of a blade, grow four
- * rings around these anew, then ten and twenty; bodies thin all over begin with ten.
+ * other (normals more than 107 degrees apart), as at the tip of a blade, or a handle
+ * that lies within four edges (see thinNecks()), grow four rings around these anew,
+ * then ten and twenty; bodies thin all over begin with ten.
  *
  * What comes out is taken if it has fewer flaws, handles and more pieces than one (both
  * counted twice), openings and free points, and no more handles. Boundaries and free
- * points elsewhere grow anew, too. So true handles stay, and where the
- * sampling does not tell the sides apart nothing changes. Of more than a thousand
- * points at such edges 250 are tried first: in noise that leaves no fewer flaws, and
- * the others are left alone. Cost: nothing for a result of genus 0; else that of
+ * points elsewhere grow anew, too. So true handles stay, and where the sampling does
+ * not tell the sides apart nothing changes. Of more than a thousand points at such
+ * edges 250 are tried first, and of more than a hundred small handles none: in noise
+ * that leaves no fewer flaws. Cost: nothing for a result of genus 0; else that of
  * looking for thin places, some 0.3 us a triangle, and where there are any of reading
  * the surface again for each number of rings, some 1 us a triangle, and of what grows
  * around them, at most 1.5 times the work of the completion.
  *
  * Handles that are left are in doubt (report.doubts.handles) if the result, or what
- * was given, has thin places: no sampling tells there whether the two sides are
- * connected. Those that handles pass through are told (report.doubts.thin_handles).
+ * was given, has thin places or small handles: no sampling tells there whether the two
+ * sides are connected. Those that handles pass through are told
+ * (report.doubts.thin_handles).
  * \param[in] mesh consistently wound \param[in] work of complete() \param[in,out]
  * result of complete() of all that is given, with its report */
 void

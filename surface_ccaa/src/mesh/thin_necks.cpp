@@ -7,10 +7,12 @@
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -74,14 +76,12 @@ public:
   , rim_{center}
   {}
 
-  /** \return false, and nothing of use, at boundaries and where the surface is none */
-  bool
+  void
   addRing()
   {
     std::vector<pcl::index_t> around, corners;
     for (const pcl::index_t vertex : rim_) {
-      if (adjacency_.fan(vertex) != Fan::CLOSED)
-        return false;
+      is_inside_ = is_inside_ && adjacency_.fan(vertex) == Fan::CLOSED;
       around.insert(around.end(), adjacency_.begin(vertex), adjacency_.end(vertex));
     }
     for (const pcl::index_t t : addTo(chosen_, std::move(around))) {
@@ -89,18 +89,52 @@ public:
       corners.insert(corners.end(), triangle.begin(), triangle.end());
     }
     rim_ = addTo(vertices_, std::move(corners));
-    return true;
+    rims_ = rimEdges();
   }
 
-  /** Whether they are an annulus whose two rims turn like those of wide cones. */
+  /** Whether Euler's characteristic is 1, as nearly always. */
+  bool
+  areDisc() const
+  {
+    return vertices_.size() * 2 == chosen_.size() + rims_.size() + 2;
+  }
+
+  /** Whether they are an annulus whose two rims turn like those of wide cones, and no
+   * boundary is near. */
   bool
   areNeck() const
   {
-    const std::vector<TriangleAdjacency::Edge> rims = rimEdges();
-    if (vertices_.size() * 2 == chosen_.size() + rims.size() + 2)
-      return false; // Euler's characteristic is 1: a disc, as nearly always
-    const std::vector<double> turns = turnsOf(rims);
+    if (!is_inside_ || areDisc())
+      return false;
+    const std::vector<double> turns = turnsOf(rims_);
     return turns.size() == 2 && turns[0] >= TURN_OF_CONE && turns[1] >= TURN_OF_CONE;
+  }
+
+  /** Whether they have a genus. Where they touch themselves at a vertex, the corners of
+   * each fan count as a vertex of their own. */
+  bool
+  haveHandle() const
+  {
+    if (areDisc())
+      return false;
+    const std::size_t n = chosen_.size();
+    DisjointSets fans(3 * n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (int corner = 0; corner < 3; ++corner)
+        joinAcross(i, corner, fans);
+    std::vector<std::array<std::size_t, 2>> ends;
+    for (std::size_t i = 0; i < n; ++i)
+      for (int corner = 0; corner < 3; ++corner)
+        if (!isChosen(adjacency_.across(chosen_[i], corner)))
+          ends.push_back({fans.find(cornerOf(i, corner)),
+                          fans.find(cornerOf(i, (corner + 1) % 3))});
+    const std::size_t vertices = fans.count();
+    for (const auto& [from, to] : ends) // what is left of them are rims
+      fans.join(from, to);
+    const std::size_t inner = vertices - ends.size(); // each rim has as many vertices
+    const std::size_t rims = fans.count() - inner;
+    // 2 - 2 genus - rims = vertices - edges + triangles, and 2 edges = 3 n + |ends|
+    return vertices * 2 + 2 * rims < n + ends.size() + 4;
   }
 
   const std::vector<pcl::index_t>&
@@ -110,6 +144,32 @@ public:
   }
 
 private:
+  static std::size_t
+  cornerOf(std::size_t place, int corner)
+  {
+    return 3 * place + static_cast<std::size_t>(corner);
+  }
+
+  /** Join the corners at both ends of an edge with those of the triangle across it. */
+  void
+  joinAcross(std::size_t place, int corner, DisjointSets& fans) const
+  {
+    const pcl::index_t across = adjacency_.across(chosen_[place], corner);
+    const auto found = std::lower_bound(chosen_.begin(), chosen_.end(), across);
+    if (found == chosen_.end() || *found != across)
+      return;
+    const Triangle& one = triangles_[static_cast<std::size_t>(chosen_[place])];
+    const Triangle& other = triangles_[static_cast<std::size_t>(across)];
+    for (const int end : {corner, (corner + 1) % 3})
+      fans.join(
+          cornerOf(place, end),
+          cornerOf(static_cast<std::size_t>(found - chosen_.begin()),
+                   static_cast<int>(std::find(other.begin(),
+                                              other.end(),
+                                              one[static_cast<std::size_t>(end)]) -
+                                    other.begin())));
+  }
+
   bool
   isChosen(pcl::index_t triangle) const
   {
@@ -166,6 +226,8 @@ private:
   std::vector<pcl::index_t> vertices_; /**< ascending */
   std::vector<pcl::index_t> rim_;      /**< those that the last ring has added */
   std::vector<pcl::index_t> chosen_;   /**< triangles, ascending */
+  std::vector<TriangleAdjacency::Edge> rims_;
+  bool is_inside_ = true; /**< the rings before the last have met no boundary */
 };
 
 } // namespace
@@ -185,16 +247,19 @@ thinNecks(const Triangles& triangles,
            adjacency.end(vertex) - adjacency.begin(vertex) >= FEWEST_AROUND &&
            anglesAt(vertex, adjacency, angleOf) > 2.0 * M_PI + SADDLE;
   };
-  /** What is around a vertex of a neck; nothing of any other. */
-  const auto neckAt = [&](pcl::index_t vertex) {
+  /** What a vertex is on; nothing if neither a neck nor a handle. */
+  const auto neckAt = [&](pcl::index_t vertex) -> std::optional<ThinNeck> {
     Surroundings around(vertex, triangles, adjacency, points);
     int in_a_row = 0;
-    for (int ring = 1; ring <= MOST_RINGS + in_a_row && around.addRing(); ++ring) {
+    for (int ring = 1; ring <= MOST_RINGS + in_a_row; ++ring) {
+      around.addRing();
+      if (ring == MOST_RINGS && around.haveHandle())
+        return ThinNeck{vertex, around.vertices(), true};
       in_a_row = around.areNeck() ? in_a_row + 1 : 0;
       if (in_a_row > MORE_RINGS)
-        return around.vertices();
+        return ThinNeck{vertex, around.vertices()};
     }
-    return std::vector<pcl::index_t>();
+    return {};
   };
   const std::size_t count = among == nullptr ? adjacency.vertexCount() : among->size();
   std::vector<std::vector<ThinNeck>> found(context.blockCount(count));
@@ -205,8 +270,8 @@ thinNecks(const Triangles& triangles,
               among == nullptr ? static_cast<pcl::index_t>(i) : (*among)[i];
           if (!isSaddle(vertex))
             continue;
-          if (auto around = neckAt(vertex); !around.empty())
-            found[block].push_back({vertex, std::move(around)});
+          if (auto neck = neckAt(vertex))
+            found[block].push_back(std::move(*neck));
         }
       });
   std::vector<ThinNeck> necks;
@@ -224,7 +289,8 @@ verticesOf(const std::vector<ThinNeck>& necks)
 {
   std::vector<pcl::index_t> vertices;
   for (const ThinNeck& neck : necks)
-    vertices.push_back(neck.vertex);
+    if (!neck.is_handle)
+      vertices.push_back(neck.vertex);
   return vertices;
 }
 

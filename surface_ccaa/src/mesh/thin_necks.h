@@ -17,6 +17,7 @@ constexpr int EDGES_AROUND_NECK = 6;
 struct ThinNeck {
   pcl::index_t vertex = -1;         /**< one on it */
   std::vector<pcl::index_t> around; /**< vertices, ascending, with all of the ring */
+  bool is_handle = false; /**< it is no neck, but has a handle as small as one */
 };
 
 /** \brief Where a surface narrows to a ring of so few edges that within four of them
@@ -26,7 +27,8 @@ struct ThinNeck {
  *
  * Tips, stems and tubes open to one side or to none, and are no necks; neither is what
  * comes within EDGES_AROUND_NECK of a boundary, nor the bumps of a rough surface, which
- * end within two edges of the ring. Cost: some 0.15 us a vertex, and 30 us for each
+ * end within two edges of the ring. But a whole handle may lie within four edges of a
+ * vertex: so small a one is told, too. Cost: some 0.15 us a vertex, and 30 us for each
  * whose angles exceed those in a plane by a radian: of noise up to 3 us a vertex.
  *
  * \param[in] among the vertices that are looked at, ascending; null: all
@@ -38,7 +40,7 @@ thinNecks(const Triangles& triangles,
           const LoopContext& context,
           const std::vector<pcl::index_t>* among = nullptr);
 
-/** \brief The vertex of each neck. */
+/** \brief The vertex of each neck, without handles. */
 std::vector<pcl::index_t>
 verticesOf(const std::vector<ThinNeck>& necks);
 

@@ -173,9 +173,11 @@ newNecks(const RepairedModel& repaired, const SurveyParameters& parameters)
   std::vector<RepairDoubt> necks;
   for (const ccaa::ThinNeck& neck : ccaa::thinNecks(
            model.triangles, model.adjacency, model.positions, {}, &near_new))
-    necks.push_back({DoubtReason::THIN_NECK,
-                     {model.point_of_vertex[static_cast<std::size_t>(neck.vertex)], -1},
-                     0.0});
+    if (!neck.is_handle)
+      necks.push_back(
+          {DoubtReason::THIN_NECK,
+           {model.point_of_vertex[static_cast<std::size_t>(neck.vertex)], -1},
+           0.0});
   return necks;
 }
 

@@ -59,6 +59,12 @@ public:
     return closure_.corners().size();
   }
 
+  void
+  setLargestRoom(double room)
+  {
+    open_.largest_room = room;
+  }
+
 private:
   std::vector<index_t> vertices_;
   OpenSurface open_;
@@ -143,6 +149,46 @@ TEST(LoopClosure, NeedsTwoTrianglesLessThanAFlatLoopHasEdges)
     EXPECT_EQ(hole.close(), Outcome::CLOSED) << radius;
     EXPECT_EQ(hole.added().size(), hole.corners() - 2) << radius;
   }
+}
+
+TEST(LoopClosure, LeavesOpenWhatGetsTooFarFromSamples)
+{
+  for (const double room : {1.5, 2.5}) {
+    Hole hole = discHole(1.5);
+    hole.setLargestRoom(room);
+    EXPECT_EQ(hole.close(), room < 2.0 ? Outcome::UNSUPPORTED : Outcome::CLOSED);
+  }
+}
+
+/** Each fan at it is closed by a loop of its own, and the point has two all the same.
+ */
+TEST(CloseLoops, TellPointsThatSeveralFansShareAlsoIfAllLoopsAreClosed)
+{
+  const Shape ball = icosphere(2);
+  const index_t shared = ball.triangles[0][0];
+  const Position& place = ball.vertices[std::size_t(shared)];
+  Shape pair = joined(ball, translated(ball, 2.0 * place));
+  const auto opposite =
+      static_cast<index_t>(nearestUsed(translated(ball, 2.0 * place), place) +
+                           index_t(ball.vertices.size()));
+  for (Triangle& triangle : pair.triangles)
+    std::replace(triangle.begin(), triangle.end(), opposite, shared);
+  const auto isThere = [&](const Triangle& t) {
+    return std::find(t.begin(), t.end(), shared) != t.end();
+  };
+  pair.triangles.erase(
+      std::find_if(pair.triangles.begin() + std::ptrdiff_t(ball.triangles.size()),
+                   pair.triangles.end(),
+                   isThere));
+  pair.triangles.erase(pair.triangles.begin());
+  std::vector<index_t> vertices;
+  const OpenSurface open = openSurfaceOf(pair, vertices);
+  GrowingSurface surface(open);
+  TriangleTrial trial(open, surface, 2.0, nullptr);
+  const std::vector<index_t> obstructed = closeLoops(surface, trial, nullptr);
+  EXPECT_EQ(surface.triangles().size(), open.rim.size() + 2);
+  ASSERT_EQ(obstructed.size(), 1u);
+  EXPECT_EQ(vertices[std::size_t(obstructed[0])], shared);
 }
 
 TEST(LoopClosure, LeavesNoBorderAndNoCrossing)

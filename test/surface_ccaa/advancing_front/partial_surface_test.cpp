@@ -4,6 +4,7 @@
 
 #include "advancing_front/fan_settlement.h"
 #include "advancing_front/partial_surface.h"
+#include "advancing_front/spacing.h"
 #include "open_shapes.h"
 #include "support/mesh_asserts.h"
 
@@ -58,6 +59,45 @@ TEST(PartialSurface, ListsTrianglesAtSeveralVerticesOnce)
   PartialShape partial(tetrahedron());
   EXPECT_EQ(partial.surface.trianglesAt({3, 0}), (std::vector<index_t>{0, 1, 2, 3}));
   EXPECT_EQ(partial.surface.trianglesAt({1}), (std::vector<index_t>{0, 1, 3}));
+}
+
+double
+largestRoomOf(const Shape& shape)
+{
+  const PartialShape partial(shape);
+  return largestRoom(partial.surface, shape.triangles, PointView(shape.vertices));
+}
+
+TEST(LargestRoom, IsOneAndAHalfSpacingsOnAGrid)
+{
+  EXPECT_EQ(largestRoomOf(icosphere(4)), 1.5);
+  EXPECT_EQ(largestRoomOf(torus(60, 30)), 1.5);
+}
+
+TEST(LargestRoom, IsMoreWhereSamplesAreMovedAtRandom)
+{
+  Shape floor = grid(41, 41);
+  RandomSource random(1);
+  for (Position& vertex : floor.vertices)
+    vertex += Position(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0.0);
+  EXPECT_GT(largestRoomOf(floor), 1.6);
+}
+
+TEST(LargestRoom, IsNeverMoreThanRandomSamplesLeave)
+{
+  Shape ball = icosphere(4);
+  RandomSource random(1);
+  for (Position& vertex : ball.vertices)
+    vertex *= std::exp(3.0 * random.normal());
+  EXPECT_EQ(largestRoomOf(ball), 2.5);
+}
+
+TEST(LargestRoom, IsKeptInEveryPartOfTheSurface)
+{
+  PartialShape partial(icosphere(2));
+  partial.surface.setLargestRoom(2.25);
+  std::vector<index_t> vertices;
+  EXPECT_EQ(partial.surface.openAt({3, 5}, {}, vertices).largest_room, 2.25);
 }
 
 /** The open surface speaks of the same places and triangles as the whole. */

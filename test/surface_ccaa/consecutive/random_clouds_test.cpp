@@ -144,6 +144,24 @@ randomPointsOnWasher(std::size_t count, std::uint64_t seed)
   return points;
 }
 
+/** Points at random on a bar: a box ten times as long as it is wide and high. */
+Positions
+randomPointsOnBar(std::size_t count, std::uint64_t seed)
+{
+  const Position size(3.0, 0.3, 0.3);
+  RandomSource random(seed);
+  Positions points;
+  while (points.size() < count) {
+    Position point(random.uniform(), random.uniform(), random.uniform());
+    const double end = size.y() * size.z(), side = size.x() * size.y();
+    const bool is_end = random.uniform(0.0, end + 2.0 * side) < end;
+    const Eigen::Index axis = is_end ? 0 : random.uniform() < 0.5 ? 1 : 2;
+    point[axis] = random.uniform() < 0.5 ? 0.0 : 1.0;
+    points.push_back(point.cwiseProduct(size));
+  }
+  return points;
+}
+
 class ReconstructionOfRandomPoints : public ::testing::TestWithParam<std::uint64_t> {};
 
 /** Where the start folds triangles back onto others, what hangs on them was wound the
@@ -170,9 +188,21 @@ TEST_P(ReconstructionOfRandomPoints, HasNoHandleInDoubtBesideSharpEdges)
   EXPECT_EQ(reconstruction.getReport().doubts.handles, 0u);
 }
 
+/** Samples at random lie far apart in places; at edges small handles grew. */
+TEST_P(ReconstructionOfRandomPoints, HasNoGapsAndNoSmallHandles)
+{
+  const Triangles triangles = reconstructed(randomPointsOnBar(20000, GetParam()));
+  EXPECT_EQ(countBoundaryEdges(triangles), 0u);
+  EXPECT_EQ(topologyOf(triangles).characteristic, 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds,
                          ReconstructionOfRandomPoints,
                          ::testing::Range<std::uint64_t>(1, 13));
+
+INSTANTIATE_TEST_SUITE_P(SeedsOfSmallHandlesAndGaps,
+                         ReconstructionOfRandomPoints,
+                         ::testing::Values(29, 39, 41, 47, 52));
 
 } // namespace
 } // namespace pcl::ccaa::test

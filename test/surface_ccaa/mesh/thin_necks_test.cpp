@@ -2,7 +2,9 @@
 // Part of PclSurfaceRepair: rings of a few edges between two parts of a surface.
 #include <gtest/gtest.h>
 
+#include "mesh/corners.h"
 #include "mesh/thin_necks.h"
+#include "support/completion_shapes.h"
 #include "support/shapes.h"
 
 #include <algorithm>
@@ -14,8 +16,7 @@ namespace {
 std::vector<pcl::index_t>
 necksOf(const Shape& shape, int threads = 1)
 {
-  TriangleAdjacency adjacency;
-  adjacency.build(shape.triangles, shape.vertices.size());
+  const TriangleAdjacency adjacency = adjacencyOf(shape);
   const LoopContext context{threads, nullptr, "", 64};
   std::vector<pcl::index_t> vertices;
   for (const ThinNeck& neck :
@@ -38,6 +39,80 @@ TEST(ThinNecks, EachIsToldOnce)
 TEST(ThinNecks, ALongTubeIsNone)
 {
   EXPECT_TRUE(necksOf(spheresJoinedByTube(2.0, 12)).empty());
+}
+
+/** A shape with a tube of six triangles between two of its faces. */
+Shape
+withHandle(Shape shape, std::size_t one, std::size_t other)
+{
+  const auto [a, b, c] = shape.triangles[one];
+  const auto [d, e, f] = shape.triangles[other];
+  shape.triangles[one] = {b, a, d};
+  shape.triangles[other] = {b, d, f};
+  for (const Triangle& triangle :
+       {Triangle{c, b, f}, Triangle{c, f, e}, Triangle{a, c, e}, Triangle{a, e, d}})
+    shape.triangles.push_back(triangle);
+  return shape;
+}
+
+/** The face whose middle is nearest to a place. */
+std::size_t
+faceAt(const Shape& shape, const Position& place)
+{
+  const auto squaredDistance = [&](const Triangle& t) {
+    const Corners c = cornersOf(t, PointView(shape.vertices));
+    return ((c[0] + c[1] + c[2]) / 3.0 - place).squaredNorm();
+  };
+  return static_cast<std::size_t>(
+      std::min_element(shape.triangles.begin(),
+                       shape.triangles.end(),
+                       [&](const Triangle& a, const Triangle& b) {
+                         return squaredDistance(a) < squaredDistance(b);
+                       }) -
+      shape.triangles.begin());
+}
+
+std::vector<ThinNeck>
+placesOf(const Shape& shape)
+{
+  return thinNecks(
+      shape.triangles, adjacencyOf(shape), PointView(shape.vertices), LoopContext{});
+}
+
+TEST(ThinNecks, TellAHandleOfSixTrianglesAndAllThatIsOnIt)
+{
+  const Shape ball = icosphere(4);
+  const std::size_t one = faceAt(ball, {1.0, 0.0, 0.0}),
+                    other = faceAt(ball, {0.95, 0.3, 0.0});
+  const std::vector<ThinNeck> found = placesOf(withHandle(ball, one, other));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_handle);
+  EXPECT_TRUE(verticesOf(found).empty());
+  for (const std::size_t face : {one, other})
+    for (const pcl::index_t corner : ball.triangles[face])
+      EXPECT_TRUE(
+          std::binary_search(found[0].around.begin(), found[0].around.end(), corner));
+}
+
+TEST(ThinNecks, TellASmallHandleBesideABoundary)
+{
+  Shape ball = icosphere(4);
+  const std::size_t hole = faceAt(ball, {0.98, 0.15, 0.1});
+  ball.triangles.erase(ball.triangles.begin() + std::ptrdiff_t(hole));
+  const auto found = placesOf(
+      withHandle(ball, faceAt(ball, {1.0, 0.0, 0.0}), faceAt(ball, {0.95, 0.3, 0.0})));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_handle);
+}
+
+/** Its other end is too far away to tell that it is no neck between two bodies. */
+TEST(ThinNecks, TellAThinHandleBetweenFarPlacesAsANeck)
+{
+  const Shape ball = icosphere(4);
+  const auto found = placesOf(
+      withHandle(ball, faceAt(ball, {1.0, 0.0, 0.0}), faceAt(ball, {-1.0, 0.0, 0.0})));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_FALSE(found[0].is_handle);
 }
 
 TEST(ThinNecks, BodiesWithoutANeckHaveNone)

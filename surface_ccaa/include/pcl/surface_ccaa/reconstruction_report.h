@@ -15,7 +15,8 @@ namespace pcl {
 /** \brief Where no sampling tells the topology of a result. */
 struct TopologyDoubts {
   /** \brief Handles of which some may be tunnels that nobody scanned, since the surface
-   * has places so thin that their two sides cannot be told apart. */
+   * has places so thin that their two sides cannot be told apart, or handles within
+   * four edges of a vertex. */
   std::uint64_t handles = 0;
   /** \brief A point at each of these places that a handle passes through, ascending:
    * they may be fewer than the handles, as one may have several, or none. */
