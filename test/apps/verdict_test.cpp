@@ -159,6 +159,15 @@ TEST_F(RunVerdict, TellsANeckThatMayJoinTwoBodies)
   EXPECT_EQ(1, nlohmann::json::parse(result.output).at("thin_necks"));
 }
 
+TEST_F(RunVerdict, TellsANeckInWhichAnOpeningIs)
+{
+  save(folder_.path("two.ply"), spheresThatTouch(1000, 0.025));
+  const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply");
+  EXPECT_EQ(2, result.exit_code);
+  EXPECT_EQ("incomplete: 1 boundary open, in doubt (1 THIN_NECK)\n",
+            lastLine(result.output));
+}
+
 TEST_F(RunVerdict, TellsWhereANeckIs)
 {
   const pcl::PolygonMesh two = spheresThatTouch(2000, 0.03);
@@ -190,7 +199,7 @@ TEST_F(RunVerdict, TellsWherePiecesTouch)
 
 TEST_F(RunVerdict, TellsANeckBesideARepairedHoleOnce)
 {
-  save(folder_.path("two.ply"), spheresThatTouch(4000, 0.045));
+  save(folder_.path("two.ply"), spheresThatTouch(1400, 0.0345));
   const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --repair");
   EXPECT_EQ(2, result.exit_code);
   EXPECT_EQ("incomplete: watertight, 1 piece, in doubt (1 THIN_NECK)\n",

@@ -25,11 +25,15 @@ struct ThinNeck {
  * of at least 60 degrees, as between two spheres that lie as far apart as their points.
  * No sampling tells there whether they are one body or touch each other.
  *
- * Tips, stems and tubes open to one side or to none, and are no necks; neither is what
- * comes within EDGES_AROUND_NECK of a boundary, nor the bumps of a rough surface, which
- * end within two edges of the ring. But a whole handle may lie within four edges of a
- * vertex: so small a one is told, too. Cost: some 0.15 us a vertex, and 30 us for each
- * whose angles exceed those in a plane by a radian: of noise up to 3 us a vertex.
+ * There may be openings in it, too, as where only a strip joins the two: of up to 40
+ * edges the whole rim takes the place of the vertex.
+ *
+ * Tips, stems and tubes open to one side or to none, and are no necks; neither is where
+ * within EDGES_AROUND_NECK a boundary begins that leads farther, nor the bumps of a
+ * rough surface, which end within two edges of the ring. But a whole handle may lie
+ * within four edges of a vertex: so small a one is told, too. Cost: some 0.15 us a
+ * vertex, and 30 us for each whose angles exceed those in a plane by a radian: of noise
+ * up to 3 us a vertex.
  *
  * \param[in] among the vertices that are looked at, ascending; null: all
  * \return by their vertices, ascending */
