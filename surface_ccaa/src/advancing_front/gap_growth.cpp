@@ -151,6 +151,7 @@ dropCrossings(PartialSurface& surface,
 
 bool
 closeBetween(const std::vector<pcl::index_t>& open,
+             const Gap& grown,
              const NearbyTriangles& nearby,
              const CompletionParameters& parameters,
              PartialSurface& surface,
@@ -163,6 +164,11 @@ closeBetween(const std::vector<pcl::index_t>& open,
   if (isCancelled(control))
     return false;
   completeSpacings(gap);
+  std::vector<pcl::index_t> points = grown.open;
+  const VertexNumbers numbers({}, points);
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (const pcl::index_t number = numbers[open[i]]; number >= 0)
+      gap.spacings[i] = grown.surface.spacings[static_cast<std::size_t>(number)];
   GrowingSurface growing(gap);
   TriangleTrial trial(gap, growing, parameters.support, &nearby);
   closeLoops(growing, trial, control);

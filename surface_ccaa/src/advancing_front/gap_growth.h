@@ -68,11 +68,14 @@ dropCrossings(PartialSurface& surface,
               const LoopContext& context);
 
 /** \brief Close the loops between some points (see closeLoops()).
- * \param[in] open these, ascending \param[in] nearby what must not be crossed
+ * \param[in] open these, ascending \param[in] grown tells the spacing at its points, as
+ * before growth: new edges are long where something is missing
+ * \param[in] nearby what must not be crossed
  * \param[in,out] control told the work, may be null
  * \return whether there are new triangles */
 bool
 closeBetween(const std::vector<pcl::index_t>& open,
+             const Gap& grown,
              const NearbyTriangles& nearby,
              const CompletionParameters& parameters,
              PartialSurface& surface,

@@ -121,6 +121,22 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
   return surface;
 }
 
+bool
+PartialSurface::isBorder(pcl::index_t vertex) const
+{
+  std::vector<pcl::index_t> ends;
+  forTrianglesAt(vertex, [&](pcl::index_t t) {
+    for (const pcl::index_t corner : (*this)[t])
+      if (corner != vertex)
+        ends.push_back(corner);
+  });
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 0; i < ends.size(); i += 2)
+    if (i + 1 == ends.size() || ends[i] != ends[i + 1])
+      return true;
+  return false;
+}
+
 void
 PartialSurface::noteSpacing(pcl::index_t vertex, double spacing)
 {

@@ -80,6 +80,10 @@ public:
   std::vector<pcl::index_t>
   trianglesAt(const std::vector<pcl::index_t>& vertices) const;
 
+  /** \brief Whether an edge at a vertex has one live triangle alone. */
+  bool
+  isBorder(pcl::index_t vertex) const;
+
   void
   remove(pcl::index_t triangle);
 

@@ -203,17 +203,20 @@ Completion::regrowObstructed()
   regrowth.run(obstructed_, context_);
 }
 
-/** \return corners of fans that are gone, without cut points, ascending */
+/** \return where the surface is open beside what growth has changed, without cut
+ * points, ascending */
 std::vector<pcl::index_t>
 Completion::settleFansAndCrossings()
 {
   dropCrossings(*surface_, mesh_.points, context_);
+  const std::vector<pcl::index_t> touched =
+      touchedVertices(*surface_, gap_.open, &control_);
   const std::vector<pcl::index_t> gone =
-      settleFans(*surface_,
-                 touchedVertices(*surface_, gap_.open, &control_),
-                 parameters_.keep_given,
-                 &control_);
+      settleFans(*surface_, touched, parameters_.keep_given, &control_);
   std::vector<pcl::index_t> corners;
+  for (const pcl::index_t vertex : touched)
+    if (!mesh_.isCut(vertex) && surface_->isBorder(vertex))
+      corners.push_back(vertex);
   for (const pcl::index_t t : gone)
     for (const pcl::index_t corner : (*surface_)[t])
       if (!mesh_.isCut(corner))
@@ -229,7 +232,7 @@ void
 Completion::settle()
 {
   if (closeBetween(
-          settleFansAndCrossings(), *nearby_, parameters_, *surface_, &control_))
+          settleFansAndCrossings(), gap_, *nearby_, parameters_, *surface_, &control_))
     settleFansAndCrossings();
   for (std::size_t t = 0; t < surface_->triangleCount(); ++t) {
     const auto triangle = static_cast<pcl::index_t>(t);

@@ -6,6 +6,7 @@
 
 #include "advancing_front/gap_growth.h"
 #include "advancing_front/loop_closure.h"
+#include "mesh/sort_unique.h"
 #include "open_shapes.h"
 #include "support/edge_sets.h"
 #include "support/mesh_asserts.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 namespace pcl::ccaa::test {
 namespace {
@@ -89,10 +91,42 @@ boundaryAfterClosing(std::size_t corners)
   PartialShape partial(sphere);
   const AliveFlags alive(sphere.triangles.size(), 1);
   const NearbyTriangles nearby(sphere.triangles, alive, sphere.vertices, open, 0.5);
-  EXPECT_EQ(
-      closeBetween(open, nearby, CompletionParameters(), partial.surface, nullptr),
-      corners == 3);
+  EXPECT_EQ(closeBetween(
+                open, Gap(), nearby, CompletionParameters(), partial.surface, nullptr),
+            corners == 3);
   return countBoundaryEdges(liveTriangles(partial.surface));
+}
+
+/** New edges along a gap are long, and would tell that the sampling is so. */
+TEST(CloseBetween, TakesTheSpacingFromBeforeGrowth)
+{
+  for (const double spacing : {0.01, 1.0}) {
+    Shape sphere = icosphere(3);
+    const index_t lost = 20;
+    Gap grown;
+    std::vector<std::size_t> removed;
+    for (std::size_t t = 0; t < sphere.triangles.size(); ++t)
+      if (const Triangle& corners = sphere.triangles[t];
+          std::count(corners.begin(), corners.end(), lost) > 0) {
+        removed.push_back(t);
+        std::remove_copy(
+            corners.begin(), corners.end(), std::back_inserter(grown.open), lost);
+      }
+    sortUnique(grown.open);
+    grown.surface.spacings.assign(grown.open.size(), spacing);
+    sphere = withoutTriangles(sphere, removed);
+    PartialShape partial(sphere);
+    const AliveFlags alive(sphere.triangles.size(), 1);
+    const NearbyTriangles nearby(
+        sphere.triangles, alive, sphere.vertices, grown.open, 0.5);
+    EXPECT_EQ(closeBetween(grown.open,
+                           grown,
+                           nearby,
+                           CompletionParameters(),
+                           partial.surface,
+                           nullptr),
+              spacing > 0.1);
+  }
 }
 
 TEST(CloseBetween, ClosesLoopsOfWhichAllCornersAreOpen)

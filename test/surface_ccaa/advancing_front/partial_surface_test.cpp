@@ -68,6 +68,23 @@ largestRoomOf(const Shape& shape)
   return largestRoom(partial.surface, shape.triangles, PointView(shape.vertices));
 }
 
+TEST(PartialSurface, TellsWhereItEnds)
+{
+  PartialShape partial(tetrahedron());
+  const auto isBorderAnywhere = [&] {
+    return partial.surface.isBorder(0) || partial.surface.isBorder(1) ||
+           partial.surface.isBorder(2) || partial.surface.isBorder(3);
+  };
+  EXPECT_FALSE(isBorderAnywhere());
+  const Triangle gone = partial.surface[1];
+  partial.surface.remove(1);
+  for (index_t v = 0; v < 4; ++v)
+    EXPECT_EQ(partial.surface.isBorder(v),
+              std::find(gone.begin(), gone.end(), v) != gone.end());
+  partial.surface.add(gone);
+  EXPECT_FALSE(isBorderAnywhere());
+}
+
 TEST(LargestRoom, IsOneAndAHalfSpacingsOnAGrid)
 {
   EXPECT_EQ(largestRoomOf(icosphere(4)), 1.5);
