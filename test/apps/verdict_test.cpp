@@ -234,7 +234,7 @@ TEST_F(RunVerdict, AdvisesToCleanWhereNoiseTearsHoles)
 {
   save(folder_.path("lines.ply"),
        test::toPolygonMesh(
-           {test::withNoise(test::terrainLines(12, 400, 20.0), 1.0), {}}));
+           {test::withNoise(test::terrainLines(12, 400, 20.0), 1.1), {}}));
   const RunResult result = run("pcl_ccaa_reconstruct lines.ply out.ply");
   EXPECT_NE(std::string::npos, result.errors.find("the holes are so many"))
       << result.errors;
