@@ -212,8 +212,10 @@ same(const Settings& settings)
         std::printf("seams: %s\n", made.report["seams"].dump().c_str());
       sums[in_tiles ? 1 : 0] += double(judge(settings, what, mesh)["boundary_edges"]);
     }
-  std::printf(
-      "open edges: %.0f and %.0f, ratio %.3f\n", sums[0], sums[1], sums[1] / sums[0]);
+  std::printf("open edges: %.0f and %.0f, ratio %.3f\n",
+              sums[0],
+              sums[1],
+              sums[1] > 0 ? sums[1] / sums[0] : 1.0);
 }
 
 void
