@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: a second try where triangles stood in the way of others.
 #include "advancing_front/local_regrowth.h"
 
+#include "advancing_front/fan_settlement.h"
 #include "advancing_front/new_islands.h"
 #include "advancing_front/spacing.h"
 #include "advancing_front/surface_growth.h"
@@ -11,40 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <unordered_set>
 #include <utility>
 
 namespace pcl::ccaa {
 namespace {
-
-/** A vertex, and the other corners of a triangle there as it winds. */
-using Sector = std::array<pcl::index_t, 3>;
-using Sectors = std::vector<Sector>::const_iterator;
-
-/** \return the number of fans that the sectors of a vertex form */
-std::size_t
-countFans(Sectors begin, Sectors end)
-{
-  std::vector<std::uint8_t> seen(static_cast<std::size_t>(end - begin), 0);
-  const auto turn = [&](Sectors sector) {
-    while (sector != end && seen[static_cast<std::size_t>(sector - begin)] == 0) {
-      seen[static_cast<std::size_t>(sector - begin)] = 1;
-      sector = std::find_if(
-          begin, end, [&](const Sector& next) { return next[1] == (*sector)[2]; });
-    }
-  };
-  std::size_t fans = 0;
-  for (const bool closed : {false, true}) // an open fan begins where none ends
-    for (auto sector = begin; sector != end; ++sector)
-      if (seen[static_cast<std::size_t>(sector - begin)] == 0 &&
-          (closed || std::none_of(begin, end, [&](const Sector& before) {
-             return before[2] == (*sector)[1];
-           }))) {
-        ++fans;
-        turn(sector);
-      }
-  return fans;
-}
 
 Flaws
 findFlaws(const Triangles& triangles, std::size_t open_points)
@@ -52,17 +25,17 @@ findFlaws(const Triangles& triangles, std::size_t open_points)
   const auto is_open = [&](pcl::index_t v) {
     return static_cast<std::size_t>(v) < open_points;
   };
-  std::vector<Sector> sectors;
+  Triangles sectors; // a vertex, and the other corners of a triangle there as it winds
   for (const Triangle& t : triangles)
     for (std::size_t i = 0; i < 3; ++i)
       if (is_open(t[i]) || is_open(t[(i + 1) % 3]))
         sectors.push_back({t[i], t[(i + 1) % 3], t[(i + 2) % 3]});
   std::sort(sectors.begin(), sectors.end());
   const auto first = [&](pcl::index_t from, pcl::index_t to) {
-    return std::lower_bound(sectors.begin(), sectors.end(), Sector{from, to, 0});
+    return std::lower_bound(sectors.begin(), sectors.end(), Triangle{from, to, 0});
   };
   Flaws flaws;
-  for (const Sector& sector : sectors) {
+  for (const Triangle& sector : sectors) {
     const auto opposite = first(sector[1], sector[0]);
     flaws.count += opposite == sectors.end() || (*opposite)[0] != sector[1] ||
                    (*opposite)[1] != sector[0];
@@ -70,7 +43,12 @@ findFlaws(const Triangles& triangles, std::size_t open_points)
   flaws.doubled_characteristic = -static_cast<std::ptrdiff_t>(triangles.size()) -
                                  static_cast<std::ptrdiff_t>(flaws.count);
   for (pcl::index_t v = 0; is_open(v); ++v) {
-    const std::size_t fans = countFans(first(v, 0), first(v + 1, 0));
+    const auto begin = first(v, 0);
+    std::vector<pcl::index_t> around(static_cast<std::size_t>(first(v + 1, 0) - begin));
+    std::iota(around.begin(), around.end(), 0);
+    const std::size_t fans = fansOf(around, v, [&](pcl::index_t t) -> const Triangle& {
+                               return begin[t];
+                             }).size();
     flaws.count += fans == 0 ? 3 : fans > 1 ? 10 : 0;
     flaws.doubled_characteristic += 2 * static_cast<std::ptrdiff_t>(fans);
   }

@@ -44,8 +44,9 @@ constexpr double MOST_THICKNESS = 0.15;
 constexpr std::size_t LONGEST_LOOP = 40;
 /** Largest distance from samples inside a gap that is closed, in spacings. */
 constexpr double LARGEST_ROOM = 1.5;
-/** The same in what 95 of 100 given triangles stay below: with 1.7 the gaps of random
- * samples are closed, and no hole of Bunny, whose samples lie on grids. */
+/** The same in the square of what 95 of 100 given triangles stay below: with 1.2 the
+ * gaps of random samples are closed, and no hole of Bunny, whose samples lie on grids.
+ */
 constexpr double LARGEST_ROOM_OF_SAMPLES = 1.2;
 constexpr double ROOM_SHARE = 0.95;
 /** Given triangles that tell it. */
