@@ -77,6 +77,7 @@ cut(const Task& task)
             task.folder,
             task.most_points,
             settingsText(task.settings),
+            task.settings.threads,
             [&](double share) { return bar.show("cutting", share); });
 }
 

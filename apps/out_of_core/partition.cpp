@@ -6,15 +6,16 @@
 #include "io/point_columns.h"
 #include "mesh/box_tree.h"
 #include "mesh/morton_code.h"
+#include "mesh/radix_sort.h"
 #include "out_of_core/point_sharing.h"
 #include "out_of_core/point_spacing.h"
 #include "out_of_core/point_stream.h"
 #include "out_of_core/tile_points.h"
+#include "run/threads.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 
 namespace app {
@@ -34,8 +35,11 @@ public:
             const std::string& folder,
             std::uint64_t most_points,
             const std::string& settings,
+            unsigned int threads,
             const std::function<bool(double)>& goes_on)
-  : goes_on_(goes_on), head_(readHeads(paths))
+  : threads_(pcl::ccaa::resolveThreads(threads))
+  , goes_on_(goes_on)
+  , head_(readHeads(paths))
   {
     plan_.folder = folder;
     plan_.settings = settings;
@@ -150,13 +154,13 @@ private:
   addTile(const std::vector<char>& entries, std::size_t entry)
   {
     pcl::ccaa::Tile tile;
-    const std::vector<std::uint32_t> order = orderOf(entries, entry, tile.box);
+    const std::vector<pcl::ccaa::CodedPoint> order = orderOf(entries, entry, tile.box);
     std::vector<char> records(order.size() * step());
     std::vector<PointSource> sources(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      std::memcpy(&records[i * step()], &entries[order[i] * entry], step());
-      std::memcpy(
-          &sources[i], &entries[order[i] * entry + step()], sizeof(PointSource));
+      const char* const from = &entries[std::size_t(order[i].point_index) * entry];
+      std::memcpy(&records[i * step()], from, step());
+      std::memcpy(&sources[i], from + step(), sizeof(PointSource));
     }
     const std::size_t number = plan_.tiling.tiles.size();
     tile.count = order.size();
@@ -204,32 +208,39 @@ private:
 
   /** Along a curve, where that does not tell by their bytes: only points that are the
    * same in everything can change places with the order of the input. */
-  std::vector<std::uint32_t>
+  std::vector<pcl::ccaa::CodedPoint>
   orderOf(const std::vector<char>& entries,
           std::size_t entry,
           pcl::ccaa::Box& box) const
   {
+    using pcl::ccaa::CodedPoint;
     const std::size_t count = entries.size() / entry;
     for (std::size_t i = 0; i < count; ++i)
       box.extend(positionAt(entries, i * entry));
     const double size = std::max(box.sizes().maxCoeff(), 1e-300);
-    std::vector<std::uint64_t> codes(count);
+    std::vector<CodedPoint> order(count), spare(count);
     for (std::size_t i = 0; i < count; ++i)
-      codes[i] = pcl::ccaa::mortonCode(
-          Eigen::Vector3d((positionAt(entries, i * entry) - box.min()) / size));
-    std::vector<std::uint32_t> order(count);
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      if (codes[a] != codes[b])
-        return codes[a] < codes[b];
-      const char *const one = &entries[a * entry], *const other = &entries[b * entry];
+      order[i] = {pcl::ccaa::mortonCode(Eigen::Vector3d(
+                      (positionAt(entries, i * entry) - box.min()) / size)),
+                  static_cast<pcl::index_t>(i)};
+    pcl::ccaa::radixSort(
+        order.data(), spare.data(), count, pcl::ccaa::MORTON_BITS, threads_);
+    const auto isBefore = [&](const CodedPoint& a, const CodedPoint& b) {
+      const char* const one = &entries[std::size_t(a.point_index) * entry];
+      const char* const other = &entries[std::size_t(b.point_index) * entry];
       if (const int difference = std::memcmp(one, other, step()); difference != 0)
         return difference < 0;
       PointSource first, second;
       std::memcpy(&first, one + step(), sizeof(first));
       std::memcpy(&second, other + step(), sizeof(second));
       return first < second;
-    });
+    };
+    for (auto begin = order.begin(); begin != order.end();) {
+      const auto end = std::find_if(
+          begin, order.end(), [&](const auto& a) { return a.code != begin->code; });
+      std::sort(begin, end, isBefore);
+      begin = end;
+    }
     return order;
   }
 
@@ -270,7 +281,7 @@ private:
     for (std::size_t i = 0; i < tile.count; ++i)
       Eigen::Map<Eigen::Vector3f>(points.coordinates[i].data()) =
           (positionAt(records, i * step()) - tile.box.center()).cast<float>();
-    return spacingsOf(points);
+    return spacingsOf(points, threads_);
   }
 
   /** The first point of each tile, and a lattice on which doubles are exact floats. */
@@ -297,6 +308,7 @@ private:
                                   : Position::Zero());
   }
 
+  int threads_;
   const std::function<bool(double)>& goes_on_;
   StreamHead head_;
   TilePlan plan_;
@@ -312,9 +324,10 @@ partition(const std::vector<std::string>& paths,
           const std::string& folder,
           std::uint64_t most_points,
           const std::string& settings,
+          unsigned int threads,
           const std::function<bool(double)>& goes_on)
 {
-  Partition partition(paths, folder, most_points, settings, goes_on);
+  Partition partition(paths, folder, most_points, settings, threads, goes_on);
   if (auto made = partition.made())
     return std::move(*made);
   return partition.run();

@@ -20,6 +20,7 @@ namespace app {
  *
  * \param[in] most_points in a tile, at least 1000; more only where all of them are in
  * one place
+ * \param[in] threads 0: all; the tiles are the same for any
  * \param[in] goes_on called now and then with the share that is done; false stops
  * \return nothing of use when it was stopped */
 TilePlan
@@ -27,6 +28,7 @@ partition(const std::vector<std::string>& paths,
           const std::string& folder,
           std::uint64_t most_points,
           const std::string& settings,
+          unsigned int threads,
           const std::function<bool(double)>& goes_on);
 
 } // namespace app

@@ -18,8 +18,8 @@ constexpr std::uint64_t PARTS_OF_MOST = 32;
 bool
 mayShare(const pcl::ccaa::Box& tile, const TileBuckets::Part& part)
 {
-  return (part.points.box.max().array() >= tile.min().array()).all() &&
-         (part.points.box.min().array() < tile.max().array()).all();
+  return (part.box.max().array() >= tile.min().array()).all() &&
+         (part.box.min().array() < tile.max().array()).all();
 }
 
 } // namespace
@@ -35,10 +35,12 @@ PointSharing::PointSharing(TileBuckets& buckets, std::uint64_t most_points)
 {
   std::vector<pcl::ccaa::CountedBox> counted;
   double points = 0.0;
-  for (const TileBuckets::Part& part : parts_) {
-    counted.push_back(part.points);
-    points += part.points.count;
-  }
+  for (const TileBuckets::Part& part : parts_)
+    for (const pcl::ccaa::CountedBox& octant : part.octants)
+      if (octant.count > 0.0) {
+        counted.push_back(octant);
+        points += octant.count;
+      }
   tiles_ = pcl::ccaa::bisect(
       counted, points > double(most_points) ? most_points / FILLED : most_points);
   for (const TileBuckets::Part& part : parts_)

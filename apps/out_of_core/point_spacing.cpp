@@ -36,15 +36,15 @@ widening(const pcl::ccaa::RankedPoints& points, const pcl::ccaa::PointBlocks& bl
 } // namespace
 
 std::vector<float>
-spacingsOf(const pcl::ccaa::RankedPoints& points)
+spacingsOf(const pcl::ccaa::RankedPoints& points, int threads)
 {
   std::vector<float> spacings(points.size(), 0.0F);
   if (points.size() <= NEAREST)
     return spacings;
   pcl::ccaa::PointBlocks blocks;
-  blocks.build({points.coordinates.front().data(), 3, points.size()}, 1);
+  blocks.build({points.coordinates.front().data(), 3, points.size()}, threads);
   const auto table =
-      blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, 1);
+      blocks.allNearest(NEAREST, pcl::ccaa::PointBlocks::Distances::KEEP, threads);
   const double wider = widening(points, blocks);
   for (std::size_t rank = 0; rank < blocks.size(); ++rank) {
     float& spacing = spacings[static_cast<std::size_t>(blocks.order()[rank])];

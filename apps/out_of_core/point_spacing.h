@@ -12,6 +12,6 @@ namespace app {
  * times by how much edges may be longer there (see pcl::ccaa::ScanLines). 0 where there
  * are too few. */
 std::vector<float>
-spacingsOf(const pcl::ccaa::RankedPoints& points);
+spacingsOf(const pcl::ccaa::RankedPoints& points, int threads);
 
 } // namespace app

@@ -22,6 +22,14 @@ using pcl::ccaa::Position;
 /** Bytes that wait in memory until they are appended to the files of their leaves. */
 constexpr std::size_t MOST_WAITING = std::size_t{64} << 20;
 
+/** The number of the octant of a cell in which a position of it lies. */
+std::size_t
+octantOf(const GridCell& cell, const Position& position)
+{
+  const auto [x, y, z] = childOf(cell, position).at;
+  return static_cast<std::size_t>((x & 1) + 2 * (y & 1) + 4 * (z & 1));
+}
+
 [[noreturn]] void
 failToWrite(const std::string& path)
 {
@@ -71,7 +79,9 @@ TileBuckets::append(const char* entry, const Position& position)
     last_ = leafAt(position);
   Leaf& leaf = last_->second;
   leaf.waiting.insert(leaf.waiting.end(), entry, entry + entryBytes());
-  leaf.box.extend(position);
+  pcl::ccaa::CountedBox& octant = leaf.octants[octantOf(last_->first, position)];
+  octant.box.extend(position);
+  octant.count += 1.0;
   waiting_ += entryBytes();
   if (++leaf.count > most_points_ && last_->first.canSplit())
     split(last_);
@@ -151,8 +161,12 @@ std::vector<TileBuckets::Part>
 TileBuckets::parts() const
 {
   std::vector<Part> parts;
-  for (const auto& [cell, leaf] : leaves_)
-    parts.push_back({cell, {leaf.box, double(leaf.count)}});
+  for (const auto& [cell, leaf] : leaves_) {
+    pcl::ccaa::Box box;
+    for (const pcl::ccaa::CountedBox& octant : leaf.octants)
+      box.extend(octant.box);
+    parts.push_back({cell, box, leaf.octants});
+  }
   std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return a.cell < b.cell;
   });

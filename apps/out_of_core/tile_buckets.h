@@ -7,6 +7,7 @@
 #include "tiles/bisection.h"
 #include "tiles/world_grid.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -34,7 +35,8 @@ public:
   /** \brief One of the leaves. */
   struct Part {
     pcl::ccaa::GridCell cell;
-    pcl::ccaa::CountedBox points; /**< around its points */
+    pcl::ccaa::Box box;                           /**< around its points */
+    std::array<pcl::ccaa::CountedBox, 8> octants; /**< around those of each octant */
   };
 
   /** \brief The leaves, ascending. */
@@ -61,7 +63,7 @@ public:
 private:
   struct Leaf {
     std::uint64_t count = 0;
-    pcl::ccaa::Box box;
+    std::array<pcl::ccaa::CountedBox, 8> octants;
     std::vector<char> waiting;
     std::string path;
   };

@@ -118,7 +118,6 @@ private:
     std::mutex mutex;
     const auto work = [&] {
       StepRun run;
-      run.threads = static_cast<unsigned int>(threads_ / count);
       run.progress = [&](const std::string&, double) { return !stop.load(); };
       run.wait = [&](std::size_t tile) {
         while (!is_done[tile] && !stop)
@@ -129,6 +128,8 @@ private:
       try {
         for (std::size_t tile = next++; tile < tiles_ && !stop; tile = next++) {
           releaseFreed();
+          const std::uint64_t beside = std::min<std::uint64_t>(count, tiles_ - tile);
+          run.threads = static_cast<unsigned int>(threads_ / beside);
           phase.work(tile, run);
           is_done[tile] = true;
           ++finished;

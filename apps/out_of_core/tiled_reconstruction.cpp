@@ -177,6 +177,7 @@ reconstructInTiles(const ReconstructSettings& settings)
                 folder.path,
                 settings.tiles,
                 settingsText(settings),
+                settings.threads,
                 [&](double share) { return bar.show("cutting", CUTTING * share); });
   if (interrupted())
     return {INTERRUPTED, stopped_by_signal, {}};

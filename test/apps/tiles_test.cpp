@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 namespace app_test {
 namespace {
@@ -196,6 +197,20 @@ TEST_F(TiledApp, PointsComeOutInTheOrderOfTheInputsThatWereGivenNow)
     for (pcl::index_t& corner : triangle)
       corner = corner < 1000 ? corner + 2000 : corner - 1000;
   EXPECT_TRUE(test::sameTriangles(test::toTriangles(ab.polygons), moved));
+}
+
+TEST_F(TiledApp, TilesHoldAboutTheSameNumberOfPoints)
+{
+  constexpr double COUNT = 100000.0;
+  save(folder_.path("in.ply"),
+       test::toRawCloud(sheetWithSparseStripes(std::size_t(COUNT), 7)));
+  ASSERT_TRUE(
+      hasMeshed(step("cut", "tiles", {folder_.path("in.ply"), "--tiles=8000"})));
+  std::istringstream lines(step("neighbors", "tiles", {}).output);
+  std::size_t tiles = 0;
+  for (std::string line; std::getline(lines, line); ++tiles)
+    EXPECT_NEAR(std::stod(line), COUNT / 50.0, 0.1 * COUNT / 50.0) << tiles;
+  EXPECT_EQ(50U, tiles);
 }
 
 TEST_F(TiledApp, ASecondRunInTheSameFolderMakesNothingAnew)

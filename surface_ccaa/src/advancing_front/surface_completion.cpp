@@ -234,6 +234,10 @@ Completion::settle()
   if (closeBetween(
           settleFansAndCrossings(), gap_, *nearby_, parameters_, *surface_, &control_))
     settleFansAndCrossings();
+  nearby_.reset();
+  gap_ = {};
+  result_.kept.reserve(mesh_.given.size());
+  result_.triangles.reserve(surface_->triangleCount());
   for (std::size_t t = 0; t < surface_->triangleCount(); ++t) {
     const auto triangle = static_cast<pcl::index_t>(t);
     if (!surface_->isAlive(triangle))
@@ -242,9 +246,7 @@ Completion::settle()
       result_.kept.push_back(triangle);
     result_.triangles.push_back((*surface_)[triangle]);
   }
-  nearby_.reset();
   surface_.reset();
-  gap_ = {};
   adjacency_ = std::move(given_.adjacency); // its memory serves the result
 }
 

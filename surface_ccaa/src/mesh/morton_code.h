@@ -21,7 +21,10 @@ spreadBits(std::uint64_t bits)
   return bits;
 }
 
-/** \brief Place along the Morton curve through the unit cube, in 63 bits. */
+/** \brief In which a place along the curve is told. */
+constexpr unsigned int MORTON_BITS = 63;
+
+/** \brief Place along the Morton curve through the unit cube. */
 inline std::uint64_t
 mortonCode(const Eigen::Vector3d& share)
 {

@@ -10,6 +10,11 @@
 namespace pcl::ccaa {
 namespace {
 
+/** Points within such a part of the longest side from a plane are near it. Of 10
+ * million points in 100 tiles the largest has 154 000 with its halo; 159 000 at twice,
+ * 173 000 at a quarter of it. */
+constexpr double NEAR_PLANE = 1.0 / 16.0;
+
 /** \brief What of a box lies below a plane. */
 double
 shareBelow(const Box& box, Eigen::Index axis, double plane)
@@ -43,6 +48,34 @@ planeBelow(const std::vector<CountedBox>& boxes,
   return high;
 }
 
+/** \brief Where to cut. */
+struct Cut {
+  Eigen::Index axis = 0;
+  double plane = 0.0;
+};
+
+/** \brief Across the axis with the fewest points near the plane: there the parts have
+ * the least in common. Where points lie evenly, that is the longest axis. */
+Cut
+bestCut(const std::vector<CountedBox>& boxes, const Box& around, double count)
+{
+  const double distance = NEAR_PLANE * around.sizes().maxCoeff();
+  Cut best;
+  double fewest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (!(around.sizes()[axis] > 0.0))
+      continue;
+    const double plane = planeBelow(boxes, axis, around, count);
+    const double near = countBelow(boxes, axis, plane + distance) -
+                        countBelow(boxes, axis, plane - distance);
+    if (near < fewest) {
+      fewest = near;
+      best = {axis, plane};
+    }
+  }
+  return best;
+}
+
 class Bisection {
 public:
   std::vector<Box>
@@ -64,13 +97,12 @@ private:
     Box around;
     for (const CountedBox& box : boxes)
       around.extend(box.box);
-    Eigen::Index axis = 0;
-    if (parts <= 1.0 || !(around.sizes().maxCoeff(&axis) > 0.0)) {
+    if (parts <= 1.0 || !(around.sizes().maxCoeff() > 0.0)) {
       parts_.push_back(space);
       return;
     }
-    const double wanted = count * std::floor(0.5 * parts) / parts;
-    const double plane = planeBelow(boxes, axis, around, wanted);
+    const auto [axis, plane] =
+        bestCut(boxes, around, count * std::floor(0.5 * parts) / parts);
     const double below = countBelow(boxes, axis, plane);
     const double lower =
         std::clamp(std::round(parts * below / count), 1.0, parts - 1.0);

@@ -16,8 +16,9 @@ struct CountedBox {
 };
 
 /** \brief Cuts space into boxes of about as many points each by recursive coordinate
- * bisection (Berger and Bokhari 1987): across the longest axis of the points, as often
- * as parts of so many points ask for. What lies in one place is not cut.
+ * bisection (Berger and Bokhari 1987), as often as parts of so many points ask for:
+ * across the axis with the fewest points near the plane. What lies in one place is not
+ * cut.
  * \param[in] boxes the result depends on their order, by rounding only
  * \return half open, the outer ones unbounded; points at one of the lower faces belong
  * to it. Cost: O(n log parts). */

@@ -31,9 +31,10 @@ cellOf(const Position& position, int level)
 {
   GridCell cell;
   cell.level = level;
+  const double edges_in_a_unit = std::ldexp(1.0, -level);
   for (std::size_t axis = 0; axis < 3; ++axis)
     cell.at[axis] = static_cast<std::int64_t>(
-        std::floor(std::ldexp(position[static_cast<Eigen::Index>(axis)], -level)));
+        std::floor(position[static_cast<Eigen::Index>(axis)] * edges_in_a_unit));
   return cell;
 }
 

@@ -77,7 +77,7 @@ TEST(Bisection, GivesEachPointToOnePartAndEachPartItsShare)
   }
 }
 
-TEST(Bisection, CutsAcrossTheLongestAxis)
+TEST(Bisection, CutsEvenPointsAcrossTheLongestAxis)
 {
   RandomSource random(6);
   Positions places;
@@ -93,6 +93,22 @@ TEST(Bisection, CutsAcrossTheLongestAxis)
       EXPECT_NEAR(parts[i].min().y(), 2.0 * double(i), 0.2);
     }
   }
+}
+
+TEST(Bisection, CutsWhereTheFewestPointsLie)
+{
+  RandomSource random(7);
+  Positions places; // two strips that are hardly connected, longer than their distance
+  for (int i = 0; i < 4000; ++i)
+    places.emplace_back(random.uniform(0.0, 5.0),
+                        random.uniform() + (i % 2 == 0 ? 3.0 : 0.0),
+                        random.uniform(0.0, 0.1));
+  for (int i = 0; i < 20; ++i)
+    places.emplace_back(2.5, random.uniform(1.0, 3.0), 0.0);
+  const std::vector<Box> parts = bisect(leavesOf(places, 100), 2010);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_TRUE(std::isinf(parts[1].min().x()));
+  EXPECT_NEAR(parts[1].min().y(), 2.0, 1.0);
 }
 
 TEST(Bisection, DoesNotCutWhatLiesInOnePlace)
