@@ -52,7 +52,8 @@ tellDoubts(const DoubtCounts& doubts, const std::string& at_most)
   };
   if (doubts.handles > 0)
     return "the surface has " + at_most + plural(doubts.handles, "handle") +
-           " and places so thin that some may be tunnels that nobody scanned" +
+           " and places so thin, or so close to others, that some may be tunnels that "
+           "nobody scanned" +
            whereOne(doubts.handle_at);
   if (doubts.touching_pieces > 0)
     return "closed pieces come as near to others as points lie apart, at " + at_most +
@@ -60,7 +61,7 @@ tellDoubts(const DoubtCounts& doubts, const std::string& at_most)
            ": they may be one body, of which a thin neck was cut" +
            whereOne(doubts.touching_at);
   if (doubts.thin_necks > 0)
-    return "the surface narrows to a few edges and widens again, at " + at_most +
+    return "the surface is narrow between two wide parts, at " + at_most +
            plural(doubts.thin_necks, "place") +
            ": what a neck joins there may be bodies that touch" +
            whereOne(doubts.neck_at);

@@ -4,6 +4,7 @@
 
 #include "advancing_front/fan_settlement.h"
 #include "advancing_front/local_regrowth.h"
+#include "advancing_front/narrow_places.h"
 #include "advancing_front/new_islands.h"
 #include "advancing_front/spacing.h"
 #include "advancing_front/tunnels.h"
@@ -11,7 +12,6 @@
 #include "mesh/contacts.h"
 #include "mesh/orientation.h"
 #include "mesh/sort_unique.h"
-#include "mesh/thin_necks.h"
 
 #include <optional>
 #include <utility>
@@ -302,9 +302,7 @@ Completion::orient()
     report_.doubts.touching_pieces =
         pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads});
   if (reopening_.triangles.empty()) // what grows anew is a trial
-    result_.thin_necks =
-        thinNecks(result_.triangles, adjacency_, mesh_.points, {context_.threads});
-  report_.doubts.thin_necks = verticesOf(result_.thin_necks);
+    findNecks(adjacency_, mesh_.points, {context_.threads}, result_, report_);
 }
 
 } // namespace

@@ -2,10 +2,10 @@
 // Part of PclSurfaceRepair: tunnels that a start algorithm made through thin places.
 #include "advancing_front/tunnels.h"
 
+#include "advancing_front/narrow_places.h"
 #include "advancing_front/tuning.h"
+#include "mesh/clefts.h"
 #include "mesh/handle_places.h"
-#include "mesh/thin_necks.h"
-#include "mesh/vertex_normals.h"
 
 #include <algorithm>
 #include <array>
@@ -16,38 +16,6 @@
 
 namespace pcl::ccaa {
 namespace {
-
-/** Flags for the ends of edges whose ends face away from each other.
- *
- * There a start algorithm may connect two sides through the body. Such a tunnel has a
- * perfect umbrella at each point, and its edges are no sharper than those in which the
- * body ends: nothing here tells the one from the other.
- *
- * \param[in] least_rise of such an edge out of the tangent plane at an end, as a share
- * of its length: below it a triangle that is folded back onto others has turned the
- * normals of a smooth surface */
-std::vector<std::uint8_t>
-thinPlaces(const Triangles& triangles,
-           const PointView& points,
-           double least_rise,
-           const LoopContext& context)
-{
-  const auto normals = vertexNormals(triangles, points, context);
-  std::vector<std::uint8_t> is_thin(points.size(), 0);
-  for (const Triangle& triangle : triangles)
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const auto from = static_cast<std::size_t>(triangle[corner]);
-      const auto to = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
-      if (normals[from].dot(normals[to]) >= tuning::OPPOSITE)
-        continue;
-      const Position edge = points[to] - points[from];
-      const double rise = std::max(std::abs(edge.dot(normals[from].cast<double>())),
-                                   std::abs(edge.dot(normals[to].cast<double>())));
-      if (rise >= least_rise * edge.norm())
-        is_thin[from] = is_thin[to] = 1;
-    }
-  return is_thin;
-}
 
 std::size_t
 countOf(const std::vector<std::uint8_t>& flags)
@@ -264,8 +232,7 @@ readNecks(const PointView& points,
 {
   TriangleAdjacency adjacency;
   adjacency.build(mesh.triangles, points.size(), threads);
-  mesh.thin_necks = thinNecks(mesh.triangles, adjacency, points, {threads});
-  report.doubts.thin_necks = verticesOf(mesh.thin_necks);
+  findNecks(adjacency, points, {threads}, mesh, report);
   return adjacency;
 }
 
@@ -278,6 +245,25 @@ smallHandles(const CompletedMesh& mesh, std::size_t vertex_count)
     if (neck.is_handle)
       is_there[static_cast<std::size_t>(neck.vertex)] = 1;
   return is_there;
+}
+
+/** Flags for what is narrow or next to itself, where a handle may be none. */
+std::vector<std::uint8_t>
+doubtfulVertices(const CompletedMesh& mesh,
+                 const TriangleAdjacency& adjacency,
+                 const PointView& points,
+                 std::vector<std::uint8_t> is_thin,
+                 const LoopContext& context)
+{
+  for (const ThinNeck& neck : mesh.thin_necks)
+    for (const pcl::index_t vertex : neck.around)
+      if (neck.is_handle)
+        is_thin[static_cast<std::size_t>(vertex)] = 1;
+  addRings(tuning::AROUND_HANDLE, mesh.triangles, is_thin);
+  const auto is_cleft = cleftVertices(mesh.triangles, adjacency, points, context);
+  for (std::size_t v = 0; v < is_thin.size(); ++v)
+    is_thin[v] |= is_cleft[v];
+  return is_thin;
 }
 
 } // namespace
@@ -312,17 +298,13 @@ openTunnels(PartialMesh mesh,
     adjacency = readNecks(points, context.threads, result, report);
   if (adjacency)
     is_thin = thinPlaces(result.triangles, points, 0.0, context);
-  for (const ThinNeck& neck : result.thin_necks)
-    for (const pcl::index_t vertex : neck.around)
-      if (neck.is_handle)
-        is_thin[static_cast<std::size_t>(vertex)] = 1;
   const long handles = result.topology.genus.value_or(0);
-  if (handles <= 0 || (!has_thin && countOf(is_thin) == 0))
+  if (handles <= 0)
     return;
-  report.doubts.handles = static_cast<std::uint64_t>(handles);
   if (!adjacency)
     adjacency.emplace().build(result.triangles, points.size(), context.threads);
-  addRings(tuning::AROUND_HANDLE, result.triangles, is_thin);
+  is_thin = doubtfulVertices(result, *adjacency, points, std::move(is_thin), context);
+  report.doubts.handles = static_cast<std::uint64_t>(handles);
   report.doubts.thin_handles = handlePlaces(result.triangles, *adjacency, is_thin);
   if (!has_thin && report.doubts.thin_handles.empty())
     report.doubts.handles = 0; // the given triangles had such places elsewhere

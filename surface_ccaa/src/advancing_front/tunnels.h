@@ -37,11 +37,11 @@ using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
  * around them, at most 1.5 times the work of the completion.
  *
  * Handles that are left are in doubt (report.doubts.handles) if the result, or what
- * was given, has thin places or small handles: no sampling tells there whether the two
- * sides are connected. Those that handles pass through are told
- * (report.doubts.thin_handles).
- * \param[in] mesh consistently wound \param[in] work of complete() \param[in,out]
- * result of complete() of all that is given, with its report */
+ * was given, has thin places or small handles, or if they pass through clefts (see
+ * cleftVertices()): no sampling tells there whether the two sides are connected. Those
+ * that handles pass through are told (report.doubts.thin_handles). \param[in] mesh
+ * consistently wound \param[in] work of complete() \param[in,out] result of complete()
+ * of all that is given, with its report */
 void
 openTunnels(PartialMesh mesh,
             const CompletionWithout& complete,

@@ -337,14 +337,4 @@ thinNecks(const Triangles& triangles,
   return necks;
 }
 
-std::vector<pcl::index_t>
-verticesOf(const std::vector<ThinNeck>& necks)
-{
-  std::vector<pcl::index_t> vertices;
-  for (const ThinNeck& neck : necks)
-    if (!neck.is_handle)
-      vertices.push_back(neck.vertex);
-  return vertices;
-}
-
 } // namespace pcl::ccaa

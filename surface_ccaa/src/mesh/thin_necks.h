@@ -44,8 +44,4 @@ thinNecks(const Triangles& triangles,
           const LoopContext& context,
           const std::vector<pcl::index_t>* among = nullptr);
 
-/** \brief The vertex of each neck, without handles. */
-std::vector<pcl::index_t>
-verticesOf(const std::vector<ThinNeck>& necks);
-
 } // namespace pcl::ccaa

@@ -8,6 +8,7 @@
 #include "support/shapes.h"
 #include "support/shared_data.h"
 
+#include <cmath>
 #include <limits>
 
 namespace pcl::ccaa::test {
@@ -156,6 +157,37 @@ TEST(TouchingSpheres, HaveANeckAtAPointBetweenThem)
   ASSERT_EQ(1U, necks.size());
   EXPECT_LT((points[static_cast<std::size_t>(necks[0])] - Position(1.015, 0, 0)).norm(),
             0.3);
+}
+
+/** A slab with a ball on it, so near that nothing tells whether they touch. */
+Positions
+ballOnSlab(std::uint64_t seed)
+{
+  constexpr double GAP = 0.02;
+  Positions points = sampled({2.0, 2.0, 0.4, 0.4}, seed);
+  RandomSource random(seed + 100);
+  for (int i = 0; i < 5000; ++i) {
+    const double z = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * M_PI);
+    const double radius = std::sqrt(1.0 - z * z);
+    points.emplace_back(
+        1.0 + radius * std::cos(angle), 1.0 + radius * std::sin(angle), 1.2 + GAP + z);
+  }
+  return points;
+}
+
+TEST(ABallOnASlab, IsTwoPiecesOrInDoubtNearlyAlways)
+{
+  std::size_t glued = 0, told = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Chain chain;
+    if (reconstructed(ballOnSlab(seed), chain).pieces == 2)
+      continue;
+    ++glued;
+    const TopologyDoubts& doubts = chain.getReport().doubts;
+    told += doubts.handles + doubts.thin_necks.size() > 0 ? 1 : 0;
+  }
+  EXPECT_GT(glued, 4U);
+  EXPECT_LE(glued, told + 1);
 }
 
 /** Vertices of the surface are numbered without them. */

@@ -16,7 +16,8 @@ namespace pcl {
 struct TopologyDoubts {
   /** \brief Handles of which some may be tunnels that nobody scanned, since the surface
    * has places so thin that their two sides cannot be told apart, or handles within
-   * four edges of a vertex. */
+   * four edges of a vertex or through clefts, where it faces itself across hardly any
+   * space. */
   std::uint64_t handles = 0;
   /** \brief A point at each of these places that a handle passes through, ascending:
    * they may be fewer than the handles, as one may have several, or none. */
@@ -25,8 +26,8 @@ struct TopologyDoubts {
    * apart, so that they may be one body, of which a thin neck was cut: a point of each,
    * by the first. */
   std::vector<std::array<index_t, 2>> touching_pieces;
-  /** \brief A point on each ring of a few edges from which the surface widens to both
-   * sides, so that it may be two bodies; ascending. */
+  /** \brief A point on each ring of a few edges, and at each cleft around a rim, from
+   * which the surface widens to both sides, so that it may be two bodies; ascending. */
   std::vector<index_t> thin_necks;
 };
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: where a completed mesh is thin or narrow.
+#include "advancing_front/narrow_places.h"
+
+#include "advancing_front/tuning.h"
+#include "mesh/clefts.h"
+#include "mesh/vertex_normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl::ccaa {
+
+std::vector<std::uint8_t>
+thinPlaces(const Triangles& triangles,
+           const PointView& points,
+           double least_rise,
+           const LoopContext& context)
+{
+  const auto normals = vertexNormals(triangles, points, context);
+  std::vector<std::uint8_t> is_thin(points.size(), 0);
+  for (const Triangle& triangle : triangles)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto from = static_cast<std::size_t>(triangle[corner]);
+      const auto to = static_cast<std::size_t>(triangle[(corner + 1) % 3]);
+      if (normals[from].dot(normals[to]) >= tuning::OPPOSITE)
+        continue;
+      const Position edge = points[to] - points[from];
+      const double rise = std::max(std::abs(edge.dot(normals[from].cast<double>())),
+                                   std::abs(edge.dot(normals[to].cast<double>())));
+      if (rise >= least_rise * edge.norm())
+        is_thin[from] = is_thin[to] = 1;
+    }
+  return is_thin;
+}
+
+void
+findNecks(const TriangleAdjacency& adjacency,
+          const PointView& points,
+          const LoopContext& context,
+          CompletedMesh& mesh,
+          CompletionReport& report)
+{
+  mesh.thin_necks = thinNecks(mesh.triangles, adjacency, points, context);
+  report.doubts.thin_necks =
+      neckVertices(mesh.thin_necks, mesh.triangles, adjacency, points, context);
+}
+
+} // namespace pcl::ccaa

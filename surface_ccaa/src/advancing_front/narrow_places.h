@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: where a completed mesh is thin or narrow.
+#pragma once
+
+#include <pcl/surface_ccaa/reconstruction_report.h>
+
+#include "advancing_front/surface_completion.h"
+#include "mesh/block_loop.h"
+#include "mesh/triangle_adjacency.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl::ccaa {
+
+/** \brief Flags for the ends of edges whose ends face away from each other.
+ *
+ * There a start algorithm may connect two sides through the body. Such a tunnel has a
+ * perfect umbrella at each point, and its edges are no sharper than those in which the
+ * body ends: nothing here tells the one from the other.
+ *
+ * \param[in] least_rise of such an edge out of the tangent plane at an end, as a share
+ * of its length: below it a triangle that is folded back onto others has turned the
+ * normals of a smooth surface */
+std::vector<std::uint8_t>
+thinPlaces(const Triangles& triangles,
+           const PointView& points,
+           double least_rise,
+           const LoopContext& context);
+
+/** \brief Tell where a completed mesh is narrow. \param[in] adjacency of its triangles
+ * \param[in,out] mesh gets its thin necks \param[in,out] report gets all necks */
+void
+findNecks(const TriangleAdjacency& adjacency,
+          const PointView& points,
+          const LoopContext& context,
+          CompletedMesh& mesh,
+          CompletionReport& report);
+
+} // namespace pcl::ccaa

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Part of PclSurfaceRepair: where a surface faces itself across hardly any space.
+#include "mesh/clefts.h"
+
+#include "mesh/corners.h"
+#include "mesh/given_votes.h"
+#include "mesh/neck_parts.h"
+#include "mesh/sort_unique.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace pcl::ccaa {
+namespace {
+
+using Edge = TriangleAdjacency::Edge;
+
+/** Cosine between the normals at a concave edge beside which a cleft is looked for. */
+constexpr double BOTTOM = 0.5;
+/** Cosine between the normals of two sides that face each other. */
+constexpr double FACING = -0.5;
+/** Rings of triangles around such an edge that may face each other: of 14 pairs of
+ * bodies that were glued, with two rings 12 were found, with one 6, with three 13. */
+constexpr int RINGS_AT_BOTTOM = 3;
+/** Such edges that are looked at in turn, without those in clefts that were found. */
+constexpr std::size_t EDGES_IN_TURN = 1024;
+
+/** Whether two sides of a surface are those of a groove, and their normals have at most
+ * such a cosine. */
+bool
+faceEachOther(const Facet& one, const Facet& other, double most)
+{
+  const Position between = other.centroid - one.centroid;
+  return between.dot(one.area) > 0.0 && between.dot(other.area) < 0.0 &&
+         one.area.dot(other.area) < most * one.area.norm() * other.area.norm();
+}
+
+class CleftFinder {
+public:
+  CleftFinder(const Triangles& triangles,
+              const TriangleAdjacency& adjacency,
+              const PointView& points)
+  : triangles_(triangles), adjacency_(adjacency), points_(points)
+  {}
+
+  /** Sharp concave edges of a range of triangles, each once. */
+  void
+  findBottoms(std::size_t begin, std::size_t end, std::vector<Edge>& bottoms) const
+  {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto t = static_cast<pcl::index_t>(i);
+      const Facet facet = facetAt(t);
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const pcl::index_t across = adjacency_.across(t, static_cast<int>(corner));
+        const Edge edge{triangles_[i][corner], triangles_[i][(corner + 1) % 3]};
+        if (across > t && isConcave(facet, across, edge) &&
+            faceEachOther(facet, facetAt(across), BOTTOM))
+          bottoms.push_back(edge);
+      }
+    }
+  }
+
+  /** The corners of all triangles around an edge that face each other there. */
+  void
+  addCleft(const Edge& edge, std::unordered_set<pcl::index_t>& cleft) const
+  {
+    const std::vector<pcl::index_t> around = trianglesAround(edge);
+    std::vector<Facet> facets;
+    for (const pcl::index_t t : around)
+      facets.push_back(facetAt(t));
+    for (std::size_t i = 0; i < facets.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (faceEachOther(facets[i], facets[j], FACING))
+          for (const pcl::index_t t : {around[i], around[j]}) {
+            const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
+            cleft.insert(triangle.begin(), triangle.end());
+          }
+  }
+
+private:
+  Facet
+  facetAt(pcl::index_t t) const
+  {
+    return ccaa::facetOf(cornersOf(triangles_[static_cast<std::size_t>(t)], points_));
+  }
+
+  /** Whether the corner of a triangle that is not on an edge lies above another one. */
+  bool
+  isConcave(const Facet& facet, pcl::index_t across, const Edge& edge) const
+  {
+    const Triangle& triangle = triangles_[static_cast<std::size_t>(across)];
+    const pcl::index_t apex =
+        triangle[0] + triangle[1] + triangle[2] - edge[0] - edge[1];
+    return (points_[apex] - facet.centroid).dot(facet.area) > 0.0;
+  }
+
+  std::vector<pcl::index_t>
+  trianglesAround(const Edge& edge) const
+  {
+    std::vector<pcl::index_t> vertices(edge.begin(), edge.end()), around;
+    for (int ring = 0; ring < RINGS_AT_BOTTOM; ++ring) {
+      around.clear();
+      for (const pcl::index_t vertex : vertices)
+        around.insert(around.end(), adjacency_.begin(vertex), adjacency_.end(vertex));
+      sortUnique(around);
+      for (const pcl::index_t t : around) {
+        const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
+        vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+      }
+      sortUnique(vertices);
+    }
+    return around;
+  }
+
+  const Triangles& triangles_;
+  const TriangleAdjacency& adjacency_;
+  PointView points_;
+};
+
+} // namespace
+
+std::vector<std::uint8_t>
+cleftVertices(const Triangles& triangles,
+              const TriangleAdjacency& adjacency,
+              const PointView& points,
+              const LoopContext& context)
+{
+  const CleftFinder finder(triangles, adjacency, points);
+  std::vector<std::vector<Edge>> found(context.blockCount(triangles.size()));
+  forEachBlock(triangles.size(),
+               context,
+               [&](std::size_t block, std::size_t begin, std::size_t end) {
+                 finder.findBottoms(begin, end, found[block]);
+               });
+  const std::vector<Edge> bottoms = joinBlocks(found);
+  LoopContext in_turn = context;
+  in_turn.block_size = EDGES_IN_TURN;
+  std::vector<std::unordered_set<pcl::index_t>> clefts(
+      in_turn.blockCount(bottoms.size()));
+  forEachBlock(bottoms.size(),
+               in_turn,
+               [&](std::size_t block, std::size_t begin, std::size_t end) {
+                 auto& cleft = clefts[block];
+                 for (std::size_t i = begin; i < end; ++i)
+                   if (cleft.count(bottoms[i][0]) + cleft.count(bottoms[i][1]) < 2)
+                     finder.addCleft(bottoms[i], cleft);
+               });
+  std::vector<std::uint8_t> is_cleft(points.size(), 0);
+  for (const auto& cleft : clefts)
+    for (const pcl::index_t vertex : cleft)
+      std::for_each(adjacency.begin(vertex), adjacency.end(vertex), [&](auto t) {
+        for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
+          is_cleft[static_cast<std::size_t>(corner)] = 1;
+      });
+  return is_cleft;
+}
+
+std::vector<pcl::index_t>
+neckVertices(const std::vector<ThinNeck>& thin,
+             const Triangles& triangles,
+             const TriangleAdjacency& adjacency,
+             const PointView& points,
+             const LoopContext& context)
+{
+  std::vector<pcl::index_t> vertices;
+  std::unordered_set<pcl::index_t> told;
+  for (const ThinNeck& neck : thin)
+    if (!neck.is_handle) {
+      vertices.push_back(neck.vertex);
+      told.insert(neck.around.begin(), neck.around.end());
+    }
+  const auto is_cleft = cleftVertices(triangles, adjacency, points, context);
+  for (const auto& part : neckParts(triangles, adjacency, points, is_cleft))
+    if (std::none_of(part.begin(), part.end(), [&](auto v) { return told.count(v); }))
+      vertices.push_back(part.front());
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+} // namespace pcl::ccaa
