@@ -4,6 +4,7 @@
 
 #include "advancing_front/tuning.h"
 #include "mesh/clefts.h"
+#include "mesh/handle_places.h"
 #include "mesh/vertex_normals.h"
 
 #include <algorithm>
@@ -42,8 +43,12 @@ findNecks(const TriangleAdjacency& adjacency,
           CompletionReport& report)
 {
   mesh.thin_necks = thinNecks(mesh.triangles, adjacency, points, context);
+  mesh.is_cleft = cleftVertices(mesh.triangles, adjacency, points, context);
+  mesh.has_cleft_handle =
+      mesh.topology.genus.value_or(0) > 0 &&
+      !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft).empty();
   report.doubts.thin_necks =
-      neckVertices(mesh.thin_necks, mesh.triangles, adjacency, points, context);
+      neckVertices(mesh.thin_necks, mesh.is_cleft, mesh.triangles, adjacency, points);
 }
 
 } // namespace pcl::ccaa

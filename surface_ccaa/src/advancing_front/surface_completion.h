@@ -12,6 +12,7 @@
 #include "mesh/triangle.h"
 #include "run/run_control.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -22,7 +23,12 @@ struct CompletedMesh {
   Triangles triangles; /**< the given ones that stay, in order, then the new ones */
   std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
   SurfaceTopology topology; /**< of the triangles, unless all given ones are kept */
-  std::vector<ThinNeck> thin_necks; /**< unless something was taken away first */
+  /** \name Where it is narrow, unless something was taken away first (findNecks()). */
+  /** \{ */
+  std::vector<ThinNeck> thin_necks;
+  std::vector<std::uint8_t> is_cleft; /**< of a vertex */
+  bool has_cleft_handle = false;      /**< a handle passes through a cleft */
+  /** \} */
 };
 
 /** \brief Complete a partial mesh: keep what is given, close gaps where the sampling

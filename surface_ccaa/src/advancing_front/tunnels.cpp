@@ -4,7 +4,6 @@
 
 #include "advancing_front/narrow_places.h"
 #include "advancing_front/tuning.h"
-#include "mesh/clefts.h"
 #include "mesh/handle_places.h"
 
 #include <algorithm>
@@ -249,20 +248,15 @@ smallHandles(const CompletedMesh& mesh, std::size_t vertex_count)
 
 /** Flags for what is narrow or next to itself, where a handle may be none. */
 std::vector<std::uint8_t>
-doubtfulVertices(const CompletedMesh& mesh,
-                 const TriangleAdjacency& adjacency,
-                 const PointView& points,
-                 std::vector<std::uint8_t> is_thin,
-                 const LoopContext& context)
+doubtfulVertices(const CompletedMesh& mesh, std::vector<std::uint8_t> is_thin)
 {
   for (const ThinNeck& neck : mesh.thin_necks)
     for (const pcl::index_t vertex : neck.around)
       if (neck.is_handle)
         is_thin[static_cast<std::size_t>(vertex)] = 1;
   addRings(tuning::AROUND_HANDLE, mesh.triangles, is_thin);
-  const auto is_cleft = cleftVertices(mesh.triangles, adjacency, points, context);
   for (std::size_t v = 0; v < is_thin.size(); ++v)
-    is_thin[v] |= is_cleft[v];
+    is_thin[v] |= mesh.is_cleft[v];
   return is_thin;
 }
 
@@ -299,11 +293,12 @@ openTunnels(PartialMesh mesh,
   if (adjacency)
     is_thin = thinPlaces(result.triangles, points, 0.0, context);
   const long handles = result.topology.genus.value_or(0);
-  if (handles <= 0)
+  if (handles <= 0 || (!has_thin && !result.has_cleft_handle && countOf(is_thin) == 0 &&
+                       countOf(smallHandles(result, points.size())) == 0))
     return;
   if (!adjacency)
     adjacency.emplace().build(result.triangles, points.size(), context.threads);
-  is_thin = doubtfulVertices(result, *adjacency, points, std::move(is_thin), context);
+  is_thin = doubtfulVertices(result, std::move(is_thin));
   report.doubts.handles = static_cast<std::uint64_t>(handles);
   report.doubts.thin_handles = handlePlaces(result.triangles, *adjacency, is_thin);
   if (!has_thin && report.doubts.thin_handles.empty())

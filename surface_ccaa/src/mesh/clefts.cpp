@@ -3,7 +3,6 @@
 #include "mesh/clefts.h"
 
 #include "mesh/corners.h"
-#include "mesh/given_votes.h"
 #include "mesh/neck_parts.h"
 #include "mesh/sort_unique.h"
 
@@ -25,15 +24,20 @@ constexpr int RINGS_AT_BOTTOM = 3;
 /** Such edges that are looked at in turn, without those in clefts that were found. */
 constexpr std::size_t EDGES_IN_TURN = 1024;
 
-/** Whether two sides of a surface are those of a groove, and their normals have at most
- * such a cosine. */
-bool
-faceEachOther(const Facet& one, const Facet& other, double most)
-{
-  const Position between = other.centroid - one.centroid;
-  return between.dot(one.area) > 0.0 && between.dot(other.area) < 0.0 &&
-         one.area.dot(other.area) < most * one.area.norm() * other.area.norm();
-}
+/** A triangle's middle and its normal of length 1. */
+struct Wall {
+  Position center, normal;
+
+  /** Whether both are above each other, and their normals more than 120 degrees apart.
+   */
+  bool
+  faces(const Wall& other) const
+  {
+    return normal.dot(other.normal) < FACING &&
+           (other.center - center).dot(normal) > 0.0 &&
+           (center - other.center).dot(other.normal) > 0.0;
+  }
+};
 
 class CleftFinder {
 public:
@@ -49,12 +53,12 @@ public:
   {
     for (std::size_t i = begin; i < end; ++i) {
       const auto t = static_cast<pcl::index_t>(i);
-      const Facet facet = facetAt(t);
+      const Position normal = normalOf(t);
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const pcl::index_t across = adjacency_.across(t, static_cast<int>(corner));
         const Edge edge{triangles_[i][corner], triangles_[i][(corner + 1) % 3]};
-        if (across > t && isConcave(facet, across, edge) &&
-            faceEachOther(facet, facetAt(across), BOTTOM))
+        if (across > t && isConcave(normal, across, edge) &&
+            isSharp(normal, normalOf(across)))
           bottoms.push_back(edge);
       }
     }
@@ -65,12 +69,14 @@ public:
   addCleft(const Edge& edge, std::unordered_set<pcl::index_t>& cleft) const
   {
     const std::vector<pcl::index_t> around = trianglesAround(edge);
-    std::vector<Facet> facets;
-    for (const pcl::index_t t : around)
-      facets.push_back(facetAt(t));
-    for (std::size_t i = 0; i < facets.size(); ++i)
+    std::vector<Wall> walls;
+    for (const pcl::index_t t : around) {
+      const auto [a, b, c] = cornersAt(t);
+      walls.push_back({(a + b + c) / 3.0, normalOf(t).normalized()});
+    }
+    for (std::size_t i = 0; i < walls.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (faceEachOther(facets[i], facets[j], FACING))
+        if (walls[i].faces(walls[j]))
           for (const pcl::index_t t : {around[i], around[j]}) {
             const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
             cleft.insert(triangle.begin(), triangle.end());
@@ -78,20 +84,35 @@ public:
   }
 
 private:
-  Facet
-  facetAt(pcl::index_t t) const
+  Corners
+  cornersAt(pcl::index_t t) const
   {
-    return ccaa::facetOf(cornersOf(triangles_[static_cast<std::size_t>(t)], points_));
+    return cornersOf(triangles_[static_cast<std::size_t>(t)], points_);
+  }
+
+  /** As long as twice the area. */
+  Position
+  normalOf(pcl::index_t t) const
+  {
+    return areaNormal(cornersAt(t));
   }
 
   /** Whether the corner of a triangle that is not on an edge lies above another one. */
   bool
-  isConcave(const Facet& facet, pcl::index_t across, const Edge& edge) const
+  isConcave(const Position& normal, pcl::index_t across, const Edge& edge) const
   {
     const Triangle& triangle = triangles_[static_cast<std::size_t>(across)];
     const pcl::index_t apex =
         triangle[0] + triangle[1] + triangle[2] - edge[0] - edge[1];
-    return (points_[apex] - facet.centroid).dot(facet.area) > 0.0;
+    return (points_[apex] - points_[edge[0]]).dot(normal) > 0.0;
+  }
+
+  static bool
+  isSharp(const Position& one, const Position& other)
+  {
+    const double product = one.dot(other);
+    return product <= 0.0 || product * product < BOTTOM * BOTTOM * one.squaredNorm() *
+                                                     other.squaredNorm();
   }
 
   std::vector<pcl::index_t>
@@ -157,10 +178,10 @@ cleftVertices(const Triangles& triangles,
 
 std::vector<pcl::index_t>
 neckVertices(const std::vector<ThinNeck>& thin,
+             const std::vector<std::uint8_t>& is_cleft,
              const Triangles& triangles,
              const TriangleAdjacency& adjacency,
-             const PointView& points,
-             const LoopContext& context)
+             const PointView& points)
 {
   std::vector<pcl::index_t> vertices;
   std::unordered_set<pcl::index_t> told;
@@ -169,7 +190,6 @@ neckVertices(const std::vector<ThinNeck>& thin,
       vertices.push_back(neck.vertex);
       told.insert(neck.around.begin(), neck.around.end());
     }
-  const auto is_cleft = cleftVertices(triangles, adjacency, points, context);
   for (const auto& part : neckParts(triangles, adjacency, points, is_cleft))
     if (std::none_of(part.begin(), part.end(), [&](auto v) { return told.count(v); }))
       vertices.push_back(part.front());

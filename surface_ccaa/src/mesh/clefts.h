@@ -26,14 +26,15 @@ cleftVertices(const Triangles& triangles,
 /** \brief Where a surface is narrow between two parts of it: thin necks, and each cleft
  * around which it goes on to two sides that nothing else connects, and that are far
  * larger than a disc which would close it (see neckParts()). There two bodies may
- * have come out as one. Cost: that of cleftVertices().
+ * have come out as one. Cost: that of neckParts().
  * \param[in] thin what thinNecks() has found; handles among them do not count
+ * \param[in] is_cleft of cleftVertices()
  * \return a vertex of each, ascending */
 std::vector<pcl::index_t>
 neckVertices(const std::vector<ThinNeck>& thin,
+             const std::vector<std::uint8_t>& is_cleft,
              const Triangles& triangles,
              const TriangleAdjacency& adjacency,
-             const PointView& points,
-             const LoopContext& context);
+             const PointView& points);
 
 } // namespace pcl::ccaa

@@ -15,9 +15,10 @@ namespace pcl::ccaa {
  * Parts are those of PartGraph. One is a neck if it alone connects one side of the
  * surface with the others, and that side and all that is not have at least six times
  * the area of a disc as large as the loops between them. So a bulge is none; neither is
- * a groove around a cylinder: a disc in it would be as large as its ends. Cost: linear,
- * and for each part with several loops of what it alone connects with the largest
- * component.
+ * a groove around a cylinder: a disc in it would be as large as its ends. Openings of
+ * up to 63 edges do not connect what is beside them. Where one side is made of more
+ * than 200 parts and components, and the largest component is on the other, nothing is
+ * told. Cost: linear, up to 200 nodes for each component beside each part.
  *
  * \param[in] adjacency of the triangles, which are a manifold and wound alike
  * \param[in] is_flagged by vertex

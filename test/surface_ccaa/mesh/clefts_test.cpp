@@ -39,12 +39,20 @@ cleftsOf(const Shape& shape, int threads = 1)
                        {threads, nullptr, "", 64});
 }
 
+std::vector<pcl::index_t>
+neckVerticesOf(const Shape& shape, const std::vector<ThinNeck>& thin)
+{
+  return neckVertices(thin,
+                      cleftsOf(shape),
+                      shape.triangles,
+                      adjacencyOf(shape),
+                      PointView(shape.vertices));
+}
+
 std::size_t
 countNecks(const Shape& shape)
 {
-  return neckVertices(
-             {}, shape.triangles, adjacencyOf(shape), PointView(shape.vertices), {})
-      .size();
+  return neckVerticesOf(shape, {}).size();
 }
 
 TEST(Clefts, AreAtTheBottomOfASharpGrooveAlone)
@@ -111,13 +119,8 @@ TEST(NeckVertices, AnOpeningInTheCleftIsAPartOfIt)
 
 TEST(NeckVertices, ThinNecksAreAmongThemButNotTheirHandles)
 {
-  const Shape ball = icosphere(3);
   EXPECT_EQ(std::vector<pcl::index_t>{7},
-            neckVertices({{7, {7}}, {3, {3}, true}},
-                         ball.triangles,
-                         adjacencyOf(ball),
-                         PointView(ball.vertices),
-                         {}));
+            neckVerticesOf(icosphere(3), {{7, {7}}, {3, {3}, true}}));
 }
 
 TEST(NeckVertices, ANeckIsToldOnce)
@@ -126,13 +129,7 @@ TEST(NeckVertices, ANeckIsToldOnce)
   std::vector<pcl::index_t> all(shape.vertices.size());
   for (std::size_t v = 0; v < all.size(); ++v)
     all[v] = static_cast<pcl::index_t>(v);
-  EXPECT_EQ(1U,
-            neckVertices({{9, all}},
-                         shape.triangles,
-                         adjacencyOf(shape),
-                         PointView(shape.vertices),
-                         {})
-                .size());
+  EXPECT_EQ(std::vector<pcl::index_t>{9}, neckVerticesOf(shape, {{9, all}}));
 }
 
 } // namespace
