@@ -11,8 +11,8 @@ namespace {
  * there are enough of them for several workers, and one of a larger cloud needs no more
  * memory than one of a smaller. */
 constexpr std::uint64_t FILLED = 4;
-/** Most points that are shared out as if they lay evenly, as a part of what a tile may
- * hold. */
+/** Most points of a bucket, as a part of what a tile may hold: those in each octant of
+ * it are shared out as if they lay evenly. */
 constexpr std::uint64_t PARTS_OF_MOST = 32;
 
 bool
