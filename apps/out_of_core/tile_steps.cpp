@@ -173,12 +173,21 @@ private:
   std::vector<pcl::ccaa::Box> around_far_;
 };
 
+/** What is in doubt in a tile, but for places farther out than its triangles count. */
 pcl::ccaa::TileDoubts
-doubtsOf(const ReconstructResult& result)
+doubtsOf(const Tile& tile, const TileCloud& cloud, const ReconstructResult& result)
 {
   using pcl::ccaa::PlacedCount;
   const pcl::ccaa::PointView points = pcl::ccaa::positionView(result.model.mesh.cloud);
-  const auto& [handles, thin, touching, necks] = result.chain.doubts;
+  auto [handles, thin, touching, necks] = result.chain.doubts;
+  const auto isUnseen = [&](pcl::index_t point) {
+    return !tile.sees(points[point], cloud.halos()[static_cast<std::size_t>(point)]);
+  };
+  necks.erase(std::remove_if(necks.begin(), necks.end(), isUnseen), necks.end());
+  touching.erase(std::remove_if(touching.begin(),
+                                touching.end(),
+                                [&](const auto& pair) { return isUnseen(pair[0]); }),
+                 touching.end());
   const auto first = [](const pcl::Indices& places) {
     return places.empty() ? pcl::UNAVAILABLE : places.front();
   };
@@ -205,7 +214,7 @@ meshTile(const TilePlan& plan, std::size_t tile, const StepRun& run)
   for (const pcl::Vertices& polygon : result.model.mesh.polygons)
     sorter.add(polygon.vertices);
   TileMesh mesh = sorter.take();
-  mesh.doubts = doubtsOf(result);
+  mesh.doubts = doubtsOf(plan.tiling.tiles[tile], cloud, result);
   writeMesh(plan, tile, std::move(mesh));
 }
 
