@@ -293,8 +293,12 @@ openTunnels(PartialMesh mesh,
   if (adjacency)
     is_thin = thinPlaces(result.triangles, points, 0.0, context);
   const long handles = result.topology.genus.value_or(0);
-  if (handles <= 0 || (!has_thin && !result.has_cleft_handle && countOf(is_thin) == 0 &&
-                       countOf(smallHandles(result, points.size())) == 0))
+  const bool is_doubtful =
+      has_thin || result.has_cleft_handle || countOf(is_thin) > 0 ||
+      std::any_of(result.thin_necks.begin(),
+                  result.thin_necks.end(),
+                  [](const ThinNeck& neck) { return neck.is_handle; });
+  if (handles <= 0 || !is_doubtful)
     return;
   if (!adjacency)
     adjacency.emplace().build(result.triangles, points.size(), context.threads);

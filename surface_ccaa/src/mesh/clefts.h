@@ -11,10 +11,9 @@ namespace pcl::ccaa {
 
 /** \brief Flags for the vertices in clefts: at the bottom of a groove so sharp or so
  * narrow that within three rings of triangles around a concave edge its two sides face
- * each other, their normals more than 120 degrees apart; with one ring more.
- * In such a groove two bodies meet that come
- * closer to each other than their points lie apart. Cost: some 0.08 us a triangle, of
- * noise up to 3 us.
+ * each other, their normals more than 120 degrees apart; with one ring more. In such a
+ * groove two bodies meet that come closer to each other than their points lie apart.
+ * Cost: some 0.08 us a triangle, of noise up to 3 us.
  *
  * \param[in] adjacency of the triangles, which are wound alike, outward */
 std::vector<std::uint8_t>

@@ -115,7 +115,7 @@ public:
       else
         left -= side.area;
     }
-    return areBothWide(left, piece.area - left, to_left);
+    return to_left.length > 0.0 && areBothWide(left, piece.area - left, to_left);
   }
 
 private:
