@@ -74,9 +74,17 @@ SeamGathering::SeamGathering(const TilePlan& plan, std::size_t tile)
                      all.disputes.begin() + static_cast<std::ptrdiff_t>(group.end));
     group_of_.resize(disputes_.size(), surroundings_.size());
     surroundings_.emplace_back();
-    for (std::size_t part = group.whole; part < g; ++part)
-      if (std::count(around.begin(), around.end(), all.groups[part].tile) > 0)
-        earlier_.insert(all.groups[part].tile);
+    for (std::size_t part = group.whole;
+         part < all.groups.size() && all.groups[part].whole == group.whole;
+         ++part) {
+      const DisputeGroup& other = all.groups[part];
+      if (std::count(around.begin(), around.end(), other.tile) == 0)
+        continue;
+      if (part < g)
+        earlier_.insert(other.tile);
+      for (std::size_t d = other.begin; d < other.end; ++d)
+        of_others_.insert(all.disputes[d].index);
+    }
   }
   std::vector<pcl::ccaa::Box> boxes;
   for (const PlacedDispute& dispute : disputes_)
@@ -117,10 +125,11 @@ SeamGathering::nearness(const Eigen::Vector3d& position) const
     if (distance >= 2.0 * AROUND * dispute.reach)
       return;
     Nearness& nearness =
-        by_group.emplace(group_of_[std::size_t(i)], Nearness{2.0 * AROUND, 0.0})
+        by_group.emplace(group_of_[std::size_t(i)], Nearness{2.0 * AROUND, 0.0, false})
             .first->second;
     nearness.in_reaches = std::min(nearness.in_reaches, distance / dispute.reach);
     nearness.room = std::max(nearness.room, dispute.room - distance);
+    nearness.is_refused = nearness.is_refused || distance <= 0.5 * dispute.room;
   });
   return by_group;
 }
@@ -247,8 +256,9 @@ SeamGathering::gather(std::size_t group, std::vector<WideIndex>& wide) const
         (known_.at(index).position - plan_.corners[tile_]).cast<float>());
     const auto near = around.near.find(index);
     const Nearness nearness =
-        near == around.near.end() ? Nearness{2.0 * AROUND, 0.0} : near->second;
-    const bool is_disputed = nearness.in_reaches == 0.0;
+        near == around.near.end() ? Nearness{2.0 * AROUND, 0.0, false} : near->second;
+    const bool is_disputed = nearness.in_reaches == 0.0 ||
+                             (nearness.is_refused && of_others_.count(index) > 0);
     const bool is_free = nearness.in_reaches <= 1.0 && with_triangle.count(index) == 0;
     seam.is_open.push_back(is_disputed || is_free ? 1 : 0);
     seam.is_near.push_back(nearness.in_reaches <= NEAR ? 1 : 0);

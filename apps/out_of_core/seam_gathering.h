@@ -56,6 +56,8 @@ public:
   /** \brief Points within four reaches of a dispute of a group, the triangles that the
    * tiles agree about of these and of what passes there, and the other corners of
    * those. Open are the disputes, and within one reach the points without triangles.
+   * So are disputes of other parts of the group that may share a refused triangle with
+   * one of this part: no part alone has all corners of it.
    * Positions are relative to the tile's corner. \param[out] wide the points of the
    * seam in the whole, ascending
    */
@@ -66,6 +68,8 @@ private:
   struct Nearness {
     double in_reaches = 0.0; /**< distance from the nearest dispute, in reaches of it */
     double room = 0.0;       /**< how far it is to the end of a dispute's room */
+    bool is_refused = false; /**< it is as near as a corner of a refused triangle: half
+                                  the room at most */
   };
 
   struct Known {
@@ -104,8 +108,9 @@ private:
   std::vector<PlacedDispute> disputes_; /**< group by group */
   std::vector<std::size_t> group_of_;   /**< of each of them */
   std::set<std::size_t> parts_;         /**< tiles that may have something near them */
-  std::set<std::size_t> earlier_;       /**< that have closed what is around them */
-  pcl::ccaa::BoxTree tree_;             /**< over what is near each dispute */
+  std::set<pcl::ccaa::WideIndex> of_others_; /**< disputes of other parts around */
+  std::set<std::size_t> earlier_; /**< that have closed what is around them */
+  pcl::ccaa::BoxTree tree_;       /**< over what is near each dispute */
   std::map<pcl::ccaa::WideIndex, Known> known_;
   std::vector<Surroundings> surroundings_; /**< by group */
 };

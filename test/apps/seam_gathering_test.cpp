@@ -83,6 +83,25 @@ protected:
     return triangles;
   }
 
+  /** Whether the part of the first tile may give triangles to a point that is a dispute
+   * of another part of its group. */
+  bool
+  opensDisputeOfAnotherPart(WideIndex point)
+  {
+    agree({at(-0.1, 0.0), point, at(0.0, 0.3)}, {{0, 0, 0, 1}, {1, 0, 1, 2}});
+    app::AllDisputes all = app::readDisputes(plan_);
+    const Position place = app::TilePoints(plan_, 0).position(point);
+    all.disputes[1].index = point;
+    all.disputes[1].position = {place.x(), place.y(), place.z()};
+    app::writeDisputes(plan_, all);
+    app::SeamGathering gathering(plan_, 0);
+    gathering.read();
+    std::vector<WideIndex> wide;
+    const pcl::ccaa::Seam seam = gathering.gather(0, wide);
+    const auto found = std::lower_bound(wide.begin(), wide.end(), point);
+    return seam.is_open[std::size_t(found - wide.begin())] != 0;
+  }
+
   std::size_t
   gather(const WideTriangle& triangle)
   {
@@ -120,6 +139,16 @@ TEST_F(SeamGathering, ALaterPartSeesWhatEarlierOnesHaveLeftAndMade)
   app::writeClosed(plan_, 0, closed);
   EXPECT_EQ(gathered(0), std::vector<WideTriangle>{before});
   EXPECT_EQ(gathered(1), std::vector<WideTriangle>{after});
+}
+
+TEST_F(SeamGathering, APartOpensDisputesOfAnotherWithWhichItMayShareATriangle)
+{
+  EXPECT_TRUE(opensDisputeOfAnotherPart(at(0.15, 0.0)));
+}
+
+TEST_F(SeamGathering, APartLeavesFartherDisputesToOthers)
+{
+  EXPECT_FALSE(opensDisputeOfAnotherPart(at(0.3, 0.0)));
 }
 
 TEST_F(SeamGathering, PartsOfOtherGroupsAreNoneThatComeBefore)
