@@ -152,7 +152,7 @@ TEST_F(RunVerdict, TellsThatLinesWereJoined)
 
 TEST_F(RunVerdict, TellsANeckThatMayJoinTwoBodies)
 {
-  save(folder_.path("two.ply"), spheresThatTouch(2000, 0.03));
+  save(folder_.path("two.ply"), spheresThatTouch(2000, 0.035));
   const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --report -");
   EXPECT_EQ(2, result.exit_code);
   EXPECT_NE(std::string::npos, lastLine(result.errors).find(" (1 THIN_NECK)"));
@@ -170,7 +170,7 @@ TEST_F(RunVerdict, TellsANeckInWhichAnOpeningIs)
 
 TEST_F(RunVerdict, TellsWhereANeckIs)
 {
-  const pcl::PolygonMesh two = spheresThatTouch(2000, 0.03);
+  const pcl::PolygonMesh two = spheresThatTouch(2000, 0.035);
   save(folder_.path("two.ply"), two);
   const RunResult result = run("pcl_ccaa_reconstruct two.ply out.ply --report -");
   const auto doubts = nlohmann::json::parse(result.output).at("doubts");
@@ -179,9 +179,9 @@ TEST_F(RunVerdict, TellsWhereANeckIs)
   const std::size_t point = doubts[0].at("points").at(0);
   EXPECT_NE(std::string::npos,
             result.errors.find("(one is at point " + std::to_string(point) + ", "));
-  EXPECT_LT(
-      (pcl::ccaa::positionView(two.cloud)[point] - Eigen::Vector3d(1.015, 0, 0)).norm(),
-      0.3);
+  EXPECT_LT((pcl::ccaa::positionView(two.cloud)[point] - Eigen::Vector3d(1.0175, 0, 0))
+                .norm(),
+            0.3);
 }
 
 TEST_F(RunVerdict, TellsWherePiecesTouch)

@@ -6,10 +6,7 @@
 #include <pcl/types.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -24,6 +21,12 @@ public:
   {
     links_.push_back(2 * static_cast<pcl::index_t>(links_.size()));
     return links_.back();
+  }
+
+  std::size_t
+  size() const
+  {
+    return links_.size();
   }
 
   /** \brief A state (2 * label + turned) said by the root of its label. */
@@ -75,22 +78,5 @@ public:
 private:
   std::vector<pcl::index_t> links_;
 };
-
-/** \brief By two labels: how much says that they are the same (above 0), or turned. */
-using LabelVotes = std::map<std::array<pcl::index_t, 2>, double>;
-
-/** \brief Join labels as votes tell: of those that contradict each other the clearer
- * ones count. */
-inline void
-joinClearest(const LabelVotes& votes, LabelSets& sets)
-{
-  std::vector<std::pair<std::array<pcl::index_t, 2>, double>> clearest(votes.begin(),
-                                                                       votes.end());
-  std::stable_sort(clearest.begin(), clearest.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.second) > std::abs(b.second);
-  });
-  for (const auto& [labels, sum] : clearest)
-    sets.join(2 * labels[0], 2 * labels[1] + (sum < 0.0 ? 1 : 0));
-}
 
 } // namespace pcl::ccaa

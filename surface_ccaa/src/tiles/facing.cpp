@@ -7,7 +7,7 @@
 #include <pcl/point_types.h>
 
 #include "mesh/corners.h"
-#include "mesh/label_sets.h"
+#include "mesh/label_votes.h"
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ rimOf(const Seam& seam, const Triangles& given)
 }
 
 /** Sums of cosines between triangles of two pieces that lie before each other. */
-LabelVotes
+std::vector<LabelVote>
 facingVotes(const Seam& seam, const Winding& pieces, const Triangles& given)
 {
   const std::vector<std::size_t> rim = rimOf(seam, given);
@@ -51,7 +51,7 @@ facingVotes(const Seam& seam, const Winding& pieces, const Triangles& given)
   const auto pieceOf = [&](std::size_t t) {
     return static_cast<pcl::index_t>(pieces.componentOf(t));
   };
-  LabelVotes votes;
+  std::vector<LabelVote> votes;
   Indices near;
   std::vector<float> sqr_distances;
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -63,7 +63,7 @@ facingVotes(const Seam& seam, const Winding& pieces, const Triangles& given)
       const pcl::index_t its = pieceOf(rim[faced]);
       if (its == own)
         continue;
-      votes[{std::min(own, its), std::max(own, its)}] += normals[i].dot(normals[faced]);
+      votes.push_back({{own, its}, normals[i].dot(normals[faced])});
       break;
     }
   }
@@ -72,7 +72,7 @@ facingVotes(const Seam& seam, const Winding& pieces, const Triangles& given)
 
 /** \param[in] labels of the pieces, and others \return whether any was turned */
 bool
-turnByVotes(const LabelVotes& votes,
+turnByVotes(std::vector<LabelVote> votes,
             std::size_t labels,
             const Winding& pieces,
             Triangles& given)
@@ -80,7 +80,7 @@ turnByVotes(const LabelVotes& votes,
   LabelSets sides;
   for (std::size_t i = 0; i < labels; ++i)
     sides.add();
-  joinClearest(votes, sides);
+  joinClearest(std::move(votes), sides);
   bool has_turned = false;
   for (std::size_t t = 0; t < given.size(); ++t)
     if ((sides.find(2 * static_cast<pcl::index_t>(pieces.componentOf(t))) & 1) != 0) {
@@ -98,14 +98,15 @@ turnAsMade(const Seam& seam, const Winding& pieces, Triangles& given)
   std::vector<std::size_t> tiles = seam.tile_of;
   sortUnique(tiles);
   const std::size_t count = pieces.components().size();
-  LabelVotes votes;
+  std::vector<LabelVote> votes;
   for (std::size_t t = 0; t < seam.tile_of.size(); ++t) {
     const auto tile = std::lower_bound(tiles.begin(), tiles.end(), seam.tile_of[t]);
-    votes[{static_cast<pcl::index_t>(pieces.componentOf(t)),
-           static_cast<pcl::index_t>(count + std::size_t(tile - tiles.begin()))}] +=
-        pieces.sign(t);
+    votes.push_back(
+        {{static_cast<pcl::index_t>(pieces.componentOf(t)),
+          static_cast<pcl::index_t>(count + std::size_t(tile - tiles.begin()))},
+         pieces.sign(t)});
   }
-  turnByVotes(votes, count + tiles.size(), pieces, given);
+  turnByVotes(std::move(votes), count + tiles.size(), pieces, given);
 }
 
 bool

@@ -3,7 +3,7 @@
 #include "tiles/side_graph.h"
 
 #include "mesh/corners.h"
-#include "mesh/label_sets.h"
+#include "mesh/label_votes.h"
 #include "mesh/outward_votes.h"
 
 #include <algorithm>
@@ -122,10 +122,10 @@ private:
   joinPieces()
   {
     const std::vector<Common> common = commonEdges();
-    LabelVotes votes;
+    std::vector<LabelVote> votes;
     for (const Common& edge : common)
-      votes[edge.labels] += edge.is_against ? -1.0 : 1.0;
-    joinClearest(votes, labels_);
+      votes.push_back({edge.labels, edge.is_against ? -1.0 : 1.0});
+    joinClearest(std::move(votes), labels_);
     for (const Common& edge : common) {
       const pcl::index_t one = labels_.find(2 * edge.labels[0]);
       const pcl::index_t other = labels_.find(2 * edge.labels[1]);

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "mesh/label_sets.h"
+#include "mesh/label_votes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,6 +116,7 @@ public:
     if (!joinSmoothEdges())
       return {};
     joinBentEdges();
+    findWrong();
     return wrong_.empty() ? wrong_ : affordable();
   }
 
@@ -185,8 +186,24 @@ private:
     return true;
   }
 
+  /** An even one tells more. */
   void
   joinBentEdges()
+  {
+    std::vector<LabelVote> votes;
+    votes.reserve(bent_.size());
+    for (const BentEdge& edge : bent_) {
+      const double evenness = (1.0 + edge.cosine) * (1.0 + edge.cosine);
+      votes.push_back(
+          {{edge.lower, edge.higher}, edge.wound_alike ? evenness : -evenness});
+    }
+    joinClearest(std::move(votes), sets_);
+  }
+
+  /** Of each bent edge whose triangles disagree now, unless one of them goes already.
+   */
+  void
+  findWrong()
   {
     spend(context_.control, size());
     std::vector<char> is_wrong(size(), 0);
