@@ -46,9 +46,13 @@ findNecks(const TriangleAdjacency& adjacency,
   mesh.is_cleft = cleftVertices(mesh.triangles, adjacency, points, context);
   mesh.has_cleft_handle =
       mesh.topology.genus.value_or(0) > 0 &&
-      !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft).empty();
-  report.doubts.thin_necks =
-      neckVertices(mesh.thin_necks, mesh.is_cleft, mesh.triangles, adjacency, points);
+      !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft, context.threads).empty();
+  report.doubts.thin_necks = neckVertices(mesh.thin_necks,
+                                          mesh.is_cleft,
+                                          mesh.triangles,
+                                          adjacency,
+                                          points,
+                                          context.threads);
 }
 
 } // namespace pcl::ccaa

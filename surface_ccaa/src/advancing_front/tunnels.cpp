@@ -304,7 +304,8 @@ openTunnels(PartialMesh mesh,
     adjacency.emplace().build(result.triangles, points.size(), context.threads);
   is_thin = doubtfulVertices(result, std::move(is_thin));
   report.doubts.handles = static_cast<std::uint64_t>(handles);
-  report.doubts.thin_handles = handlePlaces(result.triangles, *adjacency, is_thin);
+  report.doubts.thin_handles =
+      handlePlaces(result.triangles, *adjacency, is_thin, context.threads);
   if (!has_thin && report.doubts.thin_handles.empty())
     report.doubts.handles = 0; // the given triangles had such places elsewhere
 }

@@ -181,7 +181,8 @@ neckVertices(const std::vector<ThinNeck>& thin,
              const std::vector<std::uint8_t>& is_cleft,
              const Triangles& triangles,
              const TriangleAdjacency& adjacency,
-             const PointView& points)
+             const PointView& points,
+             int threads)
 {
   std::vector<pcl::index_t> vertices;
   std::unordered_set<pcl::index_t> told;
@@ -190,7 +191,7 @@ neckVertices(const std::vector<ThinNeck>& thin,
       vertices.push_back(neck.vertex);
       told.insert(neck.around.begin(), neck.around.end());
     }
-  for (const auto& part : neckParts(triangles, adjacency, points, is_cleft))
+  for (const auto& part : neckParts(triangles, adjacency, points, is_cleft, threads))
     if (std::none_of(part.begin(), part.end(), [&](auto v) { return told.count(v); }))
       vertices.push_back(part.front());
   std::sort(vertices.begin(), vertices.end());

@@ -34,6 +34,7 @@ neckVertices(const std::vector<ThinNeck>& thin,
              const std::vector<std::uint8_t>& is_cleft,
              const Triangles& triangles,
              const TriangleAdjacency& adjacency,
-             const PointView& points);
+             const PointView& points,
+             int threads = 1);
 
 } // namespace pcl::ccaa

@@ -11,10 +11,11 @@ namespace pcl::ccaa {
 std::vector<pcl::index_t>
 handlePlaces(const Triangles& triangles,
              const TriangleAdjacency& adjacency,
-             const std::vector<std::uint8_t>& is_flagged)
+             const std::vector<std::uint8_t>& is_flagged,
+             int threads)
 {
   using Part = PartGraph::Part;
-  PartGraph graph(triangles, adjacency, is_flagged);
+  PartGraph graph(triangles, adjacency, is_flagged, threads);
   std::vector<const Part*> order; // discs have no handle and are on no cycle
   for (const auto& [node, part] : graph.parts())
     if (part.loops.size() > 1 || part.genus() > 0)

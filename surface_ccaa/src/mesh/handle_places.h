@@ -25,6 +25,7 @@ namespace pcl::ccaa {
 std::vector<pcl::index_t>
 handlePlaces(const Triangles& triangles,
              const TriangleAdjacency& adjacency,
-             const std::vector<std::uint8_t>& is_flagged);
+             const std::vector<std::uint8_t>& is_flagged,
+             int threads = 1);
 
 } // namespace pcl::ccaa

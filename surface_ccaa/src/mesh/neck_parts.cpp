@@ -209,9 +209,10 @@ std::vector<std::vector<pcl::index_t>>
 neckParts(const Triangles& triangles,
           const TriangleAdjacency& adjacency,
           const PointView& points,
-          const std::vector<std::uint8_t>& is_flagged)
+          const std::vector<std::uint8_t>& is_flagged,
+          int threads)
 {
-  PartGraph graph(triangles, adjacency, is_flagged);
+  PartGraph graph(triangles, adjacency, is_flagged, threads);
   std::vector<std::vector<pcl::index_t>> necks;
   const auto mayBeNeck = [&](const PartGraph::Part& part) {
     return part.loops.size() > 1 ||

@@ -27,6 +27,7 @@ std::vector<std::vector<pcl::index_t>>
 neckParts(const Triangles& triangles,
           const TriangleAdjacency& adjacency,
           const PointView& points,
-          const std::vector<std::uint8_t>& is_flagged);
+          const std::vector<std::uint8_t>& is_flagged,
+          int threads = 1);
 
 } // namespace pcl::ccaa

@@ -5,7 +5,6 @@
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
-#include <array>
 
 namespace pcl::ccaa {
 
@@ -23,10 +22,12 @@ PartGraph::Part::genus() const
 
 PartGraph::PartGraph(const Triangles& triangles,
                      const TriangleAdjacency& adjacency,
-                     const std::vector<std::uint8_t>& is_flagged)
+                     const std::vector<std::uint8_t>& is_flagged,
+                     int threads)
 : triangles_(triangles)
 , adjacency_(adjacency)
 , is_flagged_(is_flagged)
+, threads_(threads)
 , list_(listTriangles())
 , inside_(list_.size())
 , loops_(3 * list_.size())
@@ -42,11 +43,16 @@ PartGraph::PartGraph(const Triangles& triangles,
 std::vector<pcl::index_t>
 PartGraph::listTriangles() const
 {
-  std::vector<pcl::index_t> list;
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    if (isPart(triangles_[t]))
-      list.push_back(static_cast<pcl::index_t>(t));
-  return list;
+  const LoopContext context{threads_};
+  std::vector<std::vector<pcl::index_t>> found(context.blockCount(triangles_.size()));
+  forEachBlock(triangles_.size(),
+               context,
+               [&](std::size_t block, std::size_t begin, std::size_t end) {
+                 for (std::size_t t = begin; t < end; ++t)
+                   if (isPart(triangles_[t]))
+                     found[block].push_back(static_cast<pcl::index_t>(t));
+               });
+  return joinBlocks(found);
 }
 
 /** Whether it is one between a part and the rest, or the surface ends there. */
@@ -101,25 +107,48 @@ PartGraph::gatherParts()
   }
 }
 
+/** All corners of a triangle that is in no part. */
+void
+PartGraph::joinRest(std::size_t t)
+{
+  const Triangle& triangle = triangles_[t];
+  if (isPart(triangle))
+    return;
+  for (const std::size_t corner : {1U, 2U})
+    outside_->join(static_cast<std::size_t>(triangle[0]),
+                   static_cast<std::size_t>(triangle[corner]));
+}
+
+void
+PartGraph::addBorders(std::size_t t, std::vector<Border>& borders) const
+{
+  const Triangle& triangle = triangles_[t];
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    if (adjacency_.across(static_cast<pcl::index_t>(t), static_cast<int>(corner)) < 0)
+      borders.push_back({static_cast<std::size_t>(triangle[corner]),
+                         static_cast<std::size_t>(triangle[(corner + 1) % 3])});
+}
+
 void
 PartGraph::connectRest(std::size_t connecting)
 {
   outside_.emplace(is_flagged_.size());
+  const LoopContext context{threads_};
+  std::vector<std::vector<Border>> found(context.blockCount(triangles_.size()));
+  forEachBlock(triangles_.size(),
+               context,
+               [&](std::size_t block, std::size_t begin, std::size_t end) {
+                 for (std::size_t t = begin; t < end; ++t) {
+                   joinRest(t);
+                   addBorders(t, found[block]);
+                 }
+               });
+  const std::vector<Border> borders = joinBlocks(found);
   DisjointSets openings(is_flagged_.size());
-  std::vector<std::array<std::size_t, 2>> borders;
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const auto from = static_cast<std::size_t>(triangles_[t][corner]);
-      const auto to = static_cast<std::size_t>(triangles_[t][(corner + 1) % 3]);
-      if (!isPart(triangles_[t]))
-        outside_->join(from, to);
-      if (adjacency_.across(static_cast<pcl::index_t>(t), int(corner)) < 0) {
-        openings.join(from, to);
-        borders.push_back({from, to});
-      }
-    }
+  for (const auto& [from, to] : borders)
+    openings.join(from, to);
   std::map<std::size_t, std::size_t> edges;
-  for (const auto& border : borders)
+  for (const Border& border : borders)
     ++edges[openings.find(border[0])];
   for (const auto& [from, to] : borders)
     if (edges[openings.find(from)] >= connecting)
