@@ -23,6 +23,7 @@ public:
     return links_.back();
   }
 
+  /** \brief Number of labels. */
   std::size_t
   size() const
   {

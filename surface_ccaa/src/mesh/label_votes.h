@@ -21,9 +21,9 @@ struct LabelVote {
  *
  * To disappoint as few votes as possible is NP-hard. This is greedy additive edge
  * contraction (Keuper et al., ICCV 2015), after each label has joined the one that it
- * is clearest about: that leaves a third of the votes, and of 200 000 between the
- * triangles of a noisy mesh 2 % more are disappointed. Cost: O(n log^2 n), some 0.7 us
- * a vote. */
+ * is clearest about: that leaves a third of the votes, takes a fifth of the time, and
+ * of igea with noise of half a spacing 524 triangles are found wrong instead of 514.
+ * Cost: O(n log^2 n), some 0.7 us a vote. */
 void
 joinClearest(std::vector<LabelVote> votes, LabelSets& sets);
 
