@@ -125,7 +125,7 @@ SeamGathering::nearness(const Eigen::Vector3d& position) const
     if (distance >= 2.0 * AROUND * dispute.reach)
       return;
     Nearness& nearness =
-        by_group.emplace(group_of_[std::size_t(i)], Nearness{2.0 * AROUND, 0.0, false})
+        by_group.emplace(group_of_[std::size_t(i)], Nearness{2.0 * AROUND})
             .first->second;
     nearness.in_reaches = std::min(nearness.in_reaches, distance / dispute.reach);
     nearness.room = std::max(nearness.room, dispute.room - distance);
@@ -256,7 +256,7 @@ SeamGathering::gather(std::size_t group, std::vector<WideIndex>& wide) const
         (known_.at(index).position - plan_.corners[tile_]).cast<float>());
     const auto near = around.near.find(index);
     const Nearness nearness =
-        near == around.near.end() ? Nearness{2.0 * AROUND, 0.0, false} : near->second;
+        near == around.near.end() ? Nearness{2.0 * AROUND} : near->second;
     const bool is_disputed = nearness.in_reaches == 0.0 ||
                              (nearness.is_refused && of_others_.count(index) > 0);
     const bool is_free = nearness.in_reaches <= 1.0 && with_triangle.count(index) == 0;

@@ -68,6 +68,9 @@ joinEachWithClearest(const std::vector<LabelVote>& votes, LabelSets& sets)
       join(votes[i], sets);
 }
 
+/** Operations for joining two sets, or finding that this is no longer to be done. */
+constexpr std::uint64_t CONTRACTING_WORK = 100;
+
 /** Joins two sets at a time. */
 class VoteContraction {
 public:
@@ -81,9 +84,9 @@ public:
   }
 
   void
-  run()
+  run(RunControl* control)
   {
-    while (!clearest_.empty()) {
+    while (!clearest_.empty() && spend(control, CONTRACTING_WORK)) {
       const Proposal top = clearest_.top();
       clearest_.pop();
       auto [one, other] = top.labels;
@@ -148,11 +151,11 @@ private:
 } // namespace
 
 void
-joinClearest(std::vector<LabelVote> votes, LabelSets& sets)
+joinClearest(std::vector<LabelVote> votes, LabelSets& sets, RunControl* control)
 {
   votes = betweenSets(std::move(votes), sets);
   joinEachWithClearest(votes, sets);
-  VoteContraction(betweenSets(std::move(votes), sets), sets).run();
+  VoteContraction(betweenSets(std::move(votes), sets), sets).run(control);
 }
 
 } // namespace pcl::ccaa

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/label_sets.h"
+#include "run/run_control.h"
 
 #include <array>
 #include <vector>
@@ -23,8 +24,12 @@ struct LabelVote {
  * contraction (Keuper et al., ICCV 2015), after each label has joined the one that it
  * is clearest about: that leaves a third of the votes, takes a fifth of the time, and
  * of igea with noise of half a spacing 524 triangles are found wrong instead of 514.
- * Cost: O(n log^2 n), some 0.7 us a vote. */
+ * Cost: O(n log^2 n), some 0.7 us a vote.
+ *
+ * \param[in] control asked in between: after cancelling not all are joined */
 void
-joinClearest(std::vector<LabelVote> votes, LabelSets& sets);
+joinClearest(std::vector<LabelVote> votes,
+             LabelSets& sets,
+             RunControl* control = nullptr);
 
 } // namespace pcl::ccaa

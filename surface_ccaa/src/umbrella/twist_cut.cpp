@@ -116,6 +116,8 @@ public:
     if (!joinSmoothEdges())
       return {};
     joinBentEdges();
+    if (context_.cancelled())
+      return {};
     findWrong();
     return wrong_.empty() ? wrong_ : affordable();
   }
@@ -197,7 +199,7 @@ private:
       votes.push_back(
           {{edge.lower, edge.higher}, edge.wound_alike ? evenness : -evenness});
     }
-    joinClearest(std::move(votes), sets_);
+    joinClearest(std::move(votes), sets_, context_.control);
   }
 
   /** Of each bent edge whose triangles disagree now, unless one of them goes already.

@@ -35,8 +35,10 @@ struct TwistLimits {
  * TwistLimits::largest_share of it is not understood: of both nothing is named.
  *
  * Cost: linear in the triangles, and O(n log^2 n) in the bent edges, 1 us each. The
- * same result for any number of threads; ties go by triangle index. \param[in]
- * triangles the mesh, without overfull edges \param[in] adjacency of the triangles
+ * same result for any number of threads; ties go by triangle index.
+ *
+ * \param[in] triangles the mesh, without overfull edges
+ * \param[in] adjacency of the triangles
  * \param[in] positions of the vertices
  * \param[in] limits settings
  * \param[in] context how to run

@@ -2,12 +2,12 @@
 // Part of PclSurfaceRepair: what holds for the chain on any cloud, over seeds.
 #include <pcl/surface_ccaa/consecutive_reconstruction.h>
 
-#include "mesh/corners.h"
 #include "support/clouds.h"
 #include "support/mesh_asserts.h"
 #include "support/mesh_topology.h"
 #include "support/random_source.h"
 #include "support/repair_shapes.h"
+#include "support/single_view.h"
 
 #include <cmath>
 
@@ -49,21 +49,6 @@ reconstructed(const Positions& points,
   return toTriangles(polygons);
 }
 
-/** Share of the area of a surface around the origin that faces it. */
-double
-shareInsideOut(const Triangles& triangles, const Positions& points)
-{
-  double inward = 0.0, all = 0.0;
-  for (const Triangle& triangle : triangles) {
-    const Corners corners = cornersOf(triangle, PointView(points));
-    const Position normal = areaNormal(corners);
-    all += normal.norm();
-    if (normal.dot(corners[0] + corners[1] + corners[2]) < 0.0)
-      inward += normal.norm();
-  }
-  return inward / all;
-}
-
 /** Noise of 0.6 spacings folds the surface everywhere; half of it was inside out where
  * a few wrong triangles turned large patches over. */
 TEST(ReconstructionOfNoise, FacesOutwardNearlyEverywhere)
@@ -72,7 +57,11 @@ TEST(ReconstructionOfNoise, FacesOutwardNearlyEverywhere)
   const double spacing = std::sqrt(4.0 * M_PI / double(COUNT));
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const Positions points = withNoise(fibonacciSphere(COUNT), 0.6 * spacing, seed);
-    EXPECT_LT(shareInsideOut(reconstructed(points), points), 0.1) << seed;
+    ConsecutiveReconstruction<PointXYZ> reconstruction;
+    reconstruction.setInputCloud(toCloud(points));
+    std::vector<Vertices> polygons;
+    reconstruction.reconstruct(polygons);
+    EXPECT_LT(facingShare(polygons, points, Position::Zero()), 0.1) << seed;
   }
 }
 
