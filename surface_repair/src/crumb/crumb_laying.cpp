@@ -39,8 +39,17 @@ constexpr double AHEAD = 0.5;
 constexpr std::size_t LONGEST_BORDER = 128;
 /** Operations for a triangle around a crumb each time that some are opened. */
 constexpr std::uint64_t OPENING_WORK = 5;
-/** What is looked at around a crumb, in the reach. */
-constexpr double ROOM = 4.0;
+/** What is looked at around an opening, in its extent: where its filling has to lie. */
+constexpr double ROOM = 0.5;
+
+/** \param[in] triangle of the whole, that the part has */
+std::size_t
+placeIn(const ModelPart& part, std::size_t triangle)
+{
+  return static_cast<std::size_t>(
+      std::lower_bound(part.triangles.begin(), part.triangles.end(), triangle) -
+      part.triangles.begin());
+}
 
 /** Lays one crumb. */
 class CrumbLaying {
@@ -57,14 +66,14 @@ public:
   run();
 
 private:
-  void
-  lookAround(const ccaa::Box& crumb);
   bool
   tryWithin(double reach);
   double
   deepest(const CrumbShadow& shadow, double extent, double length) const;
   bool
   touchesInput() const;
+  std::vector<bool>
+  lookAround(const CrumbShadow& shadow, int rings);
   bool
   isKnown(const Opening& opening);
   bool
@@ -83,6 +92,14 @@ private:
   {
     return ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
   }
+  ccaa::Box
+  box() const
+  {
+    ccaa::Box all;
+    for (const std::size_t t : crumb_)
+      all.extend(boxAt(t));
+    return all;
+  }
   void
   turnCrumb()
   {
@@ -98,15 +115,12 @@ private:
   ccaa::RunControl& control_ = bounded_.control;
   const Course& course_ = bounded_.course;
   GrowingSurface& surface_;
-  double reach_ = 0.0;
-  ccaa::Box around_;
-  ccaa::Box place_;               /**< of what is opened and the crumb */
-  std::vector<std::size_t> near_; /**< triangles all around the crumb */
-  ModelPart part_;                /**< the same as a model */
+  ccaa::Box around_; /**< all triangles that meet it are known */
+  ModelPart part_;   /**< these */
+  ccaa::Box place_;  /**< of what is opened and the crumb */
   std::optional<std::vector<std::size_t>>
-      meeting_; /**< of patches, through the crumb */
-  /** Side of the crumb and what was opened, and their place. */
-  std::set<std::pair<std::vector<std::size_t>, std::array<double, 6>>> tried_;
+      meeting_;                              /**< of patches, through the crumb */
+  std::set<std::vector<std::size_t>> tried_; /**< side of the crumb, what was opened */
 };
 
 bool
@@ -126,7 +140,8 @@ CrumbLaying::touchesInput() const
   for (const std::size_t t : crumb_)
     for (const pcl::index_t corner : surface_.triangles[t])
       points.insert(surface_.pointOf(corner));
-  return std::any_of(near_.begin(), near_.end(), [&](std::size_t t) {
+  const std::vector<std::size_t> near = surface_.near(box(), &control_);
+  return std::any_of(near.begin(), near.end(), [&](std::size_t t) {
     const Triangle& triangle = surface_.triangles[t];
     return surface_.hole[t] == NONE &&
            !std::binary_search(crumb_.begin(), crumb_.end(), t) &&
@@ -134,19 +149,6 @@ CrumbLaying::touchesInput() const
              return points.count(surface_.pointOf(corner)) > 0;
            });
   });
-}
-
-/** Triangles of a patch within reach may be larger than the crumb: they and their
- * neighbours are near, too. */
-void
-CrumbLaying::lookAround(const ccaa::Box& crumb)
-{
-  around_ = ccaa::widened(crumb, ROOM * reach_);
-  const ccaa::Box within = ccaa::widened(crumb, reach_);
-  for (const std::size_t t : surface_.near(within, &control_))
-    if (surface_.hole[t] != NONE)
-      around_.extend(ccaa::widened(boxAt(t), boxAt(t).diagonal().norm()));
-  near_ = surface_.near(around_, &control_);
 }
 
 /** \param[in] length of the boundary of the hole */
@@ -162,31 +164,48 @@ CrumbLaying::deepest(const CrumbShadow& shadow, double extent, double length) co
 bool
 CrumbLaying::tryWithin(double reach)
 {
-  ccaa::Box box;
-  for (const std::size_t t : crumb_)
-    box.extend(boxAt(t));
-  const double extent = box.diagonal().norm();
-  reach_ = reach * std::max(extent, edge_);
-  if (!surface_.hasPatchIn(ccaa::widened(box, reach_), &control_))
-    return false;
-  lookAround(box);
-  part_ = {};
-  for (const CrumbShadow& shadow : shadowsOf(crumb_, near_, reach_, surface_)) {
-    const std::size_t hole = surface_.hole[near_[shadow.nearest]];
+  const double extent = box().diagonal().norm();
+  const double within = reach * std::max(extent, edge_);
+  for (const CrumbShadow& shadow : shadowsOf(crumb_, within, surface_, &control_)) {
+    const std::size_t hole = surface_.hole[shadow.nearest];
     if (shadow.distance > deepest(shadow, extent, course_.report.holes[hole].length))
       continue;
     if (shadow.turned)
       turnCrumb();
-    if (part_.triangles.empty()) // of the crumb only the places count
-      part_ = surface_.part(near_, &control_);
     for (const int rings : OPENED_RINGS)
-      if (control_.spend(OPENING_WORK * part_.triangles.size()) &&
+      if (!control_.cancelled() &&
           layInto(shadow, reach < FARTHEST ? rings : rings * shadow.slopes))
         return true;
     if (shadow.turned)
       turnCrumb();
   }
   return false;
+}
+
+/** The part that holds a shadow with rings around it, and whatever may be in the way of
+ * a filling there. \return which of its triangles may be opened */
+std::vector<bool>
+CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
+{
+  ccaa::Box needed = box();
+  for (const std::size_t t : shadow.triangles)
+    needed.extend(boxAt(t));
+  std::vector<bool> may_open;
+  around_.setEmpty();
+  do {
+    around_.extend(ccaa::widened(needed, ROOM * needed.diagonal().norm()));
+    part_ = surface_.part(surface_.near(around_, &control_), &control_);
+    may_open.assign(part_.triangles.size(), false);
+    for (const std::size_t t : shadow.triangles)
+      may_open[placeIn(part_, t)] = true;
+    may_open = ringsAround(part_, std::move(may_open), rings);
+    for (std::size_t i = 0; i < may_open.size(); ++i)
+      if (may_open[i])
+        needed.extend(boxAt(part_.triangles[i]));
+  }
+  while (control_.spend(OPENING_WORK * part_.triangles.size()) &&
+         !around_.contains(ccaa::widened(needed, ROOM * needed.diagonal().norm())));
+  return may_open;
 }
 
 /** In the numbers of the whole. */
@@ -213,35 +232,28 @@ CrumbLaying::rimVertex() const
   return lowest;
 }
 
-/** Of one opening and all that is around it the same comes each time. */
+/** Of one opening the same comes each time. */
 bool
 CrumbLaying::isKnown(const Opening& opening)
 {
   const Triangle& side = surface_.triangles[crumb_.front()];
   std::vector<std::size_t> numbers(side.begin(), side.end());
-  for (std::size_t i = 0; i < near_.size(); ++i)
+  for (std::size_t i = 0; i < opening.is_open.size(); ++i)
     if (opening.is_open[i])
-      numbers.push_back(near_[i]);
-  std::array<double, 6> place;
-  Eigen::Map<Eigen::Vector3d>(place.data()) = place_.min();
-  Eigen::Map<Eigen::Vector3d>(place.data() + 3) = place_.max();
-  return !tried_.emplace(std::move(numbers), place).second;
+      numbers.push_back(part_.triangles[i]);
+  return !tried_.insert(std::move(numbers)).second;
 }
 
 bool
 CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
 {
-  const Opening opening =
-      openFrom(part_, shadow.nearest, ringsAround(part_, shadow.triangles, rings));
-  if (opening.border.empty() || !isWithin(around_, part_, opening) ||
-      opening.border.size() > LONGEST_BORDER)
+  const std::vector<bool> may_open = lookAround(shadow, rings);
+  const Opening opening = openFrom(part_, placeIn(part_, shadow.nearest), may_open);
+  if (opening.border.empty() || opening.border.size() > LONGEST_BORDER ||
+      isKnown(opening))
     return false;
   place_ = placeOf(part_, opening);
-  for (const std::size_t t : crumb_)
-    place_.extend(boxAt(t));
-  place_ = place_.intersection(around_); // beyond that nothing is known
-  if (isKnown(opening))
-    return false;
+  place_.extend(box());
   std::vector<std::size_t> staying = trianglesLeft(part_, opening, place_);
   if (meetsAny(staying))
     return false;

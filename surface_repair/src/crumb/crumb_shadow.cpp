@@ -4,6 +4,7 @@
 #include "crumb/crumb_shadow.h"
 
 #include "fairing/triangle_search.h"
+#include "mesh/sort_unique.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,22 +22,9 @@ constexpr double NEARER = 0.5;
 
 /** Triangles of patches. */
 struct PatchTriangles {
-  std::vector<std::size_t> places; /**< among those near a crumb */
+  std::vector<std::size_t> places; /**< in the surface */
   TriangleSearch search;
 };
-
-PatchTriangles
-patchTriangles(const std::vector<std::size_t>& near, const GrowingSurface& surface)
-{
-  std::vector<std::size_t> places;
-  std::vector<ccaa::Corners> corners;
-  for (std::size_t i = 0; i < near.size(); ++i)
-    if (surface.hole[near[i]] != NONE) {
-      places.push_back(i);
-      corners.push_back(ccaa::cornersOf(surface.triangles[near[i]], surface.positions));
-    }
-  return {std::move(places), TriangleSearch(std::move(corners))};
-}
 
 /** \param[in,out] shadow of one side: its triangles come empty
  * \return whether all of the crumb has one */
@@ -59,7 +47,7 @@ castShadow(const std::vector<ccaa::Corners>& crumb,
       const TrianglePlace place = patches.search.nearest(sample, reach, shows);
       if (!place.found())
         return false;
-      shadow.triangles[patches.places[place.triangle]] = true;
+      shadow.triangles.push_back(patches.places[place.triangle]);
       if (!(place.distance < shadow.distance))
         continue;
       shadow.distance = place.distance;
@@ -67,6 +55,7 @@ castShadow(const std::vector<ccaa::Corners>& crumb,
       farther = sample;
     }
   }
+  ccaa::sortUnique(shadow.triangles);
   shadow.nearest = patches.places[closest.triangle];
   const ccaa::Corners& corner = patches.search[closest.triangle];
   const Position foot = closest.barycentric[0] * corner[0] +
@@ -84,17 +73,27 @@ castShadow(const std::vector<ccaa::Corners>& crumb,
 
 std::vector<CrumbShadow>
 shadowsOf(const std::vector<std::size_t>& crumb,
-          const std::vector<std::size_t>& near,
           double reach,
-          const GrowingSurface& surface)
+          const GrowingSurface& surface,
+          ccaa::RunControl* control)
 {
-  std::vector<ccaa::Corners> corners;
-  for (const std::size_t t : crumb)
-    corners.push_back(ccaa::cornersOf(surface.triangles[t], surface.positions));
-  const PatchTriangles patches = patchTriangles(near, surface);
+  const auto corners_of = [&](const std::vector<std::size_t>& some) {
+    std::vector<ccaa::Corners> corners;
+    for (const std::size_t t : some)
+      corners.push_back(ccaa::cornersOf(surface.triangles[t], surface.positions));
+    return corners;
+  };
+  const std::vector<ccaa::Corners> corners = corners_of(crumb);
+  ccaa::Box within;
+  for (const ccaa::Corners& own : corners)
+    within.extend(ccaa::widened(ccaa::boxOf(own), reach));
+  std::vector<std::size_t> places = surface.patchesNear(within, control);
+  std::vector<ccaa::Corners> places_corners = corners_of(places);
+  const PatchTriangles patches{std::move(places),
+                               TriangleSearch(std::move(places_corners))};
   std::vector<CrumbShadow> shadows;
   for (const bool turned : {false, true}) {
-    CrumbShadow shadow{turned, std::vector<bool>(near.size(), false)};
+    CrumbShadow shadow{turned, {}};
     if (castShadow(corners, patches, reach, shadow))
       shadows.push_back(std::move(shadow));
   }

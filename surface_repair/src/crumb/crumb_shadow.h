@@ -14,9 +14,9 @@ namespace pcl::repair {
 /** \brief The triangles of patches that are nearest to a crumb's corners and centres,
  * on the side that it shows. */
 struct CrumbShadow {
-  bool turned = false;         /**< it shows its other side */
-  std::vector<bool> triangles; /**< of those near the crumb */
-  std::size_t nearest = 0;     /**< of them */
+  bool turned = false;                /**< it shows its other side */
+  std::vector<std::size_t> triangles; /**< of the surface, ascending */
+  std::size_t nearest = 0;            /**< of them */
   double distance = std::numeric_limits<double>::infinity(); /**< of that one */
   double ahead = 0.0; /**< cosine between the way there and its normal, unsigned */
   int slopes = 1;     /**< edges of the nearest between it and the crumb, 16 at most */
@@ -24,12 +24,11 @@ struct CrumbShadow {
 
 /** \brief The shadows of both sides of a crumb, as far as there are any, in the order
  * in which they are to be tried: which side small islands show is not sure.
- * \param[in] near triangles all around the crumb
  * \param[in] reach of the shadows, in units of the cloud */
 std::vector<CrumbShadow>
 shadowsOf(const std::vector<std::size_t>& crumb,
-          const std::vector<std::size_t>& near,
           double reach,
-          const GrowingSurface& surface);
+          const GrowingSurface& surface,
+          ccaa::RunControl* control = nullptr);
 
 } // namespace pcl::repair

@@ -62,18 +62,6 @@ GrowingSurface::weld(const std::vector<std::size_t>& some,
     }
 }
 
-bool
-GrowingSurface::hasPatchIn(const ccaa::Box& box, ccaa::RunControl* control) const
-{
-  ccaa::spend(control, NEAR_WORK + LOOK_WORK * (triangles.size() - in_tree_));
-  const auto isPatch = [&](std::size_t t) { return hole[t] != NONE && isIn(box, t); };
-  bool has = tree_.anyMeeting(
-      box, [&](pcl::index_t t) { return isPatch(static_cast<std::size_t>(t)); });
-  for (std::size_t t = in_tree_; t < triangles.size() && !has; ++t)
-    has = isPatch(t);
-  return has;
-}
-
 std::vector<std::size_t>
 GrowingSurface::meeting(const std::vector<std::size_t>& some,
                         ccaa::RunControl* control) const
@@ -107,19 +95,17 @@ GrowingSurface::gone() const
   return boxes;
 }
 
-bool
-GrowingSurface::isIn(const ccaa::Box& box, std::size_t t) const
-{
-  return is_there[t] &&
-         ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)).intersects(box);
-}
-
+/** \param[in] counts whether a triangle is asked for */
+template <typename Counts>
 std::vector<std::size_t>
-GrowingSurface::near(const ccaa::Box& box, ccaa::RunControl* control) const
+GrowingSurface::meetingBox(const ccaa::Box& box,
+                           const Counts& counts,
+                           ccaa::RunControl* control) const
 {
   std::vector<std::size_t> found;
   const auto look = [&](std::size_t t) {
-    if (isIn(box, t))
+    if (is_there[t] && counts(t) &&
+        ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)).intersects(box))
       found.push_back(t);
   };
   tree_.forEachMeeting(box, [&](pcl::index_t t) { look(static_cast<std::size_t>(t)); });
@@ -130,6 +116,20 @@ GrowingSurface::near(const ccaa::Box& box, ccaa::RunControl* control) const
                   LOOK_WORK * (triangles.size() - in_tree_));
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::vector<std::size_t>
+GrowingSurface::near(const ccaa::Box& box, ccaa::RunControl* control) const
+{
+  return meetingBox(
+      box, [](std::size_t) { return true; }, control);
+}
+
+std::vector<std::size_t>
+GrowingSurface::patchesNear(const ccaa::Box& box, ccaa::RunControl* control) const
+{
+  return meetingBox(
+      box, [&](std::size_t t) { return hole[t] != NONE; }, control);
 }
 
 ModelPart

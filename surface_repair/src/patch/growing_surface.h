@@ -37,9 +37,9 @@ public:
   std::vector<std::size_t>
   near(const ccaa::Box& box, ccaa::RunControl* control = nullptr) const;
 
-  /** \brief Whether triangles of holes are among them. */
-  bool
-  hasPatchIn(const ccaa::Box& box, ccaa::RunControl* control = nullptr) const;
+  /** \brief Those of them that close holes. */
+  std::vector<std::size_t>
+  patchesNear(const ccaa::Box& box, ccaa::RunControl* control = nullptr) const;
 
   /** \brief Some triangles, ascending, as a model; of no use after cancelling. */
   ModelPart
@@ -86,8 +86,11 @@ public:
   std::vector<bool> is_there;                /**< of each triangle */
 
 private:
-  bool
-  isIn(const ccaa::Box& box, std::size_t t) const;
+  template <typename Counts>
+  std::vector<std::size_t>
+  meetingBox(const ccaa::Box& box,
+             const Counts& counts,
+             ccaa::RunControl* control) const;
   void
   buildTree(ccaa::RunControl* control);
 

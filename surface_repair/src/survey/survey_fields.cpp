@@ -7,6 +7,7 @@
 #include "boundary/opposed_loops.h"
 #include "field/reach.h"
 #include "field/source_sampling.h"
+#include "mesh/block_loop.h"
 #include "mesh/quantile.h"
 #include "survey/wanted_lines.h"
 
@@ -140,13 +141,18 @@ traceLines(const LineField& place,
   std::vector<ForceLine> lines = tracker.track(origins, context);
   PerturbationParameters perturbation = parameters.perturbation;
   perturbation.trust = parameters.field.trust; // k_t is one number (4.424, 4.6)
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!ccaa::spend(context.control, LINE_WORK * (lines[i].points.size() + 1)))
-      break;
-    lines[i] = resampled(lines[i], origins[i].query.falloff.near);
-    if (lines[i].end == LineEnd::BRIDGE && place.guides.free_points)
-      lines[i] = perturbed(lines[i], *place.guides.free_points, perturbation);
-  }
+  const auto shape = [&](ForceLine& line, double spacing) {
+    line = resampled(line, spacing);
+    if (line.end == LineEnd::BRIDGE && place.guides.free_points)
+      line = perturbed(line, *place.guides.free_points, perturbation);
+  };
+  ccaa::RunControl silent(context.control); // tells no stages
+  const ccaa::LoopContext line_by_line{context.threads, &silent, "", 1};
+  ccaa::forEachBlock(
+      lines.size(), line_by_line, [&](std::size_t i, std::size_t, std::size_t) {
+        if (silent.spend(LINE_WORK * (lines[i].points.size() + 1)))
+          shape(lines[i], origins[i].query.falloff.near);
+      });
   return lines;
 }
 

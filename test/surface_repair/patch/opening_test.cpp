@@ -85,5 +85,23 @@ TEST(GrowingSurface, FindsWhatHasComeHoweverMuchItIs)
   }
 }
 
+TEST(GrowingSurface, PatchesNearAreWhatIsNearAndClosesAHole)
+{
+  const Shape sphere = icosphere(1);
+  std::vector<std::size_t> holes(sphere.triangles.size(), NONE);
+  for (std::size_t t = 0; t < holes.size(); t += 3)
+    holes[t] = 0;
+  GrowingSurface surface(modelOf(sphere), holes);
+  divide(3, surface);
+  const ccaa::Box half(Position(-2.0, -2.0, -0.1), Position(2.0, 2.0, 2.0));
+  std::vector<std::size_t> expected = surface.near(half);
+  expected.erase(std::remove_if(expected.begin(),
+                                expected.end(),
+                                [&](std::size_t t) { return surface.hole[t] == NONE; }),
+                 expected.end());
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(expected, surface.patchesNear(half));
+}
+
 } // namespace
 } // namespace pcl::repair::test
