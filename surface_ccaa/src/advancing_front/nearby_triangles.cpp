@@ -145,7 +145,7 @@ NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& watched,
       if (!isAsked(chosen_[place]))
         continue;
       const Corners corners = cornersAt(place);
-      tree_.forEachMeeting(boxOf(corners), [&](pcl::index_t met) {
+      tree_.forEachMeeting(corners, [&](pcl::index_t met) {
         const auto other = static_cast<std::size_t>(met);
         const pcl::index_t triangle = chosen_[other];
         const bool is_asked = isAsked(triangle); // then the first of both asks
@@ -165,10 +165,9 @@ NearbyTriangles::crossingAt(const std::vector<pcl::index_t>& watched,
 
 bool
 NearbyTriangles::meets(const Corners& corners,
-                       const Box& box,
                        const std::vector<pcl::index_t>& ignored) const
 {
-  return tree_.anyMeeting(box, [&](pcl::index_t found) {
+  return tree_.anyMeeting(corners, [&](pcl::index_t found) {
     const auto place = static_cast<std::size_t>(found);
     const pcl::index_t triangle = chosen_[place];
     return isAlive(triangle) &&

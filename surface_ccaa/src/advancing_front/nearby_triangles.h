@@ -38,12 +38,9 @@ public:
 
   /** \brief Whether a triangle meets one of them elsewhere than in common corners and
    * edges.
-   * \param[in] box around the triangle
    * \param[in] ignored triangles that are not to be met, ascending */
   bool
-  meets(const Corners& corners,
-        const Box& box,
-        const std::vector<pcl::index_t>& ignored) const;
+  meets(const Corners& corners, const std::vector<pcl::index_t>& ignored) const;
 
   /** \brief The live ones with a watched corner that meet another live one elsewhere
    * than in common corners and edges, ascending. Cost: about 1 us for each with such a

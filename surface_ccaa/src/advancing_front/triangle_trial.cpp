@@ -140,7 +140,7 @@ TriangleTrial::crossesSurface(const Triangle& triangle)
         return true;
     }
   }
-  return nearby_ != nullptr && nearby_->meets(corners, box, open_.removed);
+  return nearby_ != nullptr && nearby_->meets(corners, open_.removed);
 }
 
 } // namespace pcl::ccaa

@@ -103,6 +103,33 @@ BoxTree::rayFrom(const Position& a, const Position& b) const
   return ray;
 }
 
+/** Between its corners along any direction lies all of a triangle, so that it does not
+ * matter how exact the normal of a needle is. */
+BoxTree::Slab
+BoxTree::slabOf(const Corners& triangle) const
+{
+  Slab slab;
+  slab.box = toFrame(boxOf(triangle));
+  slab.lower = {0, 0, 0};
+  const Eigen::Vector3d normal = areaNormal(triangle).normalized();
+  if (!normal.allFinite())
+    return slab;
+  Eigen::Vector3d rounded;
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    slab.normal[axis] = static_cast<float>(normal[k]);
+    slab.lower[axis] = normal[k] < 0.0 ? 1 : 0;
+    rounded[k] = slab.normal[axis];
+  }
+  std::array<double, 3> places;
+  for (std::size_t i = 0; i < 3; ++i)
+    places[i] = rounded.dot((triangle[i] - origin_) * scale_);
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  slab.low = static_cast<float>(*low);
+  slab.high = static_cast<float>(*high);
+  return slab;
+}
+
 BoxTree::FloatBox
 BoxTree::Node::around() const
 {

@@ -101,6 +101,24 @@ public:
            descend(levels_.size() - 1, 0, toFrame(query), test);
   }
 
+  /** \brief The same for a triangle: boxes that meet its box and its plane. Of those
+   * that meet the box of one that lies askew these are few. */
+  template <typename Visit>
+  void
+  forEachMeeting(const Corners& triangle, const Visit& visit) const
+  {
+    anyMeeting(triangle, [&](pcl::index_t index) {
+      visit(index);
+      return false;
+    });
+  }
+  template <typename Test>
+  bool
+  anyMeeting(const Corners& triangle, const Test& test) const
+  {
+    return !levels_.empty() && descend(levels_.size() - 1, 0, slabOf(triangle), test);
+  }
+
   /** \brief The same for boxes that the segment from a to b passes. */
   template <typename Test>
   bool
@@ -139,6 +157,14 @@ private:
     std::size_t entry[3]; /**< which bound of a box it passes first: 0 low, 1 high */
   };
 
+  /** A triangle: its box, and how far it reaches along its normal. */
+  struct Slab {
+    FloatBox box;
+    std::array<float, 3> normal = {0.0f, 0.0f, 0.0f};
+    float low = 0.0f, high = 0.0f;
+    std::array<std::size_t, 3> lower; /**< which bound of a box is: 0 low, 1 high */
+  };
+
   /** The bounds of eight boxes; those that are missing are inside out. */
   struct alignas(32) Node {
     float bounds[2][3][FAN_OUT]; /**< low and high */
@@ -152,6 +178,8 @@ private:
     meeting(const FloatBox& query) const;
     unsigned int
     meeting(const Ray& ray) const;
+    unsigned int
+    meeting(const Slab& slab) const;
     /** Squared distances from the query. */
     std::array<float, FAN_OUT>
     distances(const FloatBox& query) const;
@@ -169,6 +197,8 @@ private:
   enlarged(const Box& box) const;
   Ray
   rayFrom(const Position& a, const Position& b) const;
+  Slab
+  slabOf(const Corners& triangle) const;
 
   /** Up to where boxes are no further than a squared distance. */
   float
@@ -331,6 +361,39 @@ BoxTree::Node::meeting(const Ray& ray) const
         leave = std::min(leave, (far - ray.from[k][i]) * ray.inverse[k][i]);
       }
       met |= static_cast<unsigned int>(enter <= leave) << (first + i);
+    }
+#endif
+  }
+  return met;
+}
+
+/** The boxes' margin covers the rounding. */
+inline unsigned int
+BoxTree::Node::meeting(const Slab& slab) const
+{
+  unsigned int met = meeting(slab.box);
+  for (std::size_t first = 0; first < FAN_OUT && met >> first != 0; first += WIDTH) {
+#ifdef __SSE2__
+    __m128 least = _mm_setzero_ps(), most = _mm_setzero_ps();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const __m128 normal = _mm_set1_ps(slab.normal[k]);
+      const __m128 lower = _mm_load_ps(bounds[slab.lower[k]][k] + first);
+      const __m128 upper = _mm_load_ps(bounds[1 - slab.lower[k]][k] + first);
+      least = _mm_add_ps(least, _mm_mul_ps(lower, normal));
+      most = _mm_add_ps(most, _mm_mul_ps(upper, normal));
+    }
+    const __m128 apart = _mm_or_ps(_mm_cmpgt_ps(least, _mm_set1_ps(slab.high)),
+                                   _mm_cmplt_ps(most, _mm_set1_ps(slab.low)));
+    met &= ~(static_cast<unsigned int>(_mm_movemask_ps(apart)) << first);
+#else
+    for (std::size_t i = first; i < first + WIDTH; ++i) {
+      float least = 0.0f, most = 0.0f;
+      for (std::size_t k = 0; k < 3; ++k) {
+        least += slab.normal[k] * bounds[slab.lower[k]][k][i];
+        most += slab.normal[k] * bounds[1 - slab.lower[k]][k][i];
+      }
+      if (least > slab.high || most < slab.low)
+        met &= ~(1u << i);
     }
 #endif
   }

@@ -73,7 +73,7 @@ findSelfIntersections(const Triangles& triangles,
       const pcl::index_t own = tree.order()[i];
       const auto index = static_cast<std::size_t>(own);
       const Corners corners = cornersOf(triangles[index], positions);
-      tree.forEachMeeting(boxes[index], [&](pcl::index_t other) {
+      tree.forEachMeeting(corners, [&](pcl::index_t other) {
         if (other <= own)
           return;
         work += TEST_WORK;

@@ -171,7 +171,7 @@ private:
       boxes.push_back(boxOf(cornersAt(triangle)));
     const BoxTree hidden(boxes);
     const auto meetsHidden = [&](const Corners& corners) {
-      return hidden.anyMeeting(boxOf(corners), [&](pcl::index_t t) {
+      return hidden.anyMeeting(corners, [&](pcl::index_t t) {
         return trianglesMeet(corners, cornersAt(result.hidden[std::size_t(t)]));
       });
     };

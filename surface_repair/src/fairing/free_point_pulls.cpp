@@ -99,7 +99,8 @@ private:
     do {
       offsets_.clear();
       const Position reach = Position::Constant(radius);
-      tree_.forEachMeeting({centre - reach, centre + reach}, [&](pcl::index_t other) {
+      const ccaa::Box around(centre - reach, centre + reach);
+      tree_.forEachMeeting(around, [&](pcl::index_t other) {
         if (static_cast<std::size_t>(other) != index)
           offsets_.push_back(attached_[static_cast<std::size_t>(other)].offset);
       });

@@ -177,7 +177,7 @@ PartialFilling::meetsTriangles(const ccaa::Corners& corners) const
 {
   if (ccaa::isCollinear(corners))
     return false;
-  return tree_.anyMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
+  return tree_.anyMeeting(corners, [&](pcl::index_t i) {
     const ccaa::Corners ours =
         ccaa::cornersOf(triangles_[static_cast<std::size_t>(i)], points_);
     return !ccaa::isCollinear(ours) && ccaa::trianglesMeet(corners, ours);

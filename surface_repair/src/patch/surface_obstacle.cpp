@@ -160,9 +160,11 @@ SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles,
   layers_.push_back(std::move(layer));
 }
 
-template <typename Test>
+/** \param[in] box of what is asked for \param[in] search for it in a tree */
+template <typename Search, typename Test>
 bool
 SurfaceObstacle::holdsForAny(const ccaa::Box& box,
+                             const Search& search,
                              const Test& test,
                              ccaa::RunControl* control) const
 {
@@ -171,7 +173,7 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
   bool found = false;
   for (const Layer& layer : layers_)
     if (!found && layer.box.intersects(box))
-      found = layer.tree.anyMeeting(box, [&](pcl::index_t i) {
+      found = search(layer.tree, [&](pcl::index_t i) {
         return !work.add(TEST_WORK) ||
                test(layer.triangles[static_cast<std::size_t>(i)]);
       });
@@ -181,11 +183,14 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
 bool
 SurfaceObstacle::meets(const ccaa::Corners& corners, ccaa::RunControl* control) const
 {
+  const auto search = [&](const ccaa::BoxTree& tree, const auto& meets_it) {
+    return tree.anyMeeting(corners, meets_it);
+  };
   const auto test = [&](const ccaa::Corners& there) {
     return ccaa::trianglesMeet(corners, there);
   };
   return !ccaa::isCollinear(corners) &&
-         holdsForAny(ccaa::boxOf(corners), test, control);
+         holdsForAny(ccaa::boxOf(corners), search, test, control);
 }
 
 bool
@@ -193,8 +198,11 @@ SurfaceObstacle::isCrossedBy(const Position& p,
                              const Position& q,
                              ccaa::RunControl* control) const
 {
+  const auto search = [&](const ccaa::BoxTree& tree, const auto& crosses_it) {
+    return tree.anyAlong(p, q, crosses_it);
+  };
   const auto test = [&](const ccaa::Corners& there) { return crosses(p, q, there); };
-  return holdsForAny({p.cwiseMin(q), p.cwiseMax(q)}, test, control);
+  return holdsForAny({p.cwiseMin(q), p.cwiseMax(q)}, search, test, control);
 }
 
 void
@@ -247,7 +255,7 @@ obstructedTriangles(const Patch& patch,
     if (obstacle.meets(triangles[t], control))
       obstructed[t] = true;
     std::uint64_t work = SEARCH_WORK;
-    tree.forEachMeeting(ccaa::boxOf(triangles[t]), [&](pcl::index_t i) {
+    tree.forEachMeeting(triangles[t], [&](pcl::index_t i) {
       const auto other = static_cast<std::size_t>(i);
       work += TEST_WORK;
       if (other > t && !(obstructed[t] && obstructed[other]) &&

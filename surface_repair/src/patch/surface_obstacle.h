@@ -52,9 +52,12 @@ public:
 
 private:
   /** Whether a test holds for any triangle whose box meets one. */
-  template <typename Test>
+  template <typename Search, typename Test>
   bool
-  holdsForAny(const ccaa::Box& box, const Test& test, ccaa::RunControl* control) const;
+  holdsForAny(const ccaa::Box& box,
+              const Search& search,
+              const Test& test,
+              ccaa::RunControl* control) const;
 
   /** Triangles that came together. */
   struct Layer {

@@ -132,7 +132,7 @@ TEST(NearbyTriangles, AreMetWhereAnyLiveTriangleIsMet)
           (alive[t] != 0 &&
            trianglesMeet(corners,
                          cornersOf(sphere.partial.shape.triangles[t], positions)));
-    ASSERT_EQ(nearby.meets(corners, boxOf(corners), {}), expected) << round;
+    ASSERT_EQ(nearby.meets(corners, {}), expected) << round;
     meetings += expected;
   }
   EXPECT_GT(meetings, 100u);
@@ -146,8 +146,8 @@ TEST(NearbyTriangles, AreNotMetWhenTheyAreToBeIgnored)
   const Positions points{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
   const NearbyTriangles nearby(wall, alive, points, {0, 1, 2}, 2.0);
   const Corners corners{Position(0, -1, 0), Position(0, 1, 0), Position(0.5, 0, 5)};
-  EXPECT_TRUE(nearby.meets(corners, boxOf(corners), {}));
-  EXPECT_FALSE(nearby.meets(corners, boxOf(corners), {0}));
+  EXPECT_TRUE(nearby.meets(corners, {}));
+  EXPECT_FALSE(nearby.meets(corners, {0}));
 }
 
 /** Two of them that run through each other. */
@@ -218,7 +218,7 @@ TEST(NearbyTriangles, OfNothingAreNone)
   const NearbyTriangles nearby(none, alive, points, {0, 1, 2}, 1.0);
   EXPECT_EQ(nearby.size(), 0u);
   const Corners corners{points[0], points[1], points[2]};
-  EXPECT_FALSE(nearby.meets(corners, boxOf(corners), {}));
+  EXPECT_FALSE(nearby.meets(corners, {}));
 }
 
 /** No corner is open, but the surface folds where it crosses itself. */

@@ -81,6 +81,84 @@ squaredDistance(const Box& box, const Position& a, const Position& b)
   return at(0.5 * (low + high));
 }
 
+/** Boxes that meet a triangle's box and reach between its corners along its normal. */
+std::vector<index_t>
+meetingPlane(const std::vector<Box>& boxes, const Corners& triangle, double room)
+{
+  const Eigen::Vector3d normal = unitNormal(triangle);
+  const auto place = [&](const Position& p) { return normal.dot(p - triangle[0]); };
+  std::vector<index_t> result;
+  for (const index_t i : foundOneByOne(boxes, widened(boxOf(triangle), room))) {
+    const Box& box = boxes[static_cast<std::size_t>(i)];
+    double low = place(box.min()), high = low;
+    for (int corner = 1; corner < 8; ++corner) {
+      const double at = place(box.corner(static_cast<Box::CornerType>(corner)));
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    if (low <= room && high >= -room)
+      result.push_back(i);
+  }
+  return result;
+}
+
+/** \param[in] flatness of triangles: the third corner to the line of the others */
+void
+expectFindsAtPlane(double flatness, const Position& shift)
+{
+  RandomSource random(5);
+  std::vector<Box> boxes = randomBoxes(1000, 7);
+  for (Box& box : boxes)
+    box.translate(shift);
+  const BoxTree tree(boxes);
+  const auto anywhere = [&] {
+    return Position(random.uniform(), random.uniform(), random.uniform());
+  };
+  for (int i = 0; i < 100; ++i) {
+    const Position a = shift + anywhere(), b = shift + anywhere();
+    const Corners triangle{a, b, Position(a + 0.4 * (b - a) + flatness * anywhere())};
+    std::vector<index_t> named;
+    tree.forEachMeeting(triangle, [&](index_t index) { named.push_back(index); });
+    std::sort(named.begin(), named.end());
+    const auto least = meetingPlane(boxes, triangle, 0.0);
+    const auto most = meetingPlane(boxes, triangle, 1e-5);
+    EXPECT_TRUE(std::includes(named.begin(), named.end(), least.begin(), least.end()));
+    EXPECT_TRUE(std::includes(most.begin(), most.end(), named.begin(), named.end()));
+  }
+}
+
+TEST(BoxTree, FindsWhatMeetsTheBoxAndThePlaneOfATriangle)
+{
+  expectFindsAtPlane(1.0, Position::Zero());
+}
+
+TEST(BoxTree, FindsTheSameAtTheCoordinatesOfAMap)
+{
+  expectFindsAtPlane(1.0, Position(596600.0, 5420300.0, 120.0));
+}
+
+/** Their normals are hardly known. */
+TEST(BoxTree, MissesNothingThatANeedlePasses)
+{
+  const std::vector<Box> boxes = randomBoxes(1000, 7);
+  const BoxTree tree(boxes);
+  RandomSource random(9);
+  const auto anywhere = [&] {
+    return Position(random.uniform(), random.uniform(), random.uniform());
+  };
+  for (const double flatness : {1e-6, 1e-15, 0.0})
+    for (int i = 0; i < 100; ++i) {
+      const Position a = anywhere(), b = anywhere();
+      const Corners needle{a, b, Position(a + 0.4 * (b - a) + flatness * anywhere())};
+      std::set<index_t> named;
+      tree.forEachMeeting(needle, [&](index_t index) { named.insert(index); });
+      for (std::size_t k = 0; k < boxes.size(); ++k) {
+        const bool is_passed = squaredDistance(boxes[k], a, b) == 0.0;
+        EXPECT_TRUE(!is_passed || named.count(static_cast<index_t>(k)) > 0) << flatness;
+      }
+    }
+}
+
 TEST(BoxTree, FindsWhatLookingAtEveryBoxFinds)
 {
   for (const std::size_t count : {1u, 7u, 8u, 9u, 64u, 65u, 1000u}) {
