@@ -33,6 +33,13 @@ segmentMeetsTriangle(const Position& p, const Position& q, const Corners& triang
 bool
 trianglesMeet(const Corners& first, const Corners& second);
 
+/** \brief The same of triangles that may be collinear: these meet nothing. */
+inline bool
+areasMeet(const Corners& first, const Corners& second)
+{
+  return !isCollinear(first) && !isCollinear(second) && trianglesMeet(first, second);
+}
+
 /** \brief Indices of two triangles, the lower one first. */
 using TrianglePair = std::pair<pcl::index_t, pcl::index_t>;
 

@@ -69,7 +69,7 @@ CoarsePatch::meetings(const ccaa::Corners& corners,
   std::size_t count = 0;
   for (std::size_t t = 0; t < boxes.size() && count < enough; ++t)
     if (boxes[t].intersects(box) && std::find(old.begin(), old.end(), t) == old.end() &&
-        ccaa::trianglesMeet(corners, cornersAt(t)))
+        ccaa::areasMeet(corners, cornersAt(t)))
       ++count;
   return count < enough && obstructed_(corners) ? count + 1 : count;
 }

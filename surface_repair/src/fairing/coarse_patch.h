@@ -50,7 +50,7 @@ public:
   canFlip(std::size_t side) const;
 
   /** \brief How many triangles one runs into, those that it replaces left out; all
-   * other surface counts as one. Cost: linear in the patch.
+   * other surface counts as one; none where one has no area. Cost: linear in the patch.
    * \param[in] enough ends the count */
   std::size_t
   meetings(const ccaa::Corners& corners,

@@ -5,6 +5,7 @@
 #include "fairing/crossing_flips.h"
 
 #include "fairing/coarse_patch.h"
+#include "mesh/intersection.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,16 +27,20 @@ isBetterFlipped(const CoarsePatch& coarse, std::size_t side)
   if (!coarse.canFlip(side))
     return false;
   const std::vector<std::size_t> pair = {side / 3, coarse.edges.across(side) / 3};
-  const auto meetings = [&](const ccaa::Corners& corners) {
-    return coarse.meetings(corners, pair, ALL_OF_THEM);
+  // With the two themselves: otherwise fewer pairs here could be more in all, and flips
+  // would go round and round.
+  const auto meetings = [&](const ccaa::Corners& one, const ccaa::Corners& other) {
+    return coarse.meetings(one, pair, ALL_OF_THEM) +
+           coarse.meetings(other, pair, ALL_OF_THEM) +
+           (ccaa::areasMeet(one, other) ? 1 : 0);
   };
   const std::size_t now =
-      meetings(coarse.cornersAt(pair[0])) + meetings(coarse.cornersAt(pair[1]));
+      meetings(coarse.cornersAt(pair[0]), coarse.cornersAt(pair[1]));
   if (now == 0)
     return false;
   const auto [a, b, c, d] = coarse.edges.pairAt(side);
-  const std::size_t then = meetings({coarse.at(d), coarse.at(c), coarse.at(b)}) +
-                           meetings({coarse.at(c), coarse.at(d), coarse.at(a)});
+  const std::size_t then = meetings({coarse.at(d), coarse.at(c), coarse.at(b)},
+                                    {coarse.at(c), coarse.at(d), coarse.at(a)});
   return then < now ||
          (then == now && coarse.bending.ofFlipped(side) <
                              coarse.bending.of(pair) * (1.0 - SAME_BENDING));

@@ -175,12 +175,9 @@ PartialFilling::taskFor(const std::vector<pcl::index_t>& loop) const
 bool
 PartialFilling::meetsTriangles(const ccaa::Corners& corners) const
 {
-  if (ccaa::isCollinear(corners))
-    return false;
   return tree_.anyMeeting(corners, [&](pcl::index_t i) {
-    const ccaa::Corners ours =
-        ccaa::cornersOf(triangles_[static_cast<std::size_t>(i)], points_);
-    return !ccaa::isCollinear(ours) && ccaa::trianglesMeet(corners, ours);
+    return ccaa::areasMeet(
+        corners, ccaa::cornersOf(triangles_[static_cast<std::size_t>(i)], points_));
   });
 }
 

@@ -72,9 +72,7 @@ GrowingSurface::meeting(const std::vector<std::size_t>& some,
   std::vector<std::size_t> found;
   for (const std::size_t own : some)
     for (const std::size_t other : near(ccaa::boxOf(corners_of(own)), control))
-      if (hole[other] != NONE && !ccaa::isCollinear(corners_of(own)) &&
-          !ccaa::isCollinear(corners_of(other)) &&
-          ccaa::trianglesMeet(corners_of(own), corners_of(other)))
+      if (hole[other] != NONE && ccaa::areasMeet(corners_of(own), corners_of(other)))
         found.push_back(other);
   return found;
 }
