@@ -10,9 +10,11 @@
 #include "region/region_parts.h"
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <mutex>
 #include <utility>
 
 namespace pcl::repair {
@@ -32,14 +34,23 @@ placeOf(const Region& region, const IncompleteModel& model)
   return ccaa::widened(box, box.diagonal().norm());
 }
 
-/** Regions that may be closed side by side, one list after the other: those of a list
- * have places that do not meet. */
-std::vector<std::vector<std::size_t>>
-closableTogether(const std::vector<ccaa::Box>& places)
+std::vector<ccaa::Box>
+placesOf(const std::vector<Region>& regions, const IncompleteModel& model)
+{
+  std::vector<ccaa::Box> places;
+  for (const Region& region : regions)
+    places.push_back(placeOf(region, model));
+  return places;
+}
+
+/** An order in which those that follow each other have places that do not meet, for
+ * the most part: of these neither has to wait for the other. */
+std::vector<std::size_t>
+inTurn(const std::vector<ccaa::Box>& places)
 {
   const ccaa::BoxTree tree(places);
   std::vector<std::size_t> list_of(places.size(), NONE);
-  std::vector<std::vector<std::size_t>> lists;
+  std::vector<std::vector<std::size_t>> lists; // of such whose places do not meet
   for (std::size_t r = 0; r < places.size(); ++r) {
     std::vector<bool> is_taken(lists.size() + 1, false);
     tree.forEachMeeting(places[r], [&](pcl::index_t other) {
@@ -52,109 +63,177 @@ closableTogether(const std::vector<ccaa::Box>& places)
     lists.resize(std::max(lists.size(), list_of[r] + 1));
     lists[list_of[r]].push_back(r);
   }
-  return lists;
+  return ccaa::joinBlocks(lists);
 }
 
-/** How the regions of a pass are closed. */
+/** After so long a thread that waits looks again whether the run goes on. */
+constexpr std::chrono::milliseconds PATIENCE(5);
+/** Regions that a thread may be ahead of the one whose turn it is: enough that few wait
+ * for a large one (with 8 the passes over a table scene took 1.2 times as long), and so
+ * few that little comes in between (with 1000 a fifth was tried twice). */
+constexpr std::size_t AHEAD_OF_A_THREAD = 64;
+
+/** How the regions of a pass are closed: as one after the other, each with the patches
+ * before it in the way. Those further on are tried meanwhile, and once more where a
+ * patch has come that they have not seen. */
 class RegionsClosing {
 public:
   RegionsClosing(const ClosingPlace& place,
                  const std::vector<Region>& regions,
                  const ccaa::LoopContext& context,
                  RegionMemory& memory)
-  : place_(place), regions_(regions), context_(context), memory_(memory)
+  : place_(place)
+  , regions_(regions)
+  , context_(context)
+  , memory_(memory)
+  , places_(placesOf(regions, place.model))
+  , order_(inTurn(places_))
+  , obstacle_(place.model, places_, context.threads, context.control)
+  , tries_(regions.size())
   {
     for (const Region& region : regions)
-      places_.push_back(placeOf(region, place.model));
-    closed_.resize(regions.size());
+      all_ += workFor(region);
   }
 
   /** \param[in] tell the share that is done */
   std::vector<ClosedRegion>
   run(const std::function<void(double)>& tell)
   {
-    SurfaceObstacle obstacle(place_.model, places_, context_.threads, context_.control);
-    std::uint64_t all = 0;
-    for (const Region& region : regions_)
-      all += workFor(region);
-    std::uint64_t done = 0;
-    const auto tell_work = [&](std::uint64_t more) {
-      done += more;
-      tell(static_cast<double>(done) / static_cast<double>(all));
-    };
-    for (const std::vector<std::size_t>& together : closableTogether(places_)) {
-      closeTogether(together, obstacle, tell_work);
-      for (const std::size_t r : together)
-        commit(r, obstacle);
-    }
-    return std::move(closed_);
+    if (order_.empty())
+      return {};
+    const bool together = context_.threads > 1 && order_.size() > 1;
+    if (together)
+      within_.threads = 1;
+    ahead_ =
+        together ? AHEAD_OF_A_THREAD * static_cast<std::size_t>(context_.threads) : 1;
+#pragma omp parallel num_threads(context_.threads) if (together)
+    work(tell);
+    if (thrown_)
+      std::rethrow_exception(thrown_);
+    Lock lock(mutex_);
+    tellShare(tell, lock);
+    std::vector<ClosedRegion> closed;
+    for (Try& one : tries_)
+      closed.push_back(std::move(one.closed));
+    return closed;
   }
 
 private:
+  /** A region that was tried. */
+  struct Try {
+    ClosedRegion closed;
+    ccaa::Box seen;        /**< where it has looked for what is in the way */
+    std::size_t known = 0; /**< patches that were in the way then, in their turn */
+    bool is_done = false;
+  };
+  using Lock = std::unique_lock<std::mutex>;
+
+  /** Of one thread. */
   void
-  closeTogether(const std::vector<std::size_t>& together,
-                const SurfaceObstacle& obstacle,
-                const std::function<void(std::uint64_t)>& tell)
+  work(const std::function<void(double)>& tell)
   {
-    ccaa::LoopContext within = context_;
-    if (together.size() > 1)
-      within.threads = 1;
-    std::atomic<std::uint64_t> untold{0};
-    std::vector<std::exception_ptr> thrown(together.size()); // none may leave a thread
-    const auto close_one = [&](std::size_t, std::size_t i, std::size_t) {
+    Lock lock(mutex_);
+    while (turn_ < order_.size() && !thrown_ && !context_.cancelled()) {
+      if (tries_[order_[turn_]].is_done && !std::exchange(is_taking_, true)) {
+        take(lock);
+        is_taking_ = false;
+        changed_.notify_all();
+      }
+      else if (next_ < std::min(order_.size(), turn_ + ahead_))
+        tryOut(order_[next_++], lock);
+      else
+        wait(lock);
+      if (ccaa::threadIndex() == 0)
+        tellShare(tell, lock);
+    }
+    changed_.notify_all();
+  }
+
+  /** \param[in,out] lock open while it is closed; none may throw out of a thread */
+  void
+  tryOut(std::size_t r, Lock& lock)
+  {
+    Try one;
+    one.known = turn_;
+    const SurfaceObstacle obstacle = obstacle_.watched(one.seen);
+    const auto* failed = memory_.empty() ? nullptr : memory_.find(keyOf(r));
+    if (failed != nullptr)
+      one.closed.holes = *failed;
+    else {
+      lock.unlock();
+      std::exception_ptr thrown;
       try {
-        closed_[together[i]] = close(together[i], obstacle, within);
+        one.closed = closeRegion(place_, regions_[r], obstacle, within_);
       }
       catch (...) {
-        thrown[i] = std::current_exception();
+        thrown = std::current_exception();
       }
-      untold += workFor(regions_[together[i]]);
-      if (ccaa::threadIndex() == 0)
-        tell(untold.exchange(0));
-    };
-    ccaa::RunControl part(context_.control);
-    ccaa::forEachBlock(
-        together.size(), ccaa::LoopContext{context_.threads, &part, "", 1}, close_one);
-    if (untold > 0)
-      tell(untold);
-    for (const std::exception_ptr& exception : thrown)
-      if (exception)
-        std::rethrow_exception(exception);
+      lock.lock();
+      if (thrown)
+        thrown_ = thrown;
+    }
+    one.is_done = true;
+    tries_[r] = std::move(one);
+    changed_.notify_all();
   }
 
-  ClosedRegion
-  close(std::size_t r,
-        const SurfaceObstacle& obstacle,
-        const ccaa::LoopContext& context) const
-  {
-    if (!memory_.empty())
-      if (const auto* failed = memory_.find(keyOf(r)))
-        return {{}, *failed};
-    return closeRegion(place_, regions_[r], obstacle, context);
-  }
-
-  /** A patch that leaves its place has not seen what came beside it. */
+  /** All that were tried and whose turn it is. */
   void
-  commit(std::size_t r, SurfaceObstacle& obstacle)
+  take(Lock& lock)
   {
-    const auto& positions = closed_[r].patch.positions;
-    if (!std::all_of(
-            positions.begin(),
-            positions.end(),
-            [&](const Position& position) { return places_[r].contains(position); }) &&
-        !obstructedTriangles(closed_[r].patch, obstacle, context_.control).empty())
-      closed_[r] = close(r, obstacle, context_);
-    obstacle.add(
-        closed_[r].patch.positions, closed_[r].patch.triangles, context_.control);
-    remember(r);
+    for (; turn_ < order_.size() && tries_[order_[turn_]].is_done && !thrown_;
+         ++turn_) {
+      const std::size_t r = order_[turn_];
+      if (hasMissed(tries_[r]))
+        tryOut(r, lock);
+      if (context_.cancelled() || thrown_)
+        return;
+      const ClosedRegion& closed = tries_[r].closed;
+      obstacle_.add(closed.patch.positions, closed.patch.triangles, context_.control);
+      if (allFailed(closed.holes))
+        memory_.remember(keyOf(r), places_[r], closed.holes);
+    }
+  }
+
+  /** Whether a patch lies where it has looked, that was not there yet. */
+  bool
+  hasMissed(const Try& one) const
+  {
+    const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(one.known);
+    const auto end = order_.begin() + static_cast<std::ptrdiff_t>(turn_);
+    return std::any_of(begin, end, [&](std::size_t r) {
+      const Patch& patch = tries_[r].closed.patch;
+      return std::any_of(patch.triangles.begin(),
+                         patch.triangles.end(),
+                         [&](const Triangle& triangle) {
+                           return ccaa::boxOf(
+                                      ccaa::cornersOf(triangle, patch.positions))
+                               .intersects(one.seen);
+                         });
+    });
   }
 
   void
-  remember(std::size_t r)
+  wait(Lock& lock)
   {
-    const std::vector<HoleOutcome>& holes = closed_[r].holes;
-    if (!context_.cancelled() && allFailed(holes))
-      memory_.remember(keyOf(r), places_[r], holes);
+    changed_.wait_for(lock, PATIENCE);
+    if (context_.control == nullptr || ccaa::threadIndex() != 0)
+      return;
+    lock.unlock();
+    context_.control->askAgain();
+    lock.lock();
+  }
+
+  void
+  tellShare(const std::function<void(double)>& tell, Lock& lock)
+  {
+    if (told_ == turn_)
+      return;
+    for (; told_ < turn_; ++told_)
+      done_ += workFor(regions_[order_[told_]]);
+    lock.unlock();
+    tell(static_cast<double>(done_) / static_cast<double>(all_));
+    lock.lock();
   }
 
   RegionMemory::Key
@@ -166,9 +245,22 @@ private:
   const ClosingPlace& place_;
   const std::vector<Region>& regions_;
   const ccaa::LoopContext& context_;
+  ccaa::LoopContext within_ = context_; /**< of one region */
   RegionMemory& memory_;
-  std::vector<ccaa::Box> places_;
-  std::vector<ClosedRegion> closed_;
+  const std::vector<ccaa::Box> places_;
+  const std::vector<std::size_t> order_; /**< in which regions have their turn */
+  std::size_t ahead_ = 1;
+
+  std::mutex mutex_; /**< for what follows, and the memory */
+  std::condition_variable changed_;
+  SurfaceObstacle obstacle_;
+  std::vector<Try> tries_;
+  std::size_t turn_ = 0; /**< regions that had it */
+  std::size_t next_ = 0; /**< regions that were or are tried */
+  bool is_taking_ = false;
+  std::exception_ptr thrown_;
+  std::size_t told_ = 0;
+  std::uint64_t done_ = 0, all_ = 0; /**< work, as far as it was told */
 };
 
 } // namespace

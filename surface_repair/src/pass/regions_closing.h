@@ -11,9 +11,10 @@
 
 namespace pcl::repair {
 
-/** \brief Close regions (closeRegion()): those whose places do not meet side by side,
- * in as many threads as there are, and the others one after the other, so that each
- * sees the patches that came before it. The same for any number of threads.
+/** \brief Close regions (closeRegion()), as one after the other, so that each sees the
+ * patches that came before it; in as many threads as there are, as what is tried ahead
+ * of its turn is tried again if a patch has come where it looked. The same for any
+ * number of threads.
  * \param[in,out] memory of what could not be closed before
  * \param[in] tell is called with the share that is done */
 std::vector<ClosedRegion>

@@ -127,6 +127,14 @@ SurfaceObstacle::SurfaceObstacle(const IncompleteModel& model,
   addLayer(ccaa::joinBlocks(found), control);
 }
 
+SurfaceObstacle
+SurfaceObstacle::watched(ccaa::Box& seen) const
+{
+  SurfaceObstacle copy = *this;
+  copy.seen_ = &seen;
+  return copy;
+}
+
 void
 SurfaceObstacle::add(const Positions& positions,
                      const Triangles& triangles,
@@ -146,18 +154,18 @@ SurfaceObstacle::addLayer(std::vector<ccaa::Corners> triangles,
                           ccaa::RunControl* control)
 {
   // Layers that are no larger become part of it, so that there are few: log n of them.
-  while (!layers_.empty() && layers_.back().triangles.size() <= triangles.size()) {
-    const std::vector<ccaa::Corners>& last = layers_.back().triangles;
+  while (!layers_.empty() && layers_.back()->triangles.size() <= triangles.size()) {
+    const std::vector<ccaa::Corners>& last = layers_.back()->triangles;
     triangles.insert(triangles.end(), last.begin(), last.end());
     layers_.pop_back();
   }
-  Layer layer;
+  const auto layer = std::make_shared<Layer>();
   for (const ccaa::Corners& corners : triangles)
-    layer.box.extend(ccaa::boxOf(corners));
+    layer->box.extend(ccaa::boxOf(corners));
   ccaa::spend(control, TAKING_WORK * triangles.size());
-  layer.tree = treeOver(triangles, control);
-  layer.triangles = std::move(triangles);
-  layers_.push_back(std::move(layer));
+  layer->tree = treeOver(triangles, control);
+  layer->triangles = std::move(triangles);
+  layers_.push_back(layer);
 }
 
 /** \param[in] box of what is asked for \param[in] search for it in a tree */
@@ -168,14 +176,16 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
                              const Test& test,
                              ccaa::RunControl* control) const
 {
+  if (seen_ != nullptr)
+    seen_->extend(box);
   ccaa::WorkCount work(control);
   work.add(SEARCH_WORK);
   bool found = false;
-  for (const Layer& layer : layers_)
-    if (!found && layer.box.intersects(box))
-      found = search(layer.tree, [&](pcl::index_t i) {
+  for (const auto& layer : layers_)
+    if (!found && layer->box.intersects(box))
+      found = search(layer->tree, [&](pcl::index_t i) {
         return !work.add(TEST_WORK) ||
-               test(layer.triangles[static_cast<std::size_t>(i)]);
+               test(layer->triangles[static_cast<std::size_t>(i)]);
       });
   return !work.tell() || found;
 }

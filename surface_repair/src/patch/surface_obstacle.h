@@ -11,14 +11,15 @@
 #include "run/run_control.h"
 
 #include <cstddef>
-#include <deque>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace pcl::repair {
 
 /** \brief The surface near the places where something is built, and what was built
- * there before. Const methods may be called from several threads. */
+ * there before. Const methods may be called from several threads, but not those of one
+ * that is watched. A copy is cheap, and does not see what is added afterwards. */
 class SurfaceObstacle {
 public:
   /** \brief Take the triangles of a model that come near to places. Cost: 20 ns a
@@ -28,6 +29,11 @@ public:
                   const std::vector<ccaa::Box>& places,
                   int threads = 1,
                   ccaa::RunControl* control = nullptr);
+
+  /** \brief The same, and where it is asked for anything. \param[in,out] seen is
+   * extended by the boxes of all questions; must outlive the copy */
+  SurfaceObstacle
+  watched(ccaa::Box& seen) const;
 
   /** \brief Triangles that are there from now on, too. Cost: log n trees over each of
    * the n that are added in all. */
@@ -69,7 +75,8 @@ private:
   void
   addLayer(std::vector<ccaa::Corners> triangles, ccaa::RunControl* control);
 
-  std::deque<Layer> layers_; /**< stay where they are: trees cost much to copy */
+  std::vector<std::shared_ptr<const Layer>> layers_;
+  ccaa::Box* seen_ = nullptr;
 };
 
 /** \brief Let a filling avoid a surface after the one that does not look at it has run

@@ -62,6 +62,26 @@ TEST(RegionsClosing, ARegionSeesThePatchesThatCameBeforeIt)
   EXPECT_TRUE(obstructedTriangles(closed[1].patch, first).empty());
 }
 
+/** Each region comes three times: the later ones find the patch of the first. */
+TEST(RegionsClosing, RegionsThatAreInTheWayOfEachOtherAreTheSameForAnyThreads)
+{
+  Site site = siteWithSixHoles();
+  const std::vector<Region> once = site.regions;
+  for (int more = 0; more < 2; ++more)
+    site.regions.insert(site.regions.end(), once.begin(), once.end());
+  RegionMemory of_one;
+  const std::vector<ClosedRegion> expected = closedTogether(site, 1, of_one);
+  for (const int threads : {2, 5, 8}) {
+    RegionMemory memory;
+    const std::vector<ClosedRegion> closed = closedTogether(site, threads, memory);
+    ASSERT_EQ(expected.size(), closed.size());
+    for (std::size_t r = 0; r < closed.size(); ++r) {
+      EXPECT_EQ(expected[r].patch.positions, closed[r].patch.positions) << r;
+      EXPECT_EQ(expected[r].patch.triangles, closed[r].patch.triangles) << r;
+    }
+  }
+}
+
 TEST(RegionsClosing, TellsTheShareThatIsDone)
 {
   const Site site = siteWithSixHoles();
