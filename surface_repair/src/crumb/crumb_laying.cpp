@@ -302,7 +302,11 @@ CrumbLaying::close(const Opening& opening,
       part_, opening.is_open, welded.empty() ? left : welded_left, place_};
   const std::size_t hole = holeOf(opening);
   const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
-    return !control_.cancelled() && closeRings(rings, place, hole, course_, surface_);
+    const auto closed = control_.cancelled() ? std::optional<Replacement>()
+                                             : closeRings(rings, place, course_);
+    if (closed)
+      surface_.replace(*closed, hole);
+    return closed.has_value();
   });
   if (!is_closed) {
     std::map<pcl::index_t, pcl::index_t> back;

@@ -4,6 +4,7 @@
 #include "pass/hole_reopening.h"
 
 #include "pass/surface_takeover.h"
+#include "pass/surface_tries.h"
 #include "patch/opening.h"
 #include "region/opening_closing.h"
 
@@ -24,34 +25,51 @@ constexpr std::uint64_t WIDENING_WORK = 5;
 /** At least, in mean edges of the hole. */
 constexpr double AROUND_EDGES = 20.0;
 
+/** How a hole may be closed that was opened wider. */
+struct ReopenedHole {
+  ClosedOpening closed;
+  ccaa::Box seen; /**< all that it depends on */
+};
+
 /** Closes one hole. */
 class HoleReopening {
 public:
-  HoleReopening(const BoundaryLoop& loop, const Course& course, GrowingSurface& surface)
+  HoleReopening(const BoundaryLoop& loop,
+                const Course& course,
+                const ccaa::LoopContext& context,
+                const GrowingSurface& surface)
   : loop_(loop)
   , parameters_(course.parameters)
   , frame_(course.frame)
-  , context_(course.context)
+  , context_(context)
   , surface_(surface)
   {}
 
-  /** \param[in] of_hole that new triangles close \return how; still open where no way
-   * was found */
-  HoleOutcome
-  run(std::size_t of_hole);
+  ReopenedHole
+  run()
+  {
+    ReopenedHole result;
+    result.closed = close();
+    result.seen = around_;
+    return result;
+  }
 
 private:
+  ClosedOpening
+  close();
+
   const BoundaryLoop& loop_;
   const RepairParameters& parameters_;
   const CloudFrame& frame_;
   const ccaa::LoopContext& context_;
-  GrowingSurface& surface_;
+  const GrowingSurface& surface_;
   ccaa::Box around_;
   ModelPart part_;
 };
 
-HoleOutcome
-HoleReopening::run(std::size_t of_hole)
+/** \return still open where no way was found */
+ClosedOpening
+HoleReopening::close()
 {
   ccaa::Box box;
   for (const Position& point : loop_.curve.points)
@@ -60,16 +78,16 @@ HoleReopening::run(std::size_t of_hole)
   around_ = ccaa::widened(
       box, std::max(AROUND_EXTENTS * box.diagonal().norm(), AROUND_EDGES * edge));
   part_ = surface_.part(surface_.near(around_, context_.control), context_.control);
-  HoleOutcome outcome;
-  outcome.open = OpenReason::INTERSECTION;
+  ClosedOpening closed;
+  closed.outcome.open = OpenReason::INTERSECTION;
   if (context_.cancelled())
-    return outcome;
+    return closed;
   std::vector<pcl::index_t> hole;
   std::vector<bool> at_hole(part_.triangles.size(), false);
   for (const pcl::index_t vertex : loop_.vertices) {
     const auto found = part_.number_of.find(vertex);
     if (found == part_.number_of.end())
-      return outcome;
+      return closed;
     hole.push_back(found->second);
     const auto& adjacency = part_.model.adjacency;
     for (const pcl::index_t* triangle = adjacency.begin(hole.back());
@@ -89,12 +107,12 @@ HoleReopening::run(std::size_t of_hole)
     if (now == opened)
       break; // nothing more can be opened
     opened = now;
-    outcome = closeOpening(
-        opening, part_, around_, parameters_, frame_, context_, of_hole, surface_);
-    if (outcome.open == OpenReason::NONE)
+    closed =
+        closeOpening(opening, part_, around_, parameters_, frame_, context_, surface_);
+    if (closed.outcome.open == OpenReason::NONE)
       break;
   }
-  return outcome;
+  return closed;
 }
 
 } // namespace
@@ -104,25 +122,28 @@ reopenHoles(const Failures& failed, const Course& course)
 {
   ModelSurvey& survey = course.survey;
   GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
-  for (const BoundaryLoop& loop : survey.loops) {
-    const bool has_failed =
-        std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t v) {
+  std::vector<const BoundaryLoop*> loops;
+  for (const BoundaryLoop& loop : survey.loops)
+    if (std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](pcl::index_t v) {
           return isObstructed(failed, v);
-        });
-    if (!has_failed)
-      continue;
-    const HoleOutcome outcome =
-        HoleReopening(loop, course, surface).run(course.report.holes.size());
-    if (course.context.cancelled())
-      return;
+        }))
+      loops.push_back(&loop);
+  const auto tryOut = [&](std::size_t i, const ccaa::LoopContext& context) {
+    return HoleReopening(*loops[i], course, context, surface).run();
+  };
+  const auto make = [&](std::size_t i, const ReopenedHole& reopened) -> ccaa::Box {
+    HoleOutcome outcome = reopened.closed.outcome;
     if (outcome.open != OpenReason::NONE)
-      continue;
+      return {};
     OpenHole hole;
-    hole.polygon = polygonOf(loop);
-    HoleOutcome told = outcome;
-    told.bridges.clear(); // of another numbering
-    course.log.add(hole, told);
-  }
+    hole.polygon = polygonOf(*loops[i]);
+    outcome.bridges.clear(); // of another numbering
+    const std::size_t number = course.log.add(hole, outcome);
+    return surface.replace(reopened.closed.replacement, number);
+  };
+  makeInTurn(loops.size(), course.context, tryOut, make);
+  if (course.context.cancelled())
+    return;
   if (surface.hasChanged())
     takeOver(std::move(surface), course);
 }

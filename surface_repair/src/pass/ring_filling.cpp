@@ -155,30 +155,27 @@ fair(const IncompleteModel& model,
 
 } // namespace
 
-bool
+std::optional<Replacement>
 closeRings(const std::vector<RingPolygon>& rings,
            const RingPlace& place,
-           std::size_t of_hole,
-           const Course& course,
-           GrowingSurface& surface)
+           const Course& course)
 {
   const IncompleteModel& model = place.left.model;
   ccaa::RunControl* const control = course.context.control;
   const SurfaceObstacle obstacle(model, {place.box}, 1, control);
   if (isPierced(rings, place.left, obstacle, control))
-    return false;
+    return {};
   const ClosingPlace here = withinPart(model, course.parameters, course.frame);
-  const auto take = [&](const Patch& patch) {
-    if (!isFree(patch, place.box, obstacle, control) || ccaa::isCancelled(control) ||
-        !fitsModel(model, patch))
-      return false;
-    surface.replace(place.part, place.is_open, place.left, patch, of_hole);
-    return true;
+  const auto fits = [&](const Patch& patch) {
+    return isFree(patch, place.box, obstacle, control) && !ccaa::isCancelled(control) &&
+           fitsModel(model, patch);
+  };
+  const auto with = [&](Patch patch) {
+    return replacementIn(place.part, place.is_open, place.left, std::move(patch));
   };
   std::vector<Patch> refined;
   for (const bool avoids : {false, true}) {
-    const Patch bare =
-        fillRings(rings, place.left, avoids ? &obstacle : nullptr, control);
+    Patch bare = fillRings(rings, place.left, avoids ? &obstacle : nullptr, control);
     if (bare.triangles.empty() || !fitsModel(model, bare))
       continue;
     const std::size_t in_the_way = obstructedTriangles(bare, obstacle, control).size();
@@ -188,15 +185,17 @@ closeRings(const std::vector<RingPolygon>& rings,
     fair(model, obstacle, course.parameters, control, patch);
     if (course.frame.float_positions)
       roundToFloats(course.frame.origin, patch);
-    if (take(patch) || (in_the_way == 0 && take(bare)))
-      return true;
+    if (fits(patch))
+      return with(std::move(patch));
+    if (in_the_way == 0 && fits(bare))
+      return with(std::move(bare));
     refined.push_back(std::move(patch));
   }
   for (Patch& patch : refined)
     if (obstructedTriangles(patch, obstacle, control).size() <= MOST_MENDED &&
-        mendPatch(here, obstacle, course.context, patch) && take(patch))
-      return true;
-  return false;
+        mendPatch(here, obstacle, course.context, patch) && fits(patch))
+      return with(std::move(patch));
+  return {};
 }
 
 } // namespace pcl::repair

@@ -9,7 +9,7 @@
 #include "patch/growing_surface.h"
 #include "patch/surface_obstacle.h"
 
-#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl::repair {
@@ -30,14 +30,11 @@ struct RingPlace {
   ccaa::Box box;
 };
 
-/** \brief Fill polygons by minimum weight, refine and relax them, and let the surface
- * have them where they run into nothing.
- * \param[in] of_hole that they close \return whether it has them */
-bool
+/** \brief Fill polygons by minimum weight, refine and relax them.
+ * \return what comes in place of what goes, if it runs into nothing */
+std::optional<Replacement>
 closeRings(const std::vector<RingPolygon>& rings,
            const RingPlace& place,
-           std::size_t of_hole,
-           const Course& course,
-           GrowingSurface& surface);
+           const Course& course);
 
 } // namespace pcl::repair

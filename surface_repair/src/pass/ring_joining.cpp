@@ -12,6 +12,7 @@
 #include "run/stage_clock.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -84,8 +85,10 @@ join(const Ring& ring, const Course& whole, GrowingSurface& surface)
   for (const std::vector<RingPolygon>& cut : cutsOf(*ring.first, *ring.second, {})) {
     if (control.cancelled())
       return false;
-    if (!closeRings(cut, place, course.report.holes.size(), course, surface))
+    const std::optional<Replacement> closed = closeRings(cut, place, course);
+    if (!closed)
       continue;
+    surface.replace(*closed, course.report.holes.size());
     HoleOutcome outcome;
     outcome.filling = MinimumWeightFilling().name();
     course.log.add(holeOf(cut.front()), outcome);

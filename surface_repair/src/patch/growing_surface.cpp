@@ -159,19 +159,35 @@ GrowingSurface::part(std::vector<std::size_t> chosen, ccaa::RunControl* control)
   return found;
 }
 
-void
-GrowingSurface::replace(const ModelPart& part,
-                        const std::vector<bool>& is_gone,
-                        const ModelPart& left,
-                        const Patch& patch,
-                        std::size_t of_hole)
+Replacement
+replacementIn(const ModelPart& part,
+              const std::vector<bool>& is_gone,
+              const ModelPart& left,
+              Patch patch)
 {
+  Replacement replacement;
   for (std::size_t i = 0; i < is_gone.size(); ++i)
     if (is_gone[i])
-      is_there[part.triangles[i]] = false;
-  std::vector<pcl::index_t> number;
-  for (const pcl::index_t vertex : patch.rim)
-    number.push_back(left.vertices[static_cast<std::size_t>(vertex)]);
+      replacement.gone.push_back(part.triangles[i]);
+  for (pcl::index_t& vertex : patch.rim)
+    vertex = left.vertices[static_cast<std::size_t>(vertex)];
+  replacement.patch = std::move(patch);
+  return replacement;
+}
+
+ccaa::Box
+GrowingSurface::replace(const Replacement& replacement, std::size_t of_hole)
+{
+  ccaa::Box place;
+  const auto extend = [&](const Triangle& triangle) {
+    place.extend(ccaa::boxOf(ccaa::cornersOf(triangle, positions)));
+  };
+  for (const std::size_t t : replacement.gone) {
+    is_there[t] = false;
+    extend(triangles[t]);
+  }
+  const Patch& patch = replacement.patch;
+  std::vector<pcl::index_t> number = patch.rim;
   for (std::size_t v = patch.rim.size(); v < patch.positions.size(); ++v) {
     number.push_back(static_cast<pcl::index_t>(positions.size()));
     positions.push_back(patch.positions[v]);
@@ -180,6 +196,7 @@ GrowingSurface::replace(const ModelPart& part,
   for (Triangle triangle : patch.triangles) {
     for (pcl::index_t& corner : triangle)
       corner = number[static_cast<std::size_t>(corner)];
+    extend(triangle);
     triangles.push_back(triangle);
     hole.push_back(of_hole);
     is_there.push_back(true);
@@ -187,6 +204,7 @@ GrowingSurface::replace(const ModelPart& part,
   const std::size_t added = triangles.size() - in_tree_;
   if (added * added > MOST_ADDED * triangles.size())
     buildTree(nullptr);
+  return place;
 }
 
 } // namespace pcl::repair

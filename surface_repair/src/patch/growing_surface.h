@@ -24,6 +24,12 @@ struct ModelPart {
   IncompleteModel model;
 };
 
+/** \brief Triangles that are to go, and what comes in their place. */
+struct Replacement {
+  std::vector<std::size_t> gone; /**< of the whole */
+  Patch patch;                   /**< its rim is numbered as the whole */
+};
+
 /** \brief Triangles that come and go after holes were closed. */
 class GrowingSurface {
 public:
@@ -55,15 +61,10 @@ public:
   meeting(const std::vector<std::size_t>& some,
           ccaa::RunControl* control = nullptr) const;
 
-  /** \brief Take triangles of a part away and add a patch.
-   * \param[in] is_gone of the part's triangles \param[in] left the rest of the part, of
-   * which the rim of the patch is \param[in] of_hole that the patch closes */
-  void
-  replace(const ModelPart& part,
-          const std::vector<bool>& is_gone,
-          const ModelPart& left,
-          const Patch& patch,
-          std::size_t of_hole);
+  /** \brief Take triangles away and add a patch. \param[in] of_hole that it closes
+   * \return around all of them */
+  ccaa::Box
+  replace(const Replacement& replacement, std::size_t of_hole);
 
   /** \brief Boxes of the triangles that have gone. */
   std::vector<ccaa::Box>
@@ -97,5 +98,13 @@ private:
   std::size_t in_tree_ = 0;
   ccaa::BoxTree tree_;
 };
+
+/** \brief A patch in place of triangles of a part. \param[in] is_gone of the part's
+ * triangles \param[in] left the rest of the part, of which the rim of the patch is */
+Replacement
+replacementIn(const ModelPart& part,
+              const std::vector<bool>& is_gone,
+              const ModelPart& left,
+              Patch patch);
 
 } // namespace pcl::repair

@@ -8,42 +8,42 @@
 
 namespace pcl::repair {
 
-HoleOutcome
+ClosedOpening
 closeOpening(const Opening& opening,
              const ModelPart& part,
              const ccaa::Box& around,
              const RepairParameters& parameters,
              const CloudFrame& frame,
              const ccaa::LoopContext& context,
-             std::size_t of_hole,
-             GrowingSurface& surface)
+             const GrowingSurface& surface)
 {
-  HoleOutcome outcome;
-  outcome.open = OpenReason::INTERSECTION;
+  ClosedOpening result;
+  result.outcome.open = OpenReason::INTERSECTION;
   if (opening.border.empty() || !isWithin(around, part, opening))
-    return outcome;
+    return result;
   const ccaa::Box box = placeOf(part, opening).intersection(around);
   const ModelPart left =
       surface.part(trianglesLeft(part, opening, box), context.control);
   if (context.cancelled())
-    return outcome;
+    return result;
   const BoundaryLoops loops = extractBoundaries(left.model);
   const BoundaryLoop* loop = loopOf(opening, part, left, loops);
   if (loop == nullptr)
-    return outcome;
+    return result;
   Region region;
   region.holes.push_back(polygonOf(*loop));
   region.is_certain.push_back(true);
   const SurfaceObstacle obstacle(left.model, {box}, context.threads, context.control);
-  const ClosedRegion closed =
+  ClosedRegion closed =
       closeRegion(withinPart(left.model, parameters, frame), region, obstacle, context);
   if (closed.holes.front().open == OpenReason::NONE &&
       !isFree(closed.patch, box, obstacle, context.control))
-    return outcome;
-  outcome = closed.holes.front();
-  if (outcome.open == OpenReason::NONE)
-    surface.replace(part, opening.is_open, left, closed.patch, of_hole);
-  return outcome;
+    return result;
+  result.outcome = closed.holes.front();
+  if (result.outcome.open == OpenReason::NONE)
+    result.replacement =
+        replacementIn(part, opening.is_open, left, std::move(closed.patch));
+  return result;
 }
 
 } // namespace pcl::repair

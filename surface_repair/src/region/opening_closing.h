@@ -6,24 +6,25 @@
 #include "patch/opening.h"
 #include "region/region.h"
 
-#include <cstddef>
-
 namespace pcl::repair {
 
-/** \brief Take an opening out of a surface and close it as a hole of its own, together
- * with the hole that it was grown from.
+/** \brief How an opening may be closed. */
+struct ClosedOpening {
+  HoleOutcome outcome;     /**< still open where there is no way */
+  Replacement replacement; /**< where there is one */
+};
+
+/** \brief How an opening of a surface may be closed as a hole of its own, together with
+ * the hole that it was grown from.
  * \param[in] part of the surface that has the opening
- * \param[in] around beyond which nothing is known
- * \param[in] of_hole that new triangles close
- * \return how; still open where there is no way, and then the surface is as it was */
-HoleOutcome
+ * \param[in] around beyond which nothing is known */
+ClosedOpening
 closeOpening(const Opening& opening,
              const ModelPart& part,
              const ccaa::Box& around,
              const RepairParameters& parameters,
              const CloudFrame& frame,
              const ccaa::LoopContext& context,
-             std::size_t of_hole,
-             GrowingSurface& surface);
+             const GrowingSurface& surface);
 
 } // namespace pcl::repair

@@ -199,16 +199,12 @@ PatchMending::mend(const std::vector<std::size_t>& obstructed)
         !ccaa::spend(context_.control, PART_WORK * opening.is_open.size()))
       break;
     opened = now;
-    const HoleOutcome outcome = closeOpening(opening,
-                                             whole,
-                                             box_,
-                                             place_.parameters,
-                                             place_.frame,
-                                             context_,
-                                             of_hole,
-                                             surface_);
-    if (outcome.open == OpenReason::NONE)
+    const ClosedOpening closed = closeOpening(
+        opening, whole, box_, place_.parameters, place_.frame, context_, surface_);
+    if (closed.outcome.open == OpenReason::NONE) {
+      surface_.replace(closed.replacement, of_hole);
       return true;
+    }
   }
   return false;
 }

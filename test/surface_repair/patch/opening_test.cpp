@@ -66,7 +66,7 @@ divide(std::size_t triangle, GrowingSurface& surface)
   patch.positions.push_back(
       (patch.positions[0] + patch.positions[1] + patch.positions[2]) / 3.0);
   patch.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-  surface.replace(part, {true}, part, patch, 0);
+  surface.replace(replacementIn(part, {true}, part, patch), 0);
 }
 
 TEST(GrowingSurface, FindsWhatHasComeHoweverMuchItIs)
