@@ -88,16 +88,30 @@ BoxTree::toFrame(const Box& box) const
   return result;
 }
 
+/** Of a segment only what lies near the boxes, however long it is: single precision
+ * tells where that is. */
 BoxTree::Ray
 BoxTree::rayFrom(const Position& a, const Position& b) const
 {
-  const Position from = (a - origin_) * scale_;
-  const Eigen::Vector3d way = (b - a) * scale_;
+  Position from = (a - origin_) * scale_;
+  Eigen::Vector3d way = (b - a) * scale_;
+  double enter = 0.0, leave = 1.0;
+  for (int k = 0; k < 3; ++k)
+    if (way[k] != 0.0) {
+      const auto [first, last] =
+          std::minmax({(-1.0 - from[k]) / way[k], (1.0 - from[k]) / way[k]});
+      enter = std::max(enter, first);
+      leave = std::min(leave, last);
+    }
+  if (enter < leave) {
+    from += enter * way;
+    way *= leave - enter;
+  }
   Ray ray;
   for (int k = 0; k < 3; ++k) {
     const double inverse = std::clamp(1.0 / way[k], -MOST_INVERSE, MOST_INVERSE);
-    std::fill_n(ray.from[k], WIDTH, static_cast<float>(from[k]));
-    std::fill_n(ray.inverse[k], WIDTH, static_cast<float>(inverse));
+    std::fill_n(ray.from[k], box_node::WIDTH, static_cast<float>(from[k]));
+    std::fill_n(ray.inverse[k], box_node::WIDTH, static_cast<float>(inverse));
     ray.entry[k] = inverse < 0.0 ? 1 : 0;
   }
   return ray;
@@ -128,32 +142,6 @@ BoxTree::slabOf(const Corners& triangle) const
   slab.low = static_cast<float>(*low);
   slab.high = static_cast<float>(*high);
   return slab;
-}
-
-BoxTree::FloatBox
-BoxTree::Node::around() const
-{
-  FloatBox box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = *std::min_element(bounds[0][k], bounds[0][k] + FAN_OUT);
-    box.high[k] = *std::max_element(bounds[1][k], bounds[1][k] + FAN_OUT);
-  }
-  return box;
-}
-
-std::array<float, BoxTree::FAN_OUT>
-BoxTree::Node::distances(const FloatBox& query) const
-{
-  std::array<float, FAN_OUT> squared;
-  squared.fill(0.0f);
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < FAN_OUT; ++i) {
-      const float below = bounds[0][k][i] - query.high[k];
-      const float above = query.low[k] - bounds[1][k][i];
-      const float apart = std::max(std::max(below, above), 0.0f);
-      squared[i] += apart * apart;
-    }
-  return squared;
 }
 
 } // namespace pcl::ccaa

@@ -81,6 +81,24 @@ squaredDistance(const Box& box, const Position& a, const Position& b)
   return at(0.5 * (low + high));
 }
 
+/** Far longer than the boxes are apart, through the middle of each. */
+TEST(BoxTree, MissesNothingThatAVeryLongSegmentPasses)
+{
+  const std::vector<Box> boxes = randomBoxes(500, 3);
+  const BoxTree tree(boxes);
+  RandomSource random(4);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const Eigen::Vector3d way(
+        random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+    const Position middle = boxes[k].center();
+    const bool is_found =
+        tree.anyAlong(middle - 1e5 * way, middle + 2e5 * way, [&](index_t index) {
+          return static_cast<std::size_t>(index) == k;
+        });
+    EXPECT_TRUE(is_found) << k;
+  }
+}
+
 /** Boxes that meet a triangle's box and reach between its corners along its normal. */
 std::vector<index_t>
 meetingPlane(const std::vector<Box>& boxes, const Corners& triangle, double room)
