@@ -183,7 +183,8 @@ CrumbLaying::tryWithin(double reach)
 }
 
 /** The part that holds a shadow with rings around it, and whatever may be in the way of
- * a filling there. \return which of its triangles may be opened */
+ * a filling there; of no use after cancelling. \return which of its triangles may be
+ * opened */
 std::vector<bool>
 CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
 {
@@ -248,6 +249,8 @@ bool
 CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
 {
   const std::vector<bool> may_open = lookAround(shadow, rings);
+  if (control_.cancelled())
+    return false;
   const Opening opening = openFrom(part_, placeIn(part_, shadow.nearest), may_open);
   if (opening.border.empty() || opening.border.size() > LONGEST_BORDER ||
       isKnown(opening))
