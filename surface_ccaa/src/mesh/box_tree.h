@@ -77,10 +77,11 @@ public:
     return order_;
   }
 
-  /** \brief Call visit(index) for each box that meets the query (touching counts). */
-  template <typename Visit>
+  /** \brief Call visit(index) for each box that meets the query, a box or a triangle
+   * (touching counts). */
+  template <typename Query, typename Visit>
   void
-  forEachMeeting(const Box& query, const Visit& visit) const
+  forEachMeeting(const Query& query, const Visit& visit) const
   {
     anyMeeting(query, [&](pcl::index_t index) {
       visit(index);
@@ -100,15 +101,6 @@ public:
 
   /** \brief The same for a triangle: boxes that meet its box and its plane. Of those
    * that meet the box of one that lies askew these are few. */
-  template <typename Visit>
-  void
-  forEachMeeting(const Corners& triangle, const Visit& visit) const
-  {
-    anyMeeting(triangle, [&](pcl::index_t index) {
-      visit(index);
-      return false;
-    });
-  }
   template <typename Test>
   bool
   anyMeeting(const Corners& triangle, const Test& test) const

@@ -115,9 +115,8 @@ private:
   ccaa::RunControl& control_ = bounded_.control;
   const Course& course_ = bounded_.course;
   GrowingSurface& surface_;
-  ccaa::Box around_; /**< all triangles that meet it are known */
-  ModelPart part_;   /**< these */
-  ccaa::Box place_;  /**< of what is opened and the crumb */
+  ModelPart part_;  /**< all around what may be opened */
+  ccaa::Box place_; /**< of what is opened and the crumb */
   std::optional<std::vector<std::size_t>>
       meeting_;                              /**< of patches, through the crumb */
   std::set<std::vector<std::size_t>> tried_; /**< side of the crumb, what was opened */
@@ -192,10 +191,10 @@ CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
   for (const std::size_t t : shadow.triangles)
     needed.extend(boxAt(t));
   std::vector<bool> may_open;
-  around_.setEmpty();
+  ccaa::Box around; // all triangles that meet it are known
   do {
-    around_.extend(ccaa::widened(needed, ROOM * needed.diagonal().norm()));
-    part_ = surface_.part(surface_.near(around_, &control_), &control_);
+    around.extend(ccaa::widened(needed, ROOM * needed.diagonal().norm()));
+    part_ = surface_.part(surface_.near(around, &control_), &control_);
     may_open.assign(part_.triangles.size(), false);
     for (const std::size_t t : shadow.triangles)
       may_open[placeIn(part_, t)] = true;
@@ -205,7 +204,7 @@ CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
         needed.extend(boxAt(part_.triangles[i]));
   }
   while (control_.spend(OPENING_WORK * part_.triangles.size()) &&
-         !around_.contains(ccaa::widened(needed, ROOM * needed.diagonal().norm())));
+         !around.contains(ccaa::widened(needed, ROOM * needed.diagonal().norm())));
   return may_open;
 }
 

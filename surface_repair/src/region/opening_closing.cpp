@@ -6,6 +6,8 @@
 #include "boundary/extraction.h"
 #include "region/region_closing.h"
 
+#include <utility>
+
 namespace pcl::repair {
 
 ClosedOpening
