@@ -167,6 +167,8 @@ LocalRegrowth::regrow(std::vector<pcl::index_t> points, RunControl* control) con
     points = attempt.open;
     if (attempt.is_better && (!best.is_better || attempt.flaws < best.flaws))
       best = std::move(attempt);
+    else if (best.is_better)
+      break;
     if ((best.is_better && best.flaws == 0) || points.size() > tuning::LARGEST_GROUP ||
         (control != nullptr && control->cancelled()))
       break;

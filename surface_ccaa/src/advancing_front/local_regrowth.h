@@ -29,9 +29,10 @@ struct Flaws {
  * edges, unused points, points where fans touch. So a try can do no harm.
  *
  * Points that belong together (corners of one triangle) are tried together. A try that
- * leaves flaws is repeated with one more ring of triangles, up to three more times;
- * each time smooth continuations go first, and if that does not help the smallest
- * triangles.
+ * leaves flaws is repeated with one more ring of triangles, up to three more times, as
+ * long as nothing is better than what is there or each ring is better than the one
+ * before; each time smooth continuations go first, and if that does not help the
+ * smallest triangles.
  *
  * All groups try at once, on the same state; then those whose places do not overlap
  * replace what was there, in a fixed order, and the others try again, as do those that

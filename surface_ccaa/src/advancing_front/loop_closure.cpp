@@ -32,21 +32,18 @@ LoopClosure::close(FrontIndex edge)
   if (!readLoop(edge))
     return Outcome::UNSUPPORTED;
   const std::size_t last = corners_.size() - 1;
-  if (triangulate(true)) {
+  for (const bool obstructions_count : {false, true}) {
     Triangles patch;
-    listTriangles(0, last, patch);
-    if (!isSupported(patch))
-      return Outcome::UNSUPPORTED;
-    if (isSimple(patch)) {
+    if (triangulate(obstructions_count))
+      listTriangles(0, last, patch);
+    if (patch.empty() || !isSupported(patch))
+      return obstructions_count ? Outcome::OBSTRUCTED : Outcome::UNSUPPORTED;
+    if ((obstructions_count || isFree(0, last)) && isSimple(patch)) {
       apply(0, last);
       return Outcome::CLOSED;
     }
   }
-  if (!triangulate(false))
-    return Outcome::UNSUPPORTED;
-  Triangles patch;
-  listTriangles(0, last, patch);
-  return isSupported(patch) ? Outcome::OBSTRUCTED : Outcome::UNSUPPORTED;
+  return Outcome::OBSTRUCTED;
 }
 
 /** Either every triangle is, or the gap as a whole has little room. */
@@ -137,7 +134,7 @@ LoopClosure::triangulate(bool obstructions_count)
 void
 LoopClosure::fillCell(std::size_t i, std::size_t j)
 {
-  if (!mayHold(i, j))
+  if (obstructions_count_ && !takesDiagonal(i, j))
     return;
   Cell& best = cell(i, j);
   for (std::size_t m = i + 1; m < j; ++m) {
@@ -151,13 +148,23 @@ LoopClosure::fillCell(std::size_t i, std::size_t j)
   }
 }
 
+/** Whether nothing is in the way of what a cell stands for. */
+bool
+LoopClosure::isFree(std::size_t i, std::size_t j)
+{
+  if (j == i + 1)
+    return true;
+  const auto m = static_cast<std::size_t>(cell(i, j).apex);
+  return takesDiagonal(i, j) &&
+         !trial_.crossesSurface({corners_[i], corners_[m], corners_[j]}) &&
+         isFree(i, m) && isFree(m, j);
+}
+
 /** Whether a diagonal is no edge of the surface yet. */
 bool
-LoopClosure::mayHold(std::size_t i, std::size_t j) const
+LoopClosure::takesDiagonal(std::size_t i, std::size_t j) const
 {
-  if (i == 0 && j + 1 == corners_.size())
-    return true;
-  return !obstructions_count_ ||
+  return (i == 0 && j + 1 == corners_.size()) ||
          (corners_[i] != corners_[j] && !surface_.hasEdge(corners_[i], corners_[j]));
 }
 

@@ -18,8 +18,10 @@ namespace pcl::ccaa {
  * Growth judges one triangle at a time and can paint itself into a corner. For a whole
  * loop the best set of triangles is found by dynamic programming over all of them
  * (Barequet and Sharir 1995): least largest fold first, least area second (Liepa 2003).
- * Triangles that the samples do not support, that cross the surface or would overfill
- * an edge take no part. Cost O(n^3) for n edges, so loops are limited. */
+ * Where its triangles cross the surface or would overfill an edge, such take no part in
+ * a second search: most loops have nothing in the way, and to ask for each triangle
+ * that may be of use takes most of the time. Cost O(n^3) for n edges, so loops are
+ * limited. */
 class LoopClosure {
 public:
   LoopClosure(GrowingSurface& surface, TriangleTrial& trial)
@@ -86,7 +88,9 @@ private:
   Weight
   weigh(std::size_t i, std::size_t m, std::size_t j);
   bool
-  mayHold(std::size_t i, std::size_t j) const;
+  isFree(std::size_t i, std::size_t j);
+  bool
+  takesDiagonal(std::size_t i, std::size_t j) const;
   Position
   normalAcross(std::size_t i, std::size_t j);
   void
