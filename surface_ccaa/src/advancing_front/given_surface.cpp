@@ -121,7 +121,7 @@ readGiven(const PartialMesh& mesh,
   surface.doubts = doubtfulTriangles(
       mesh.given, surface.adjacency, surface.islands, mesh.points, context);
   std::vector<pcl::index_t>& doubts = surface.doubts.triangles;
-  if (keep_given || !reopening.triangles.empty()) {
+  if (keep_given || reopening.is_again) {
     doubts = reopening.triangles;
     surface.doubts.folded.clear();
   }
@@ -131,16 +131,20 @@ readGiven(const PartialMesh& mesh,
 }
 
 std::vector<pcl::index_t>
-openVertices(const PartialMesh& mesh, const GivenSurface& given, bool alone)
+openVertices(const PartialMesh& mesh,
+             const GivenSurface& given,
+             const Reopening& reopening)
 {
   std::vector<std::uint8_t> is_open(mesh.points.size(), 0);
   for (std::size_t v = 0; v < is_open.size(); ++v) {
     const Fan fan = given.adjacency.fan(static_cast<pcl::index_t>(v));
-    is_open[v] = alone ? fan == Fan::NONE : fan != Fan::CLOSED;
+    is_open[v] = reopening.alone ? fan == Fan::NONE : fan != Fan::CLOSED;
   }
   for (const pcl::index_t t : given.doubts.triangles)
     for (const pcl::index_t corner : mesh.given[static_cast<std::size_t>(t)])
       is_open[static_cast<std::size_t>(corner)] = 1;
+  for (const pcl::index_t vertex : reopening.handles)
+    is_open[static_cast<std::size_t>(vertex)] = 1;
   std::vector<pcl::index_t> open;
   for (std::size_t v = 0; v < is_open.size(); ++v)
     if (is_open[v] != 0 && !mesh.isCut(static_cast<pcl::index_t>(v)))

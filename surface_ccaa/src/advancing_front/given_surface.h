@@ -51,9 +51,11 @@ struct GivenSurface {
 
 /** \brief What of a completed mesh is to grow anew. */
 struct Reopening {
-  std::vector<pcl::index_t> triangles; /**< that are to go; if any, no others are
-                                            doubtful for their shape */
+  bool is_again = false;               /**< no triangle is doubtful for its shape */
   bool alone = false;                  /**< boundaries elsewhere stay as they are */
+  std::vector<pcl::index_t> triangles; /**< that are to go */
+  std::vector<pcl::index_t> handles;   /**< points, ascending, around which local
+                                            regrowth opens handles, if no triangles go */
 };
 
 /** \brief Read the given triangles of a mesh. Doubtful are, where they need not all be
@@ -67,10 +69,12 @@ readGiven(const PartialMesh& mesh,
           const LoopContext& context);
 
 /** \brief Boundary points, free points, and the corners of doubtful triangles,
- * ascending; none at a cut. \param[in] alone without boundary points that are no such
- * corners */
+ * ascending; none at a cut. \param[in] reopening with boundary points that are no such
+ * corners unless alone, and with those where handles are opened */
 std::vector<pcl::index_t>
-openVertices(const PartialMesh& mesh, const GivenSurface& given, bool alone);
+openVertices(const PartialMesh& mesh,
+             const GivenSurface& given,
+             const Reopening& reopening);
 
 /** \brief All that is known about the outer side. */
 OrientationHints

@@ -7,6 +7,7 @@
 #include "advancing_front/spacing.h"
 #include "advancing_front/surface_growth.h"
 #include "advancing_front/tuning.h"
+#include "mesh/corners.h"
 #include "mesh/sort_unique.h"
 
 #include <algorithm>
@@ -19,8 +20,11 @@
 namespace pcl::ccaa {
 namespace {
 
+/** \param[in] positions first those of the open points */
 Flaws
-findFlaws(const Triangles& triangles, std::size_t open_points)
+findFlaws(const Triangles& triangles,
+          std::size_t open_points,
+          const Positions& positions)
 {
   const auto is_open = [&](pcl::index_t v) {
     return static_cast<std::size_t>(v) < open_points;
@@ -35,13 +39,18 @@ findFlaws(const Triangles& triangles, std::size_t open_points)
     return std::lower_bound(sectors.begin(), sectors.end(), Triangle{from, to, 0});
   };
   Flaws flaws;
+  for (const Triangle& triangle : triangles) {
+    const Corners corners = cornersOf(triangle, positions);
+    flaws.volume += (corners[0] - positions[0]).dot(areaNormal(corners));
+  }
   for (const Triangle& sector : sectors) {
     const auto opposite = first(sector[1], sector[0]);
-    flaws.count += opposite == sectors.end() || (*opposite)[0] != sector[1] ||
-                   (*opposite)[1] != sector[0];
+    if (opposite == sectors.end() || (*opposite)[0] != sector[1] ||
+        (*opposite)[1] != sector[0])
+      flaws.borders.push_back({sector[0], sector[1]});
   }
   flaws.doubled_characteristic = -static_cast<std::ptrdiff_t>(triangles.size()) -
-                                 static_cast<std::ptrdiff_t>(flaws.count);
+                                 static_cast<std::ptrdiff_t>(flaws.borders.size());
   for (pcl::index_t v = 0; is_open(v); ++v) {
     const auto begin = first(v, 0);
     std::vector<pcl::index_t> around(static_cast<std::size_t>(first(v + 1, 0) - begin));
@@ -49,7 +58,8 @@ findFlaws(const Triangles& triangles, std::size_t open_points)
     const std::size_t fans = fansOf(around, v, [&](pcl::index_t t) -> const Triangle& {
                                return begin[t];
                              }).size();
-    flaws.count += fans == 0 ? 3 : fans > 1 ? 10 : 0;
+    flaws.unused += fans == 0;
+    flaws.touching += fans > 1;
     flaws.doubled_characteristic += 2 * static_cast<std::ptrdiff_t>(fans);
   }
   return flaws;
@@ -62,22 +72,64 @@ flawsAfter(const Flaws& before, const Flaws& after)
 {
   const std::ptrdiff_t fall =
       before.doubled_characteristic - after.doubled_characteristic;
-  return after.count +
+  return after.count() +
          5 * static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, fall - 2));
+}
+
+/** Boundary loops all of whose edges are known. */
+std::ptrdiff_t
+loopsAlong(const std::vector<std::array<pcl::index_t, 2>>& borders)
+{
+  std::vector<std::uint8_t> seen(borders.size(), 0);
+  std::ptrdiff_t loops = 0;
+  for (std::size_t i = 0; i < borders.size(); ++i)
+    for (std::size_t j = i; seen[j] == 0;) {
+      seen[j] = 1;
+      const auto next = std::lower_bound(
+          borders.begin(), borders.end(), std::array{borders[j][1], pcl::index_t{0}});
+      if (next == borders.end() || (*next)[0] != borders[j][1])
+        break;
+      j = static_cast<std::size_t>(next - borders.begin());
+      loops += j == i;
+    }
+  return loops;
+}
+
+/** What a try to open handles is measured from, as it may win any number of flaws. */
+constexpr std::size_t UNCHANGED = std::size_t{1} << 20;
+
+/** \return UNCHANGED for what is no better: no opening is closed by a handle, and what
+ * has one less is fuller. A tunnel is filled; what is cut through may be a wire, or a
+ * bridge between bodies, and no sampling tells which. Pieces are not counted, as those
+ * here may be connected elsewhere. */
+std::size_t
+handlesAfter(const Flaws& before, const Flaws& after)
+{
+  const std::ptrdiff_t rise =
+      (after.doubled_characteristic - before.doubled_characteristic) / 2;
+  const std::ptrdiff_t fewer_handles =
+      rise + loopsAlong(after.borders) - loopsAlong(before.borders);
+  const std::ptrdiff_t fewer_flaws = rise + static_cast<std::ptrdiff_t>(before.unused) -
+                                     static_cast<std::ptrdiff_t>(after.unused);
+  if (after.touching > before.touching || fewer_handles < 0 || fewer_flaws <= 0 ||
+      (fewer_handles > 0 && after.volume <= before.volume))
+    return UNCHANGED;
+  return UNCHANGED - static_cast<std::size_t>(fewer_flaws);
 }
 
 } // namespace
 
 bool
-LocalRegrowth::run(const std::vector<pcl::index_t>& obstructed, LoopContext loop)
+LocalRegrowth::run(const std::vector<pcl::index_t>& points, Aim aim, LoopContext loop)
 {
+  aim_ = aim;
   loop.stage = "local regrowth";
   loop.block_size = 1;
   number_in_open_.assign(surface_.vertexCount(), -1);
   for (std::size_t i = 0; i < open_.open_points; ++i)
     number_in_open_[static_cast<std::size_t>(vertices_[i])] =
         static_cast<pcl::index_t>(i);
-  std::vector<Group> waiting = groups(obstructed);
+  std::vector<Group> waiting = groups(points);
   has_many_groups_ =
       waiting.size() >
       std::min(tuning::MANY_GROUPS, surface_.vertexCount() / tuning::POINTS_OF_MANY);
@@ -191,9 +243,9 @@ LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
   if (best.open.size() > tuning::LARGEST_GROUP)
     return best;
   std::vector<pcl::index_t> vertices;
-  const Flaws before =
-      findFlaws(surface_.openAt(best.open, {}, vertices).rim, best.open.size());
-  best.flaws = before.count;
+  const OpenSurface there = surface_.openAt(best.open, {}, vertices);
+  const Flaws before = findFlaws(there.rim, best.open.size(), there.positions);
+  best.flaws = aim_ == Aim::CLOSE ? before.count() : UNCHANGED;
   OpenSurface gap = surface_.openAt(best.open, best.removed, vertices);
   findNeighborsDirectly(gap, parameters_.neighbors);
   completeSpacings(gap);
@@ -228,7 +280,9 @@ LocalRegrowth::growInto(const OpenSurface& gap,
       growth.surface().triangles(), gap.rim.size(), gap.positions, rule_);
   Triangles all = gap.rim;
   all.insert(all.end(), attempt.made.begin(), attempt.made.end());
-  attempt.flaws = flawsAfter(before, findFlaws(all, gap.open_points));
+  const Flaws after = findFlaws(all, gap.open_points, gap.positions);
+  attempt.flaws =
+      aim_ == Aim::CLOSE ? flawsAfter(before, after) : handlesAfter(before, after);
   attempt.made = inTheWhole(std::move(attempt.made), vertices);
   return attempt;
 }

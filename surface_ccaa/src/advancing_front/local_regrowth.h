@@ -10,23 +10,33 @@
 #include "advancing_front/partial_surface.h"
 #include "mesh/block_loop.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace pcl::ccaa {
 
-/** \brief How much is wrong around the open points of a mesh. */
+/** \brief What is wrong around the open points of a mesh. */
 struct Flaws {
-  /** \brief Boundary edges, three for an unused point, ten for one where fans touch. */
-  std::size_t count = 0;
+  std::vector<std::array<pcl::index_t, 2>> borders; /**< boundary edges, ascending */
+  std::size_t unused = 0;                           /**< points without triangles */
+  std::size_t touching = 0;                         /**< points where fans touch */
   /** \brief Twice the Euler characteristic, less what does not depend on the triangles
    * among the open points. */
   std::ptrdiff_t doubled_characteristic = 0;
+  double volume = 0.0; /**< six times that between the triangles and the first point */
+
+  /** \brief Weighed. */
+  std::size_t
+  count() const
+  {
+    return borders.size() + 3 * unused + 10 * touching;
+  }
 };
 
 /** \brief Takes triangles away around obstructed points and lets the surface grow there
- * anew; what comes out replaces what was there only if it has fewer flaws: boundary
- * edges, unused points, points where fans touch. So a try can do no harm.
+ * anew; what comes out replaces what was there only if it is better (Aim): flaws are
+ * boundary edges, unused points, points where fans touch. So a try can do no harm.
  *
  * Points that belong together (corners of one triangle) are tried together. A try that
  * leaves flaws is repeated with one more ring of triangles, up to three more times, as
@@ -40,6 +50,10 @@ struct Flaws {
  * threads. */
 class LocalRegrowth {
 public:
+  /** \brief What is better: fewer flaws, or a higher characteristic, less the points
+   * left unused, with no more handles; what has a handle less must be fuller. */
+  enum class Aim { CLOSE, OPEN_HANDLES };
+
   /** \param[in,out] surface the whole
    * \param[in] open the open surface of the growth before, whose neighbor rows tell
    * which unused points are near
@@ -61,11 +75,11 @@ public:
   {}
 
   /** \brief Try everywhere.
-   * \param[in] obstructed points of the whole
+   * \param[in] points of the whole
    * \param[in] loop how to run; stage "local regrowth"
    * \return false when cancelled */
   bool
-  run(const std::vector<pcl::index_t>& obstructed, LoopContext loop);
+  run(const std::vector<pcl::index_t>& points, Aim aim, LoopContext loop);
 
 private:
   /** What growing anew made of a place. */
@@ -107,6 +121,7 @@ private:
   const NearbyTriangles& nearby_;
   const CompletionParameters& parameters_;
   ComponentRule rule_;
+  Aim aim_ = Aim::CLOSE;
   bool has_many_groups_ = false;
   std::vector<pcl::index_t> number_in_open_; /**< of a vertex of the whole, or -1 */
 };

@@ -12,6 +12,33 @@
 
 namespace pcl::ccaa {
 
+std::size_t
+countOf(const std::vector<std::uint8_t>& flags)
+{
+  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
+
+std::vector<pcl::index_t>
+trianglesAt(const std::vector<std::uint8_t>& flags, const Triangles& triangles)
+{
+  std::vector<pcl::index_t> found;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (std::any_of(triangles[t].begin(), triangles[t].end(), [&](pcl::index_t v) {
+          return flags[static_cast<std::size_t>(v)] != 0;
+        }))
+      found.push_back(static_cast<pcl::index_t>(t));
+  return found;
+}
+
+void
+addRings(int count, const Triangles& triangles, std::vector<std::uint8_t>& flags)
+{
+  for (int ring = 0; ring < count; ++ring)
+    for (const pcl::index_t t : trianglesAt(flags, triangles))
+      for (const pcl::index_t corner : triangles[static_cast<std::size_t>(t)])
+        flags[static_cast<std::size_t>(corner)] = 1;
+}
+
 std::vector<std::uint8_t>
 thinPlaces(const Triangles& triangles,
            const PointView& points,
@@ -33,6 +60,16 @@ thinPlaces(const Triangles& triangles,
         is_thin[from] = is_thin[to] = 1;
     }
   return is_thin;
+}
+
+std::vector<std::uint8_t>
+smallHandles(const CompletedMesh& mesh, std::size_t vertex_count)
+{
+  std::vector<std::uint8_t> is_there(vertex_count, 0);
+  for (const ThinNeck& neck : mesh.thin_necks)
+    if (neck.is_handle)
+      is_there[static_cast<std::size_t>(neck.vertex)] = 1;
+  return is_there;
 }
 
 void

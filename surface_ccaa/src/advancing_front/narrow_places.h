@@ -8,10 +8,23 @@
 #include "mesh/block_loop.h"
 #include "mesh/triangle_adjacency.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pcl::ccaa {
+
+/** \brief How many vertices are flagged. */
+std::size_t
+countOf(const std::vector<std::uint8_t>& flags);
+
+/** \brief The triangles at flagged vertices, ascending. */
+std::vector<pcl::index_t>
+trianglesAt(const std::vector<std::uint8_t>& flags, const Triangles& triangles);
+
+/** \brief Flags all corners of the triangles at flagged vertices, so many times. */
+void
+addRings(int count, const Triangles& triangles, std::vector<std::uint8_t>& flags);
 
 /** \brief Flags for the ends of edges whose ends face away from each other.
  *
@@ -27,6 +40,10 @@ thinPlaces(const Triangles& triangles,
            const PointView& points,
            double least_rise,
            const LoopContext& context);
+
+/** \brief Flags for a vertex of each small handle of a mesh whose necks are told. */
+std::vector<std::uint8_t>
+smallHandles(const CompletedMesh& mesh, std::size_t vertex_count);
 
 /** \brief Tell where a completed mesh is narrow. \param[in] adjacency of its triangles
  * \param[in,out] mesh gets its thin necks \param[in,out] report gets all necks */

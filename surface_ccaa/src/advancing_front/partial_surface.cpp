@@ -121,6 +121,17 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
   return surface;
 }
 
+std::vector<pcl::index_t>
+PartialSurface::verticesAround(std::vector<pcl::index_t> vertices, int edges) const
+{
+  for (int i = 0; i < edges; ++i) {
+    for (const pcl::index_t t : trianglesAt(vertices))
+      vertices.insert(vertices.end(), (*this)[t].begin(), (*this)[t].end());
+    sortUnique(vertices);
+  }
+  return vertices;
+}
+
 bool
 PartialSurface::isBorder(pcl::index_t vertex) const
 {

@@ -80,6 +80,10 @@ public:
   std::vector<pcl::index_t>
   trianglesAt(const std::vector<pcl::index_t>& vertices) const;
 
+  /** \brief Some vertices and all that are so many edges from them, ascending. */
+  std::vector<pcl::index_t>
+  verticesAround(std::vector<pcl::index_t> vertices, int edges) const;
+
   /** \brief Whether an edge at a vertex has one live triangle alone. */
   bool
   isBorder(pcl::index_t vertex) const;

@@ -7,6 +7,7 @@
 #include "advancing_front/narrow_places.h"
 #include "advancing_front/new_islands.h"
 #include "advancing_front/spacing.h"
+#include "advancing_front/tuning.h"
 #include "advancing_front/tunnels.h"
 #include "mesh/block_loop.h"
 #include "mesh/contacts.h"
@@ -120,7 +121,7 @@ Completion::read()
 bool
 Completion::searchOpenPoints()
 {
-  open_ = openVertices(mesh_, given_, reopening_.alone);
+  open_ = openVertices(mesh_, given_, reopening_);
   report_.open_points = open_.size();
   return control_.report("partial mesh", 0.9) &&
          search_(open_, parameters_.neighbors, table_) && !control_.cancelled();
@@ -150,7 +151,8 @@ Completion::openSurface()
                  parameters_.neighbors,
                  search_,
                  &control_);
-  watched_ = gap_.open;
+  watched_ = surface_->verticesAround(reopening_.handles, tuning::RINGS + 1);
+  watched_.insert(watched_.end(), gap_.open.begin(), gap_.open.end());
   for (const pcl::index_t t : std::exchange(given_.doubts.folded, {}))
     watched_.insert(watched_.end(),
                     mesh_.given[static_cast<std::size_t>(t)].begin(),
@@ -171,7 +173,7 @@ Completion::openSurface()
 bool
 Completion::doubtCrossings()
 {
-  if (control_.cancelled() || parameters_.keep_given || !reopening_.triangles.empty())
+  if (control_.cancelled() || parameters_.keep_given || reopening_.is_again)
     return false;
   const std::vector<pcl::index_t> crossing =
       nearby_->crossingAt(watched_, mesh_.points.size(), context_);
@@ -200,7 +202,10 @@ Completion::regrowObstructed()
 {
   LocalRegrowth regrowth(
       *surface_, gap_.surface, gap_.vertices, *nearby_, parameters_, componentRule());
-  regrowth.run(obstructed_, context_);
+  if (reopening_.is_again && reopening_.triangles.empty())
+    regrowth.run(reopening_.handles, LocalRegrowth::Aim::OPEN_HANDLES, context_);
+  else
+    regrowth.run(obstructed_, LocalRegrowth::Aim::CLOSE, context_);
 }
 
 /** \return where the surface is open beside what growth has changed, without cut
@@ -301,7 +306,7 @@ Completion::orient()
   if (result_.topology.pieces > 1)
     report_.doubts.touching_pieces =
         pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads});
-  if (reopening_.triangles.empty()) // what grows anew is a trial
+  if (!reopening_.is_again) // what grows anew is a trial
     findNecks(adjacency_, mesh_.points, {context_.threads}, result_, report_);
 }
 

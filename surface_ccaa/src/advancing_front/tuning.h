@@ -109,7 +109,7 @@ constexpr std::size_t LARGEST_TWICE = 60;
 constexpr float OPPOSITE = -0.3f;
 /** Rings of triangles around a thin place that are grown anew: the next number where
  * that took at least a third of the flaws away, and some are left. With ten first skull
- * keeps 5 handles, with four the right 2. */
+ * keeps 5 handles, with four 2 or 3. */
 constexpr std::array<int, 3> AROUND = {4, 10, 20};
 /** Rings of triangles around a thin place that a handle may pass through to be told
  * there: with none 29 of 42 reconstructions with doubtful handles have such a place,
@@ -121,12 +121,15 @@ constexpr double THIN_ALL_OVER = 0.02;
 /** Work of each such try in that of the completion before: with 1 plates 0.9 spacings
  * thick keep 60 handles, with 1.5 they have 1 to 4; noise always gives in vain. */
 constexpr double MOST_WORK_ANEW = 1.5;
+/** The same of opening handles one by one: with 1.5 half the points of building keep 83
+ * handles, not 51. */
+constexpr double MOST_WORK_OF_HANDLES = 3.0;
 /** Points at thin places from which so many of them are tried first: of 10 nothing can
  * be told. */
 constexpr std::size_t MANY_THIN = 1000, PROBED = 250;
-/** Small handles beyond which none grows anew: with 108 and 509, in noisy scans, that
- * leaves more flaws than before, with 58 fewer. */
-constexpr std::size_t MANY_SMALL = 100;
+/** Handles beyond which not all places are tried together, too, as in noisy scans: of
+ * four that took 1.5 times as long one kept 163, not 183. */
+constexpr long MANY_HANDLES = 10;
 /** Flaws fewer after that from which all are tried: blades and plates have 120 to 250
  * fewer, three noisy scans 80 to 160 more. */
 constexpr std::size_t PROMISING = 25;

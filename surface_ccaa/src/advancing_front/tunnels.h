@@ -5,36 +5,24 @@
 #include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/reconstruction_report.h>
 
+#include "advancing_front/handle_opening.h"
 #include "advancing_front/surface_completion.h"
 #include "mesh/block_loop.h"
 
 #include <cstdint>
-#include <functional>
-#include <vector>
 
 namespace pcl::ccaa {
 
-/** \brief Completes a mesh without some of its given triangles, unless that takes more
- * work than it may. \return nothing of use if it does, or after cancelling */
-using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
-                                                      const Reopening& reopening,
-                                                      std::uint64_t most_work,
-                                                      CompletionReport& report)>;
-
 /** \brief Where a completed mesh has handles, and edges whose ends face away from each
  * other (normals more than 107 degrees apart), as at the tip of a blade, or a handle
- * that lies within four edges (see thinNecks()), grow four rings around these anew,
- * then ten and twenty; bodies thin all over begin with ten.
+ * that lies within four edges (see thinNecks()), grow it anew (openNarrowPlaces()).
  *
  * What comes out is taken if it has fewer flaws, handles and more pieces than one (both
- * counted twice), openings and free points, and no more handles. Boundaries and free
- * points elsewhere grow anew, too. So true handles stay, and where the sampling does
- * not tell the sides apart nothing changes. Of more than a thousand points at such
- * edges 250 are tried first, and of more than a hundred small handles none: in noise
- * that leaves no fewer flaws. Cost: nothing for a result of genus 0; else that of
- * looking for thin places, some 0.3 us a triangle, and where there are any of reading
- * the surface again for each number of rings, some 1 us a triangle, and of what grows
- * around them, at most 1.5 times the work of the completion.
+ * counted twice), openings and free points, and no more handles. So true handles stay,
+ * and where the sampling does not tell the sides apart nothing changes. Cost: nothing
+ * for a result of genus 0; else that of looking for thin places, some 0.3 us a
+ * triangle, and where there are any of reading the surface twice and more, some 1 us a
+ * triangle, and of what grows around them.
  *
  * Handles that are left are in doubt (report.doubts.handles) if the result, or what
  * was given, has thin places or small handles, or if they pass through clefts (see
@@ -44,7 +32,7 @@ using CompletionWithout = std::function<CompletedMesh(PartialMesh mesh,
  * of all that is given, with its report */
 void
 openTunnels(PartialMesh mesh,
-            const CompletionWithout& complete,
+            const CompletionAgain& complete,
             std::uint64_t work,
             const LoopContext& context,
             CompletedMesh& result,

@@ -8,7 +8,7 @@
 
 namespace pcl::ccaa {
 
-std::vector<pcl::index_t>
+std::vector<HandlePlace>
 handlePlaces(const Triangles& triangles,
              const TriangleAdjacency& adjacency,
              const std::vector<std::uint8_t>& is_flagged,
@@ -27,7 +27,7 @@ handlePlaces(const Triangles& triangles,
   });
   graph.connectRest(0);
   DisjointSets nodes(graph.nodeCount());
-  std::vector<pcl::index_t> places;
+  std::vector<HandlePlace> places;
   for (const Part* part : order) {
     bool has_handle = part->genus() > 0;
     for (const std::size_t loop : part->loops) {
@@ -36,9 +36,11 @@ handlePlaces(const Triangles& triangles,
       nodes.join(part->root, rest);
     }
     if (has_handle)
-      places.push_back(part->flagged);
+      places.push_back({part->flagged, part->vertices});
   }
-  std::sort(places.begin(), places.end());
+  std::sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+    return a.flagged < b.flagged;
+  });
   return places;
 }
 

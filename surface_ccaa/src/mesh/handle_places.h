@@ -9,6 +9,12 @@
 
 namespace pcl::ccaa {
 
+/** \brief A part of a surface that handles pass through. */
+struct HandlePlace {
+  pcl::index_t flagged = -1; /**< its lowest flagged vertex */
+  std::vector<pcl::index_t> vertices;
+};
+
 /** \brief Through which of some parts of a surface handles pass.
  *
  * The parts are the triangles at flagged vertices, as far as they are connected. Parts,
@@ -20,9 +26,9 @@ namespace pcl::ccaa {
  *
  * \param[in] adjacency of the triangles, which are a manifold and wound alike
  * \param[in] is_flagged by vertex
- * \return the lowest flagged vertex of each such part, ascending: at most as many as
- * the surface has handles */
-std::vector<pcl::index_t>
+ * \return such parts by their flagged vertices: at most as many as the surface has
+ * handles */
+std::vector<HandlePlace>
 handlePlaces(const Triangles& triangles,
              const TriangleAdjacency& adjacency,
              const std::vector<std::uint8_t>& is_flagged,

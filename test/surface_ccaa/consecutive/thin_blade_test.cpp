@@ -10,6 +10,9 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace pcl::ccaa::test {
 namespace {
@@ -131,6 +134,51 @@ TEST(ThinPlate, HasNoHandlesThatAreNotInDoubt)
     }
   EXPECT_GT(wrong, 0U);
   EXPECT_EQ(wrong, placed);
+}
+
+/** A torus of 125 times five random points. */
+Positions
+wire(std::uint64_t seed)
+{
+  constexpr double THICK = 0.04;
+  RandomSource random(seed);
+  Positions points;
+  for (int i = 0; i < 125; ++i)
+    for (int j = 0; j < 5; ++j) {
+      const double along = 2.0 * M_PI * (i + random.uniform(-0.3, 0.3)) / 125.0;
+      const double around = 2.0 * M_PI * (j + random.uniform(-0.3, 0.3)) / 5.0;
+      const double radius = 1.0 + THICK * std::cos(around);
+      points.emplace_back(
+          radius * std::cos(along), radius * std::sin(along), THICK * std::sin(around));
+    }
+  return points;
+}
+
+/** Each has a place that grows anew as two ends, which has a handle less. */
+TEST(Wire, IsNotCutToLoseItsHandle)
+{
+  for (const std::uint64_t seed : {89, 172, 195}) {
+    Chain chain;
+    EXPECT_EQ(1, reconstructed(wire(seed), chain).genus) << seed;
+    EXPECT_EQ(1U, chain.getReport().doubts.handles) << seed;
+  }
+}
+
+/** Walls that are sampled more coarsely than they are thick. */
+TEST(ThinWalls, OfRealModelsHaveTheirHandlesAndNoOpenings)
+{
+  const std::vector<std::pair<std::string, long>> models = {
+      {"skull/skull.ply", 2}, {"cad_daratech/daratech.ply", 7}};
+  for (const auto& [file, handles] : models) {
+    const std::string path = sharedData(file);
+    SKIP_WITHOUT_DATA(path);
+    Shape model;
+    ASSERT_TRUE(readShape(path, model));
+    Chain chain;
+    const SurfaceTopology topology = reconstructed(model.vertices, chain);
+    EXPECT_EQ(handles, topology.genus) << file;
+    EXPECT_EQ(0U, topology.boundary_loops) << file;
+  }
 }
 
 TEST(Torus, HasAHandleThatIsNotInDoubt)

@@ -29,7 +29,10 @@ placesOf(const Shape& shape, const Flags& flags)
 {
   TriangleAdjacency adjacency;
   adjacency.build(shape.triangles, shape.vertices.size());
-  return handlePlaces(shape.triangles, adjacency, flags);
+  std::vector<pcl::index_t> places;
+  for (const HandlePlace& place : handlePlaces(shape.triangles, adjacency, flags))
+    places.push_back(place.flagged);
+  return places;
 }
 
 double
