@@ -51,18 +51,8 @@ nearMiddle(const std::vector<std::uint8_t>& flags,
  * better. */
 class HandleOpening {
 public:
-  /** \param[in] work that first took */
-  HandleOpening(const PartialMesh& mesh,
-                const CompletionAgain& complete,
-                std::uint64_t work,
-                int threads,
-                const Completed& first)
-  : mesh_(mesh)
-  , complete_(complete)
-  , work_(static_cast<double>(work))
-  , threads_(threads)
-  , first_report_(first.report)
-  , now_(first)
+  HandleOpening(const Recompletion& again, const Completed& first)
+  : again_(again), mesh_(again.mesh), first_report_(first.report), now_(first)
   {
     mesh_.given = first.mesh.triangles;
   }
@@ -98,10 +88,8 @@ private:
   bool
   takeBetter(std::optional<Completed> regrown);
 
+  const Recompletion& again_;
   PartialMesh mesh_; /**< that was given, with the triangles as they are now */
-  const CompletionAgain& complete_;
-  double work_;
-  int threads_;
   CompletionReport first_report_;
   Completed now_;
 };
@@ -111,8 +99,9 @@ std::optional<Completed>
 HandleOpening::regrow(const Reopening& reopening, double most_work) const
 {
   Completed regrown;
-  regrown.mesh = complete_(
-      mesh_, reopening, static_cast<std::uint64_t>(most_work * work_), regrown.report);
+  const auto budget =
+      static_cast<std::uint64_t>(most_work * static_cast<double>(again_.work));
+  regrown.mesh = again_.complete(mesh_, reopening, budget, regrown.report);
   if (regrown.report.cancelled || regrown.mesh.fault != PartialMeshFault::NONE)
     return {};
   return regrown;
@@ -130,11 +119,9 @@ HandleOpening::nearHandles(const std::vector<std::uint8_t>& is_narrow) const
 {
   std::vector<std::uint8_t> is_near = is_narrow;
   addRings(tuning::AROUND_HANDLE, mesh_.given, is_near);
-  TriangleAdjacency adjacency;
-  adjacency.build(mesh_.given, mesh_.points.size(), threads_);
   std::vector<std::uint8_t> is_chosen(is_narrow.size(), 0);
   for (const HandlePlace& place :
-       handlePlaces(mesh_.given, adjacency, is_near, threads_))
+       handlePlaces(mesh_.given, now_.mesh.adjacency, is_near, again_.threads))
     for (const pcl::index_t vertex : place.vertices)
       is_chosen[static_cast<std::size_t>(vertex)] =
           is_narrow[static_cast<std::size_t>(vertex)];
@@ -210,26 +197,23 @@ shareOf(const std::vector<std::uint8_t>& flags)
 } // namespace
 
 Completed
-openNarrowPlaces(const PartialMesh& mesh,
-                 const CompletionAgain& complete,
-                 std::uint64_t work,
-                 int threads,
+openNarrowPlaces(const Recompletion& again,
                  const Completed& first,
                  const std::vector<std::uint8_t>& is_thin,
                  const std::vector<std::uint8_t>& is_narrow)
 {
-  HandleOpening opening(mesh, complete, work, threads, first);
+  HandleOpening opening(again, first);
   if (shareOf(is_thin) >= tuning::THIN_ALL_OVER) {
     opening.growAnew(is_thin, tuning::AROUND.begin() + 1);
     opening.openOneByOne(is_narrow);
     return opening.now();
   }
-  HandleOpening together = opening;
   opening.openOneByOne(is_narrow);
   const bool is_apart = opening.now().mesh.topology.pieces > first.mesh.topology.pieces;
   if (opening.now().genus() > tuning::MANY_HANDLES ||
       (!is_apart && countOf(opening.nearHandles(is_narrow)) == 0))
     return opening.now();
+  HandleOpening together(again, first);
   const auto small_handles = smallHandles(first.mesh, is_narrow.size());
   together.growAnew(together.nearHandles(is_narrow), tuning::AROUND.begin());
   together.growAnew(together.nearHandles(small_handles), tuning::AROUND.begin());

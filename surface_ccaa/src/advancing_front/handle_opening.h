@@ -21,6 +21,14 @@ using CompletionAgain = std::function<CompletedMesh(PartialMesh mesh,
                                                     std::uint64_t most_work,
                                                     CompletionReport& report)>;
 
+/** \brief How to complete a mesh once more. Refers to what must outlive it. */
+struct Recompletion {
+  const PartialMesh& mesh; /**< its given triangles left aside */
+  const CompletionAgain& complete;
+  std::uint64_t work; /**< that it took first */
+  int threads;
+};
+
 /** \brief A completed mesh with its report. */
 struct Completed {
   CompletedMesh mesh;
@@ -54,17 +62,13 @@ struct Completed {
  * within four rings of such places together, then within ten and twenty as long as that
  * helps much. Bodies that are thin all over begin with ten, and have no other way.
  *
- * \param[in] mesh that first was completed from, its given triangles left aside
- * \param[in] work that first took; one by one takes at most three times as much, each
+ * \param[in] again one by one takes at most three times as much work as first, each
  * number of rings 1.5 times
  * \param[in] is_thin flags for thin places (thinPlaces())
  * \param[in] is_narrow flags for these and for small handles \return first, if nothing
  * is better */
 Completed
-openNarrowPlaces(const PartialMesh& mesh,
-                 const CompletionAgain& complete,
-                 std::uint64_t work,
-                 int threads,
+openNarrowPlaces(const Recompletion& again,
                  const Completed& first,
                  const std::vector<std::uint8_t>& is_thin,
                  const std::vector<std::uint8_t>& is_narrow);

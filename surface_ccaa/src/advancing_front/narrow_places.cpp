@@ -4,6 +4,7 @@
 
 #include "advancing_front/tuning.h"
 #include "mesh/clefts.h"
+#include "mesh/contacts.h"
 #include "mesh/handle_places.h"
 #include "mesh/vertex_normals.h"
 
@@ -73,23 +74,21 @@ smallHandles(const CompletedMesh& mesh, std::size_t vertex_count)
 }
 
 void
-findNecks(const TriangleAdjacency& adjacency,
-          const PointView& points,
-          const LoopContext& context,
+findNecks(const PointView& points,
+          int threads,
           CompletedMesh& mesh,
           CompletionReport& report)
 {
-  mesh.thin_necks = thinNecks(mesh.triangles, adjacency, points, context);
-  mesh.is_cleft = cleftVertices(mesh.triangles, adjacency, points, context);
+  const TriangleAdjacency& adjacency = mesh.adjacency;
+  mesh.is_cleft = cleftVertices(mesh.triangles, adjacency, points, {threads});
   mesh.has_cleft_handle =
       mesh.topology.genus.value_or(0) > 0 &&
-      !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft, context.threads).empty();
-  report.doubts.thin_necks = neckVertices(mesh.thin_necks,
-                                          mesh.is_cleft,
-                                          mesh.triangles,
-                                          adjacency,
-                                          points,
-                                          context.threads);
+      !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft, threads).empty();
+  report.doubts.thin_necks = neckVertices(
+      mesh.thin_necks, mesh.is_cleft, mesh.triangles, adjacency, points, threads);
+  if (mesh.topology.pieces > 1)
+    report.doubts.touching_pieces =
+        pieceContacts(mesh.triangles, adjacency, points, {threads});
 }
 
 } // namespace pcl::ccaa

@@ -45,12 +45,12 @@ thinPlaces(const Triangles& triangles,
 std::vector<std::uint8_t>
 smallHandles(const CompletedMesh& mesh, std::size_t vertex_count);
 
-/** \brief Tell where a completed mesh is narrow. \param[in] adjacency of its triangles
- * \param[in,out] mesh gets its thin necks \param[in,out] report gets all necks */
+/** \brief Tell where a completed mesh is narrow or next to itself. \param[in,out] mesh
+ * whose thin necks are told gets its clefts \param[in,out] report gets all necks and
+ * pieces that touch */
 void
-findNecks(const TriangleAdjacency& adjacency,
-          const PointView& points,
-          const LoopContext& context,
+findNecks(const PointView& points,
+          int threads,
           CompletedMesh& mesh,
           CompletionReport& report);
 

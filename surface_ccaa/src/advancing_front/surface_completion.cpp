@@ -4,13 +4,11 @@
 
 #include "advancing_front/fan_settlement.h"
 #include "advancing_front/local_regrowth.h"
-#include "advancing_front/narrow_places.h"
 #include "advancing_front/new_islands.h"
 #include "advancing_front/spacing.h"
 #include "advancing_front/tuning.h"
 #include "advancing_front/tunnels.h"
 #include "mesh/block_loop.h"
-#include "mesh/contacts.h"
 #include "mesh/orientation.h"
 #include "mesh/sort_unique.h"
 
@@ -303,11 +301,7 @@ Completion::orient()
     return;
   result_.topology = topologyOf(
       result_.triangles, adjacency_, sides.components.size(), {context_.threads});
-  if (result_.topology.pieces > 1)
-    report_.doubts.touching_pieces =
-        pieceContacts(result_.triangles, adjacency_, mesh_.points, {context_.threads});
-  if (!reopening_.is_again) // what grows anew is a trial
-    findNecks(adjacency_, mesh_.points, {context_.threads}, result_, report_);
+  result_.adjacency = std::move(adjacency_);
 }
 
 } // namespace
@@ -341,6 +335,7 @@ completeSurface(PartialMesh mesh,
                 {threads, &control, "partial mesh"},
                 result,
                 report);
+  result.adjacency = {}; // nobody needs its memory any more
   report.cancelled = control.cancelled();
   if (report.cancelled)
     return {};

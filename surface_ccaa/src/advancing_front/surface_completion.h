@@ -22,8 +22,12 @@ struct CompletedMesh {
   PartialMeshFault fault = PartialMeshFault::NONE; /**< if any, nothing else is set */
   Triangles triangles; /**< the given ones that stay, in order, then the new ones */
   std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
-  SurfaceTopology topology; /**< of the triangles, unless all given ones are kept */
-  /** \name Where it is narrow, unless something was taken away first (findNecks()). */
+  /** \name Unless all given ones are kept. */
+  /** \{ */
+  SurfaceTopology topology;
+  TriangleAdjacency adjacency; /**< of the triangles, as long as they are worked on */
+  /** \} */
+  /** \name Where it is narrow (openTunnels()). */
   /** \{ */
   std::vector<ThinNeck> thin_necks;
   std::vector<std::uint8_t> is_cleft; /**< of a vertex */

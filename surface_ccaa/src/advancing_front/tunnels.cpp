@@ -8,27 +8,11 @@
 #include "mesh/handle_places.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 namespace pcl::ccaa {
 namespace {
-
-/** The adjacency of a completed mesh, and with it where it is narrow. */
-TriangleAdjacency
-readNecks(const PointView& points,
-          int threads,
-          CompletedMesh& mesh,
-          CompletionReport& report)
-{
-  TriangleAdjacency adjacency;
-  adjacency.build(mesh.triangles, points.size(), threads);
-  findNecks(adjacency, points, {threads}, mesh, report);
-  return adjacency;
-}
 
 /** Flags for what is narrow or next to itself, where a handle may be none. */
 std::vector<std::uint8_t>
@@ -44,6 +28,57 @@ doubtfulVertices(const CompletedMesh& mesh, std::vector<std::uint8_t> is_thin)
   return is_thin;
 }
 
+/** Grows what is narrow anew, and tells thin necks. \param[in,out] is_thin flags for
+ * thin places \param[in] has_thin whether these are of the result */
+void
+openNarrow(const Recompletion& again,
+           bool has_thin,
+           std::vector<std::uint8_t>& is_thin,
+           CompletedMesh& result,
+           CompletionReport& report)
+{
+  const std::vector<std::uint8_t> known =
+      has_thin ? is_thin : std::vector<std::uint8_t>(is_thin.size(), 0);
+  std::vector<std::uint8_t> is_narrow = smallHandles(result, is_thin.size());
+  for (std::size_t v = 0; v < is_narrow.size(); ++v)
+    is_narrow[v] |= known[v];
+  if (countOf(is_narrow) == 0)
+    return;
+  const Completed first{std::move(result), report};
+  Completed opened = openNarrowPlaces(again, first, known, is_narrow);
+  result = std::move(opened.mesh);
+  report = opened.report;
+  if (opened.flaws() == first.flaws())
+    return;
+  is_thin = thinPlaces(result.triangles, again.mesh.points, 0.0, {again.threads});
+  result.thin_necks =
+      thinNecks(result.triangles, result.adjacency, again.mesh.points, {again.threads});
+}
+
+/** Tells handles that may be none. */
+void
+doubtHandles(bool had_thin,
+             std::vector<std::uint8_t> is_thin,
+             int threads,
+             const CompletedMesh& mesh,
+             TopologyDoubts& doubts)
+{
+  const long handles = mesh.topology.genus.value_or(0);
+  const bool is_doubtful =
+      had_thin || mesh.has_cleft_handle || countOf(is_thin) > 0 ||
+      std::any_of(mesh.thin_necks.begin(),
+                  mesh.thin_necks.end(),
+                  [](const ThinNeck& neck) { return neck.is_handle; });
+  if (handles <= 0 || !is_doubtful)
+    return;
+  is_thin = doubtfulVertices(mesh, std::move(is_thin));
+  for (const HandlePlace& place :
+       handlePlaces(mesh.triangles, mesh.adjacency, is_thin, threads))
+    doubts.thin_handles.push_back(place.flagged);
+  if (had_thin || !doubts.thin_handles.empty()) // else where it was given
+    doubts.handles = static_cast<std::uint64_t>(handles);
+}
+
 } // namespace
 
 void
@@ -54,49 +89,23 @@ openTunnels(PartialMesh mesh,
             CompletedMesh& result,
             CompletionReport& report)
 {
-  if (context.cancelled() || result.topology.genus.value_or(0) <= 0)
+  if (context.cancelled())
     return;
   const PointView points = mesh.points;
-  auto is_thin = thinPlaces(result.triangles, points, 0.0, context);
-  const bool has_thin = countOf(is_thin) > 0;
-  if (!has_thin)
-    is_thin = thinPlaces(mesh.given, points, tuning::LARGEST_RISE, context);
-  mesh.given = {}; // the result takes its place
-  const std::vector<std::uint8_t> known =
-      has_thin ? is_thin : std::vector<std::uint8_t>(is_thin.size(), 0);
-  std::vector<std::uint8_t> is_narrow = smallHandles(result, points.size());
-  for (std::size_t v = 0; v < is_narrow.size(); ++v)
-    is_narrow[v] |= known[v];
-  std::optional<TriangleAdjacency> adjacency;
-  if (countOf(is_narrow) > 0) {
-    const Completed first{std::move(result), report};
-    Completed opened = openNarrowPlaces(
-        mesh, complete, work, context.threads, first, known, is_narrow);
-    result = std::move(opened.mesh);
-    report = opened.report;
-    if (opened.flaws() < first.flaws()) {
-      adjacency = readNecks(points, context.threads, result, report);
-      is_thin = thinPlaces(result.triangles, points, 0.0, context);
-    }
+  const int threads = context.threads;
+  result.thin_necks = thinNecks(result.triangles, result.adjacency, points, {threads});
+  std::vector<std::uint8_t> is_thin;
+  bool has_thin = false;
+  if (result.topology.genus.value_or(0) > 0) {
+    is_thin = thinPlaces(result.triangles, points, 0.0, context);
+    has_thin = countOf(is_thin) > 0;
+    if (!has_thin)
+      is_thin = thinPlaces(mesh.given, points, tuning::LARGEST_RISE, context);
+    mesh.given = {}; // the result takes its place
+    openNarrow({mesh, complete, work, threads}, has_thin, is_thin, result, report);
   }
-  const long handles = result.topology.genus.value_or(0);
-  const bool is_doubtful =
-      has_thin || result.has_cleft_handle || countOf(is_thin) > 0 ||
-      std::any_of(result.thin_necks.begin(),
-                  result.thin_necks.end(),
-                  [](const ThinNeck& neck) { return neck.is_handle; });
-  if (handles <= 0 || !is_doubtful)
-    return;
-  if (!adjacency)
-    adjacency.emplace().build(result.triangles, points.size(), context.threads);
-  is_thin = doubtfulVertices(result, std::move(is_thin));
-  report.doubts.handles = static_cast<std::uint64_t>(handles);
-  report.doubts.thin_handles.clear();
-  for (const HandlePlace& place :
-       handlePlaces(result.triangles, *adjacency, is_thin, context.threads))
-    report.doubts.thin_handles.push_back(place.flagged);
-  if (!has_thin && report.doubts.thin_handles.empty())
-    report.doubts.handles = 0; // the given triangles had such places elsewhere
+  findNecks(points, threads, result, report);
+  doubtHandles(has_thin, std::move(is_thin), threads, result, report.doubts);
 }
 
 } // namespace pcl::ccaa

@@ -24,6 +24,8 @@ namespace pcl::ccaa {
  * triangle, and where there are any of reading the surface twice and more, some 1 us a
  * triangle, and of what grows around them.
  *
+ * Then tell thin necks, clefts and pieces that touch (findNecks()).
+ *
  * Handles that are left are in doubt (report.doubts.handles) if the result, or what
  * was given, has thin places or small handles, or if they pass through clefts (see
  * cleftVertices()): no sampling tells there whether the two sides are connected. Those
