@@ -57,7 +57,8 @@ public:
     mesh_.given = first.mesh.triangles;
   }
 
-  /** Each handle by what is around it. Boundaries that are left grow once more. */
+  /** Each handle by what is around it. Boundaries that are left grow once more, but not
+   * in noise. */
   void
   openOneByOne(const std::vector<std::uint8_t>& is_narrow);
 
@@ -138,7 +139,7 @@ HandleOpening::openOneByOne(const std::vector<std::uint8_t>& is_narrow)
       reopening.handles.push_back(static_cast<pcl::index_t>(v));
   if (!reopening.handles.empty() &&
       takeBetter(regrow(reopening, tuning::MOST_WORK_OF_HANDLES)) &&
-      now_.mesh.topology.boundary_loops > 0)
+      now_.mesh.topology.boundary_loops > 0 && now_.genus() <= tuning::MANY_HANDLES)
     takeBetter(regrow({true, false, {}, {}}, tuning::MOST_WORK_ANEW));
 }
 
