@@ -135,7 +135,7 @@ HandleOpening::openOneByOne(const std::vector<std::uint8_t>& is_narrow)
   const std::vector<std::uint8_t> is_chosen = nearHandles(is_narrow);
   Reopening reopening{true, true, {}, {}};
   for (std::size_t v = 0; v < is_chosen.size(); ++v)
-    if (is_chosen[v] != 0)
+    if (is_chosen[v] != 0 && !mesh_.isCut(static_cast<pcl::index_t>(v)))
       reopening.handles.push_back(static_cast<pcl::index_t>(v));
   if (!reopening.handles.empty() &&
       takeBetter(regrow(reopening, tuning::MOST_WORK_OF_HANDLES)) &&

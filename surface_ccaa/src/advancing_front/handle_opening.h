@@ -56,11 +56,12 @@ struct Completed {
  * it has fewer flaws and no more handles.
  *
  * One by one: around each place that a handle passes through local regrowth looks for
- * what has fewer flaws there (LocalRegrowth::Aim::OPEN_HANDLES), and boundaries that
- * are left grow once more. If handles pass through narrow places then, or the body has
- * come apart, the other way is tried, too, and what has fewer handles is taken: all
- * within four rings of such places together, then within ten and twenty as long as that
- * helps much. Bodies that are thin all over begin with ten, and have no other way.
+ * what has fewer flaws there (LocalRegrowth::Aim::OPEN_HANDLES); none at a cut. If few
+ * handles are left, as not in noise, boundaries grow once more, and if some of these
+ * pass through narrow places, or the body has come apart, the other way is tried, too,
+ * and what has fewer handles is taken: all within four rings of such places together,
+ * then within ten and twenty as long as that helps much. Bodies that are thin all over
+ * begin with ten, and have no other way.
  *
  * \param[in] again one by one takes at most three times as much work as first, each
  * number of rings 1.5 times
