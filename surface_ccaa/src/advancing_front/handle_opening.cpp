@@ -52,10 +52,8 @@ nearMiddle(const std::vector<std::uint8_t>& flags,
 class HandleOpening {
 public:
   HandleOpening(const Recompletion& again, const Completed& first)
-  : again_(again), mesh_(again.mesh), first_report_(first.report), now_(first)
-  {
-    mesh_.given = first.mesh.triangles;
-  }
+  : again_(again), first_report_(first.report), now_(first)
+  {}
 
   /** Each handle by what is around it. Boundaries that are left grow once more, but not
    * in noise. */
@@ -90,7 +88,6 @@ private:
   takeBetter(std::optional<Completed> regrown);
 
   const Recompletion& again_;
-  PartialMesh mesh_; /**< that was given, with the triangles as they are now */
   CompletionReport first_report_;
   Completed now_;
 };
@@ -100,9 +97,11 @@ std::optional<Completed>
 HandleOpening::regrow(const Reopening& reopening, double most_work) const
 {
   Completed regrown;
+  PartialMesh mesh = again_.mesh;
+  mesh.given = now_.mesh.triangles;
   const auto budget =
       static_cast<std::uint64_t>(most_work * static_cast<double>(again_.work));
-  regrown.mesh = again_.complete(mesh_, reopening, budget, regrown.report);
+  regrown.mesh = again_.complete(std::move(mesh), reopening, budget, regrown.report);
   if (regrown.report.cancelled || regrown.mesh.fault != PartialMeshFault::NONE)
     return {};
   return regrown;
@@ -111,7 +110,7 @@ HandleOpening::regrow(const Reopening& reopening, double most_work) const
 std::optional<Completed>
 HandleOpening::regrowAt(const std::vector<std::uint8_t>& is_chosen, bool alone) const
 {
-  return regrow({true, alone, trianglesAt(is_chosen, mesh_.given), {}},
+  return regrow({true, alone, trianglesAt(is_chosen, now_.mesh.triangles), {}},
                 tuning::MOST_WORK_ANEW);
 }
 
@@ -119,10 +118,10 @@ std::vector<std::uint8_t>
 HandleOpening::nearHandles(const std::vector<std::uint8_t>& is_narrow) const
 {
   std::vector<std::uint8_t> is_near = is_narrow;
-  addRings(tuning::AROUND_HANDLE, mesh_.given, is_near);
+  addRings(tuning::AROUND_HANDLE, now_.mesh.triangles, is_near);
   std::vector<std::uint8_t> is_chosen(is_narrow.size(), 0);
   for (const HandlePlace& place :
-       handlePlaces(mesh_.given, now_.mesh.adjacency, is_near, again_.threads))
+       handlePlaces(now_.mesh.triangles, now_.mesh.adjacency, is_near, again_.threads))
     for (const pcl::index_t vertex : place.vertices)
       is_chosen[static_cast<std::size_t>(vertex)] =
           is_narrow[static_cast<std::size_t>(vertex)];
@@ -135,7 +134,7 @@ HandleOpening::openOneByOne(const std::vector<std::uint8_t>& is_narrow)
   const std::vector<std::uint8_t> is_chosen = nearHandles(is_narrow);
   Reopening reopening{true, true, {}, {}};
   for (std::size_t v = 0; v < is_chosen.size(); ++v)
-    if (is_chosen[v] != 0 && !mesh_.isCut(static_cast<pcl::index_t>(v)))
+    if (is_chosen[v] != 0 && !again_.mesh.isCut(static_cast<pcl::index_t>(v)))
       reopening.handles.push_back(static_cast<pcl::index_t>(v));
   if (!reopening.handles.empty() &&
       takeBetter(regrow(reopening, tuning::MOST_WORK_OF_HANDLES)) &&
@@ -148,8 +147,8 @@ HandleOpening::openOneByOne(const std::vector<std::uint8_t>& is_narrow)
 bool
 HandleOpening::isNoise(const std::vector<std::uint8_t>& is_thin, int rings) const
 {
-  auto is_chosen = nearMiddle(is_thin, tuning::PROBED, mesh_.points);
-  addRings(rings - 1, mesh_.given, is_chosen);
+  auto is_chosen = nearMiddle(is_thin, tuning::PROBED, again_.mesh.points);
+  addRings(rings - 1, now_.mesh.triangles, is_chosen);
   const std::optional<Completed> part = regrowAt(is_chosen, true);
   return part && part->flaws() + tuning::PROMISING > now_.flaws();
 }
@@ -161,7 +160,7 @@ HandleOpening::growAnew(std::vector<std::uint8_t> is_thin, const int* rings)
   if (count == 0 || (count > tuning::MANY_THIN && isNoise(is_thin, *rings)))
     return;
   for (int added = 1; rings != tuning::AROUND.end(); ++rings) {
-    addRings(*rings - std::exchange(added, *rings), mesh_.given, is_thin);
+    addRings(*rings - std::exchange(added, *rings), now_.mesh.triangles, is_thin);
     const std::size_t flaws = now_.flaws();
     if (!takeBetter(regrowAt(is_thin, false)) || 3 * now_.flaws() > 2 * flaws)
       return;
@@ -181,7 +180,6 @@ HandleOpening::takeBetter(std::optional<Completed> regrown)
       kept.push_back(now_.mesh.kept[static_cast<std::size_t>(t)]);
   now_ = std::move(*regrown);
   now_.mesh.kept = std::move(kept);
-  mesh_.given = now_.mesh.triangles;
   now_.report.given_triangles = first_report_.given_triangles;
   now_.report.open_points = first_report_.open_points;
   now_.report.kept_triangles = now_.mesh.kept.size();

@@ -76,6 +76,16 @@ flawsAfter(const Flaws& before, const Flaws& after)
          5 * static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, fall - 2));
 }
 
+/** A triangle by the places of its corners among some vertices, ascending. */
+Triangle
+inOrder(Triangle triangle, const std::vector<pcl::index_t>& vertices)
+{
+  for (pcl::index_t& corner : triangle)
+    corner = static_cast<pcl::index_t>(
+        std::lower_bound(vertices.begin(), vertices.end(), corner) - vertices.begin());
+  return triangle;
+}
+
 /** Boundary loops all of whose edges are known. */
 std::ptrdiff_t
 loopsAlong(const std::vector<std::array<pcl::index_t, 2>>& borders)
@@ -243,10 +253,12 @@ LocalRegrowth::growAnew(const std::vector<pcl::index_t>& points,
   if (best.open.size() > tuning::LARGEST_GROUP)
     return best;
   std::vector<pcl::index_t> vertices;
-  const OpenSurface there = surface_.openAt(best.open, {}, vertices);
-  const Flaws before = findFlaws(there.rim, best.open.size(), there.positions);
-  best.flaws = aim_ == Aim::CLOSE ? before.count() : UNCHANGED;
   OpenSurface gap = surface_.openAt(best.open, best.removed, vertices);
+  Triangles there = gap.rim;
+  for (const pcl::index_t t : best.removed) // all of its corners are open
+    there.push_back(inOrder(surface_[t], best.open));
+  const Flaws before = findFlaws(there, gap.open_points, gap.positions);
+  best.flaws = aim_ == Aim::CLOSE ? before.count() : UNCHANGED;
   findNeighborsDirectly(gap, parameters_.neighbors);
   completeSpacings(gap);
   for (const double smooth_fold : {parameters_.smooth_fold, M_PI}) {
