@@ -56,8 +56,9 @@ tellDoubts(const DoubtCounts& doubts, const std::string& at_most)
            "nobody scanned" +
            whereOne(doubts.handle_at);
   if (doubts.touching_pieces > 0)
-    return "closed pieces come as near to others as points lie apart, at " + at_most +
-           plural(doubts.touching_pieces, "place") +
+    return "closed pieces, or ends of one, come as near to others as points lie "
+           "apart, at " +
+           at_most + plural(doubts.touching_pieces, "place") +
            ": they may be one body, of which a thin neck was cut" +
            whereOne(doubts.touching_at);
   if (doubts.thin_necks > 0)

@@ -5,6 +5,7 @@
 #include "advancing_front/tuning.h"
 #include "mesh/clefts.h"
 #include "mesh/contacts.h"
+#include "mesh/facing_ends.h"
 #include "mesh/handle_places.h"
 #include "mesh/vertex_normals.h"
 
@@ -86,9 +87,12 @@ findNecks(const PointView& points,
       !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft, threads).empty();
   report.doubts.thin_necks = neckVertices(
       mesh.thin_necks, mesh.is_cleft, mesh.triangles, adjacency, points, threads);
+  std::vector<Contact>& contacts = report.doubts.touching_pieces;
+  contacts = facingEnds(mesh.triangles, adjacency, points, {threads});
   if (mesh.topology.pieces > 1)
-    report.doubts.touching_pieces =
-        pieceContacts(mesh.triangles, adjacency, points, {threads});
+    for (const Contact& contact :
+         pieceContacts(mesh.triangles, adjacency, points, {threads}))
+      contacts.push_back(contact);
 }
 
 } // namespace pcl::ccaa

