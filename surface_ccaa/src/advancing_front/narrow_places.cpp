@@ -7,6 +7,7 @@
 #include "mesh/contacts.h"
 #include "mesh/facing_ends.h"
 #include "mesh/handle_places.h"
+#include "mesh/sharp_edges.h"
 #include "mesh/vertex_normals.h"
 
 #include <algorithm>
@@ -81,14 +82,16 @@ findNecks(const PointView& points,
           CompletionReport& report)
 {
   const TriangleAdjacency& adjacency = mesh.adjacency;
-  mesh.is_cleft = cleftVertices(mesh.triangles, adjacency, points, {threads});
+  const SharpEdges edges = findSharpEdges(mesh.triangles, adjacency, points, {threads});
+  mesh.is_cleft =
+      cleftVertices(edges.concave, mesh.triangles, adjacency, points, {threads});
   mesh.has_cleft_handle =
       mesh.topology.genus.value_or(0) > 0 &&
       !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft, threads).empty();
   report.doubts.thin_necks = neckVertices(
       mesh.thin_necks, mesh.is_cleft, mesh.triangles, adjacency, points, threads);
   std::vector<Contact>& contacts = report.doubts.touching_pieces;
-  contacts = facingEnds(mesh.triangles, adjacency, points, {threads});
+  contacts = facingEnds(edges.convex, mesh.triangles, adjacency, points);
   if (mesh.topology.pieces > 1)
     for (const Contact& contact :
          pieceContacts(mesh.triangles, adjacency, points, {threads}))

@@ -14,8 +14,6 @@ namespace {
 
 using Edge = TriangleAdjacency::Edge;
 
-/** Cosine between the normals at a concave edge beside which a cleft is looked for. */
-constexpr double BOTTOM = 0.5;
 /** Cosine between the normals of two sides that face each other. */
 constexpr double FACING = -0.5;
 /** Rings of triangles around such an edge that may face each other: of 14 pairs of
@@ -47,23 +45,6 @@ public:
   : triangles_(triangles), adjacency_(adjacency), points_(points)
   {}
 
-  /** Sharp concave edges of a range of triangles, each once. */
-  void
-  findBottoms(std::size_t begin, std::size_t end, std::vector<Edge>& bottoms) const
-  {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto t = static_cast<pcl::index_t>(i);
-      const Position normal = normalOf(t);
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const pcl::index_t across = adjacency_.across(t, static_cast<int>(corner));
-        const Edge edge{triangles_[i][corner], triangles_[i][(corner + 1) % 3]};
-        if (across > t && isConcave(normal, across, edge) &&
-            isSharp(normal, normalOf(across)))
-          bottoms.push_back(edge);
-      }
-    }
-  }
-
   /** The corners of all triangles around an edge that face each other there. */
   void
   addCleft(const Edge& edge, std::unordered_set<pcl::index_t>& cleft) const
@@ -71,8 +52,10 @@ public:
     const std::vector<pcl::index_t> around = trianglesAround(edge);
     std::vector<Wall> walls;
     for (const pcl::index_t t : around) {
-      const auto [a, b, c] = cornersAt(t);
-      walls.push_back({(a + b + c) / 3.0, normalOf(t).normalized()});
+      const Corners corners =
+          cornersOf(triangles_[static_cast<std::size_t>(t)], points_);
+      walls.push_back(
+          {(corners[0] + corners[1] + corners[2]) / 3.0, unitNormal(corners)});
     }
     for (std::size_t i = 0; i < walls.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -84,37 +67,6 @@ public:
   }
 
 private:
-  Corners
-  cornersAt(pcl::index_t t) const
-  {
-    return cornersOf(triangles_[static_cast<std::size_t>(t)], points_);
-  }
-
-  /** As long as twice the area. */
-  Position
-  normalOf(pcl::index_t t) const
-  {
-    return areaNormal(cornersAt(t));
-  }
-
-  /** Whether the corner of a triangle that is not on an edge lies above another one. */
-  bool
-  isConcave(const Position& normal, pcl::index_t across, const Edge& edge) const
-  {
-    const Triangle& triangle = triangles_[static_cast<std::size_t>(across)];
-    const pcl::index_t apex =
-        triangle[0] + triangle[1] + triangle[2] - edge[0] - edge[1];
-    return (points_[apex] - points_[edge[0]]).dot(normal) > 0.0;
-  }
-
-  static bool
-  isSharp(const Position& one, const Position& other)
-  {
-    const double product = one.dot(other);
-    return product <= 0.0 || product * product < BOTTOM * BOTTOM * one.squaredNorm() *
-                                                     other.squaredNorm();
-  }
-
   std::vector<pcl::index_t>
   trianglesAround(const Edge& edge) const
   {
@@ -141,19 +93,13 @@ private:
 } // namespace
 
 std::vector<std::uint8_t>
-cleftVertices(const Triangles& triangles,
+cleftVertices(const std::vector<Edge>& bottoms,
+              const Triangles& triangles,
               const TriangleAdjacency& adjacency,
               const PointView& points,
               const LoopContext& context)
 {
   const CleftFinder finder(triangles, adjacency, points);
-  std::vector<std::vector<Edge>> found(context.blockCount(triangles.size()));
-  forEachBlock(triangles.size(),
-               context,
-               [&](std::size_t block, std::size_t begin, std::size_t end) {
-                 finder.findBottoms(begin, end, found[block]);
-               });
-  const std::vector<Edge> bottoms = joinBlocks(found);
   LoopContext in_turn = context;
   in_turn.block_size = EDGES_IN_TURN;
   std::vector<std::unordered_set<pcl::index_t>> clefts(

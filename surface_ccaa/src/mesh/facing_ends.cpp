@@ -3,6 +3,7 @@
 #include "mesh/facing_ends.h"
 
 #include "mesh/near_pairs.h"
+#include "mesh/sort_unique.h"
 #include "mesh/surroundings.h"
 
 #include <algorithm>
@@ -101,21 +102,20 @@ private:
 } // namespace
 
 std::vector<Contact>
-facingEnds(const Triangles& triangles,
+facingEnds(const std::vector<TriangleAdjacency::Edge>& ridges,
+           const Triangles& triangles,
            const TriangleAdjacency& adjacency,
-           const PointView& points,
-           const LoopContext& context)
+           const PointView& points)
 {
   const Tips surface(triangles, adjacency, points);
-  std::vector<std::vector<pcl::index_t>> found(
-      context.blockCount(adjacency.vertexCount()));
-  forEachBlock(adjacency.vertexCount(),
-               context,
-               [&](std::size_t block, std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i)
-                   if (surface.isTip(static_cast<pcl::index_t>(i)))
-                     found[block].push_back(static_cast<pcl::index_t>(i));
-               });
+  std::vector<pcl::index_t> tips;
+  for (const auto& ridge : ridges)
+    tips.insert(tips.end(), ridge.begin(), ridge.end());
+  sortUnique(tips);
+  tips.erase(std::remove_if(tips.begin(),
+                            tips.end(),
+                            [&](auto vertex) { return !surface.isTip(vertex); }),
+             tips.end());
   std::map<pcl::index_t, std::optional<End>> ends;
   const auto endAt = [&](pcl::index_t vertex) -> const std::optional<End>& {
     const auto [place, is_new] = ends.try_emplace(vertex);
@@ -134,7 +134,7 @@ facingEnds(const Triangles& triangles,
       told.insert(endAt(vertex)->vertices.begin(), endAt(vertex)->vertices.end());
   };
   forNearPairs(
-      joinBlocks(found), points, [&](auto v) { return surface.reachOf(v); }, visit);
+      tips, points, [&](auto vertex) { return surface.reachOf(vertex); }, visit);
   return contacts;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/clefts.h"
+#include "mesh/sharp_edges.h"
 #include "support/completion_shapes.h"
 #include "support/shapes.h"
 
@@ -33,10 +34,11 @@ funnels(double height, double ring)
 std::vector<std::uint8_t>
 cleftsOf(const Shape& shape, int threads = 1)
 {
-  return cleftVertices(shape.triangles,
-                       adjacencyOf(shape),
-                       PointView(shape.vertices),
-                       {threads, nullptr, "", 64});
+  const TriangleAdjacency adjacency = adjacencyOf(shape);
+  const PointView points(shape.vertices);
+  const LoopContext context{threads, nullptr, "", 64};
+  const SharpEdges edges = findSharpEdges(shape.triangles, adjacency, points, context);
+  return cleftVertices(edges.concave, shape.triangles, adjacency, points, context);
 }
 
 std::vector<pcl::index_t>
@@ -53,6 +55,20 @@ std::size_t
 countNecks(const Shape& shape)
 {
   return neckVerticesOf(shape, {}).size();
+}
+
+TEST(SharpEdges, OfACubeAreItsEdgesAndConcaveFromInside)
+{
+  constexpr int DIVISIONS = 4;
+  Shape shape = cube(DIVISIONS);
+  const auto edgesOf = [](const Shape& of) {
+    return findSharpEdges(of.triangles, adjacencyOf(of), PointView(of.vertices), {});
+  };
+  EXPECT_EQ(12U * DIVISIONS, edgesOf(shape).convex.size());
+  EXPECT_EQ(0U, edgesOf(shape).concave.size());
+  shape.triangles = reversed(shape.triangles);
+  EXPECT_EQ(0U, edgesOf(shape).convex.size());
+  EXPECT_EQ(12U * DIVISIONS, edgesOf(shape).concave.size());
 }
 
 TEST(Clefts, AreAtTheBottomOfASharpGrooveAlone)

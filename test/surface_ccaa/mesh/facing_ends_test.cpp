@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "mesh/facing_ends.h"
+#include "mesh/sharp_edges.h"
+#include "support/completion_shapes.h"
 #include "support/shapes.h"
 
 #include <cmath>
@@ -46,9 +48,12 @@ bentWire(int missing)
 std::vector<Contact>
 facingEnds(const Shape& shape)
 {
-  TriangleAdjacency adjacency;
-  adjacency.build(shape.triangles, shape.vertices.size());
-  return facingEnds(shape.triangles, adjacency, PointView(shape.vertices), {});
+  const TriangleAdjacency adjacency = adjacencyOf(shape);
+  const PointView points(shape.vertices);
+  return facingEnds(findSharpEdges(shape.triangles, adjacency, points, {}).convex,
+                    shape.triangles,
+                    adjacency,
+                    points);
 }
 
 TEST(FacingEnds, OfAWireThatIsCutThroughAreToldOnce)
