@@ -5,13 +5,13 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface_ccaa/impl/consecutive_reconstruction.hpp>
 
-#include "consecutive/stage_polygons.h"
 #include "grid_start.h"
 #include "io/cloud_normals.h"
 #include "io/point_columns.h"
 #include "io/position_check.h"
 #include "io/wording.h"
 #include "mesh/cloud_access.h"
+#include "mesh/polygon_access.h"
 #include "repair_run.h"
 
 #include <algorithm>
@@ -173,8 +173,7 @@ topologyOf(const std::vector<pcl::Vertices>& triangles,
            std::size_t point_count,
            int threads)
 {
-  const pcl::ccaa::LoopContext loop{threads, nullptr, "", pcl::ccaa::BLOCK_SIZE};
-  const pcl::ccaa::Triangles indexed = pcl::ccaa::toIndexTriangles(triangles, loop);
+  const pcl::ccaa::Triangles indexed = pcl::ccaa::fanTriangles(triangles);
   pcl::ccaa::TriangleAdjacency adjacency;
   adjacency.build(indexed, point_count, threads);
   return pcl::ccaa::topologyOf(indexed, adjacency);

@@ -40,12 +40,20 @@ public:
   {
     return pcl::ccaa::StageSettings::of(settings_.get());
   }
+  bool
+  takesHandoff() const override
+  {
+    return true;
+  }
 
 protected:
   /** \brief Take over what every run is given. */
   void
-  fill(const pcl::IndicesPtr& selection, pcl::ccaa::CloudInput& input) const
+  fill(const pcl::IndicesPtr& selection,
+       pcl::ccaa::StageOutput& made,
+       pcl::ccaa::CloudInput& input) const
   {
+    input.handoff = &made.handoff;
     input.points = points_;
     input.selection = selection;
     input.threads = settings_->getNumberOfThreads();
@@ -85,24 +93,24 @@ public:
 
   bool
   construct(const pcl::ccaa::ChainSelection& chosen,
-            std::vector<pcl::Vertices>& made) override
+            pcl::ccaa::StageOutput& made) override
   {
     pcl::ccaa::CloudInput input;
-    fill(chosen.chosen, input);
+    fill(chosen.chosen, made, input);
     pcl::ccaa::PointBlocks blocks;
     pcl::ccaa::TreeSearch search;
     search.blocks = &blocks;
     search.hold = [&](const pcl::IndicesPtr& held) {
       blocks.build(points_, *held, static_cast<int>(input.threads));
     };
-    check(runGreedyStart(input, search, parameters_, report_, made));
+    check(runGreedyStart(input, search, parameters_, report_, made.polygons));
     return false;
   }
 
   void
   complete(const pcl::PolygonMeshConstPtr&,
            const pcl::IndicesPtr&,
-           std::vector<pcl::Vertices>&) override
+           pcl::ccaa::StageOutput&) override
   {}
 
 private:
@@ -138,25 +146,23 @@ public:
   }
 
   bool
-  construct(const pcl::ccaa::ChainSelection&, std::vector<pcl::Vertices>&) override
+  construct(const pcl::ccaa::ChainSelection&, pcl::ccaa::StageOutput&) override
   {
     return false;
   }
 
   void
-  complete(const pcl::PolygonMeshConstPtr& partial_mesh,
+  complete(const pcl::PolygonMeshConstPtr&,
            const pcl::IndicesPtr& usable,
-           std::vector<pcl::Vertices>& polygons) override
+           pcl::ccaa::StageOutput& made) override
   {
     pcl::ccaa::CompletionInput input;
-    fill(usable, input);
+    fill(usable, made, input);
     input.normals = normals_;
     input.viewpoints = viewpoints_;
     input.sides = settings_->getSideHints();
-    input.partial_mesh = partial_mesh.get();
     pcl::ccaa::CompletionOutput output = runCompletion(input, parameters_, report_);
     check(output.error);
-    polygons = std::move(output.polygons);
     kept_ = std::move(output.kept);
     settings_->setSideTally(report_.sides);
   }

@@ -129,10 +129,11 @@ PolygonCompletion::run(CompletionReport& report)
     output.error = describe(completed.fault);
   if (control_.cancelled() || !output.error.empty())
     return output;
-  writePolygons(completed.triangles,
-                given_.point_of_vertex,
-                LoopContext{context_.threads, &control_, "polygons"},
-                output.polygons);
+  handOut(std::move(completed.triangles),
+          given_.point_of_vertex,
+          LoopContext{context_.threads, &control_, "polygons"},
+          input_.handoff,
+          output.polygons);
   output.kept = std::move(completed.kept);
   tellInCloud(report.doubts);
   return output;
@@ -157,9 +158,14 @@ PolygonCompletion::tellInCloud(TopologyDoubts& doubts) const
 bool
 PolygonCompletion::readGiven(CompletionOutput& output)
 {
-  if (input_.partial_mesh == nullptr || input_.partial_mesh->polygons.empty())
+  PolygonView given;
+  if (input_.handoff != nullptr && input_.handoff->given != nullptr)
+    given = viewOf(*input_.handoff->given);
+  else if (input_.partial_mesh != nullptr)
+    given = input_.partial_mesh->polygons;
+  if (given.empty())
     return true;
-  given_ = readPolygons(input_.partial_mesh->polygons, viewOf(input_.points), context_);
+  given_ = readPolygons(given, viewOf(input_.points), context_);
   if (control_.cancelled())
     return false;
   if (given_.invalid_polygons > 0)

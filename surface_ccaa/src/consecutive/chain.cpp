@@ -5,6 +5,7 @@
 #include <pcl/console/print.h>
 
 #include "consecutive/chain_results.h"
+#include "mesh/polygon_access.h"
 #include "mesh/side_hints.h"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ Chain::apply(PolygonMesh& mesh)
     computeNormals();
   if (cancelled())
     return false;
-  mesh.polygons = std::move(run_.current.mesh->polygons);
+  writePolygons(run_.current.triangles, run_.loop(), mesh.polygons);
   result_.labels = std::move(run_.current.labels);
   return true;
 }
@@ -82,8 +83,8 @@ Chain::apply(PolygonMesh& mesh)
 bool
 Chain::applyBaseAlone()
 {
-  std::vector<Vertices> polygons;
-  return selectPoints() && runBase(nullptr, 1, polygons);
+  Triangles triangles;
+  return selectPoints() && runBase(nullptr, 1, triangles);
 }
 
 bool
@@ -134,11 +135,10 @@ Chain::computeNormals()
   StageProgress progress = run_.beginStage("normals", NORMALS_WEIGHT);
   RunControl control(progress.callback());
   const LoopContext loop{run_.threads, &control, "vertices", BLOCK_SIZE};
-  const PolygonMesh& mesh = *run_.current.mesh;
-  result_.normals =
-      std::make_shared<PointCloud<Normal>>(mesh.cloud.width, mesh.cloud.height);
-  result_.normals->header = mesh.cloud.header;
-  fillNormals(mesh, loop, *result_.normals);
+  const PCLPointCloud2& cloud = run_.current.mesh->cloud;
+  result_.normals = std::make_shared<PointCloud<Normal>>(cloud.width, cloud.height);
+  result_.normals->header = cloud.header;
+  fillNormals(run_.current.triangles, cloud, loop, *result_.normals);
   report_.normals_seconds = clock.seconds();
   progress.report(1);
 }

@@ -58,11 +58,11 @@ private:
   bool
   applyStart(std::size_t number);
   bool
-  construct(std::size_t number, std::vector<Vertices>& made);
+  construct(std::size_t number, Triangles& made);
   bool
-  constructFrom(std::size_t number, std::vector<Vertices>& made);
+  constructFrom(std::size_t number, Triangles& made);
   ChainMesh
-  joined(std::size_t number, std::vector<Vertices> made) const;
+  joined(std::size_t number, Triangles made) const;
   bool
   filterTriangles(ChainMesh& given, ChainMesh& left);
   void
@@ -70,13 +70,9 @@ private:
   bool
   applyBase();
   bool
-  runBase(const PolygonMeshConstPtr& partial_mesh,
-          double weight,
-          std::vector<Vertices>& polygons);
+  runBase(const ChainMesh* partial, double weight, Triangles& triangles);
   bool
-  complete(const PolygonMeshConstPtr& partial_mesh,
-           ChainPart& completion,
-           std::vector<Vertices>& polygons) const;
+  complete(const ChainMesh* partial, ChainPart& completion, Triangles& triangles) const;
   void
   computeNormals();
 

@@ -2,19 +2,18 @@
 // Part of PclSurfaceRepair: what is made of a chain's mesh and times at the end.
 #include "consecutive/chain_results.h"
 
-#include "consecutive/stage_polygons.h"
 #include "mesh/cloud_access.h"
 #include "mesh/vertex_normals.h"
 
 namespace pcl::ccaa {
 
 void
-fillNormals(const PolygonMesh& mesh,
+fillNormals(const Triangles& triangles,
+            const PCLPointCloud2& cloud,
             const LoopContext& context,
             PointCloud<Normal>& normals)
 {
-  const Triangles triangles = toIndexTriangles(mesh.polygons, context);
-  const auto vectors = vertexNormals(triangles, positionView(mesh.cloud), context);
+  const auto vectors = vertexNormals(triangles, positionView(cloud), context);
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     normals[i].getNormalVector3fMap() = vectors[i];
     normals.is_dense = normals.is_dense && vectors[i].allFinite();

@@ -8,14 +8,16 @@
 #include <pcl/PolygonMesh.h>
 
 #include "mesh/block_loop.h"
+#include "mesh/triangle.h"
 
 namespace pcl::ccaa {
 
-/** \brief Normals of the mesh's surface, see vertexNormals().
- * \param[in] mesh triangles with corners in range
- * \param[in,out] normals as many as the mesh has points */
+/** \brief Normals of a surface, see vertexNormals().
+ * \param[in] triangles with corners in range
+ * \param[in,out] normals as many as the cloud has points */
 void
-fillNormals(const PolygonMesh& mesh,
+fillNormals(const Triangles& triangles,
+            const PCLPointCloud2& cloud,
             const LoopContext& context,
             PointCloud<Normal>& normals);
 

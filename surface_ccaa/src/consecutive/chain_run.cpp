@@ -29,14 +29,14 @@ isIdentity(const Indices& indices, std::size_t point_count)
   });
 }
 
-/** \brief Let no corner of the polygons from `first` on be free. */
+/** \brief Let no corner of the triangles from `first` on be free. */
 void
-markConnected(const std::vector<pcl::Vertices>& polygons,
+markConnected(const Triangles& triangles,
               std::size_t first,
               std::vector<PointRole>& roles)
 {
-  for (std::size_t i = first; i < polygons.size(); ++i)
-    for (const index_t corner : polygons[i].vertices)
+  for (std::size_t i = first; i < triangles.size(); ++i)
+    for (const index_t corner : triangles[i])
       if (roles[static_cast<std::size_t>(corner)] == PointRole::FREE)
         roles[static_cast<std::size_t>(corner)] = PointRole::BOUNDARY;
 }
@@ -108,12 +108,12 @@ keepOnly(const std::vector<index_t>* kept, ChainMesh& chain)
 {
   if (kept == nullptr)
     return;
-  chain.mesh->polygons = pickItems(chain.mesh->polygons, *kept);
+  chain.triangles = pickItems(chain.triangles, *kept);
   chain.labels = pickItems(chain.labels, *kept);
 }
 
 void
-takeOver(std::vector<pcl::Vertices> polygons,
+takeOver(Triangles triangles,
          const std::vector<index_t>* kept,
          std::uint8_t label,
          ChainMesh& chain)
@@ -121,12 +121,12 @@ takeOver(std::vector<pcl::Vertices> polygons,
   if (kept != nullptr) {
     chain.labels = pickItems(chain.labels, *kept);
     std::fill(chain.roles.begin(), chain.roles.end(), PointRole::FREE);
-    markConnected(polygons, 0, chain.roles);
+    markConnected(triangles, 0, chain.roles);
   }
   else
-    markConnected(polygons, chain.labels.size(), chain.roles);
-  chain.mesh->polygons = std::move(polygons);
-  chain.labels.resize(chain.mesh->polygons.size(), label);
+    markConnected(triangles, chain.labels.size(), chain.roles);
+  chain.triangles = std::move(triangles);
+  chain.labels.resize(chain.triangles.size(), label);
 }
 
 } // namespace pcl::ccaa

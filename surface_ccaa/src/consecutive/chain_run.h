@@ -31,7 +31,9 @@ startName(std::size_t number);
 
 /** \brief What a chain has after one of its filter runs. */
 struct ChainMesh {
-  std::shared_ptr<PolygonMesh> mesh; /**< triangles, and the whole cloud */
+  std::shared_ptr<PolygonMesh> mesh; /**< the whole cloud; polygons only while an
+                                          algorithm looks at them (writePolygons()) */
+  Triangles triangles;               /**< of cloud indices */
   TriangleLabels labels;             /**< of the triangles */
   std::vector<PointRole> roles;      /**< of the cloud's points */
 };
@@ -104,11 +106,13 @@ void
 keepOnly(const std::vector<index_t>* kept, ChainMesh& chain);
 
 /** \brief Take over what the base algorithm has made of the triangles of a chain.
- * Points that have got triangles are no longer free, whatever else they are. \param[in]
- * polygons begin with the triangles of the chain that were kept \param[in] kept see
- * MeshCompletion::keptTriangles() \param[in] label of the new ones */
+ * Points that have got triangles are no longer free, whatever else they are.
+ *
+ * \param[in] triangles begin with those of the chain that were kept
+ * \param[in] kept see MeshCompletion::keptTriangles()
+ * \param[in] label of the new ones */
 void
-takeOver(std::vector<pcl::Vertices> polygons,
+takeOver(Triangles triangles,
          const std::vector<index_t>* kept,
          std::uint8_t label,
          ChainMesh& chain);

@@ -4,6 +4,7 @@
 
 #include "consecutive/chain.h"
 #include "consecutive/stage_polygons.h"
+#include "mesh/polygon_access.h"
 
 #include <algorithm>
 #include <memory>
@@ -19,7 +20,7 @@ Chain::applyStart(std::size_t number)
   report_.stages.emplace_back();
   ChainStageReport& stage = report_.stages.back();
   stage.name = startName(number);
-  std::vector<Vertices> made;
+  Triangles made;
   if (!construct(number, made))
     return false;
   if (number > 0 && made.empty()) {
@@ -43,18 +44,19 @@ Chain::applyStart(std::size_t number)
 
 /** What the filter is to judge: the triangles there are and those just made. */
 ChainMesh
-Chain::joined(std::size_t number, std::vector<Vertices> made) const
+Chain::joined(std::size_t number, Triangles made) const
 {
   ChainMesh given = run_.current;
   if (number == 0) {
     given.labels.assign(made.size(), 0);
-    given.mesh->polygons = std::move(made);
+    given.triangles = std::move(made);
     return given;
   }
-  given.mesh = std::make_shared<PolygonMesh>(*run_.current.mesh);
+  given.mesh = std::make_shared<PolygonMesh>();
+  given.mesh->cloud = run_.current.mesh->cloud;
   keepOnly(input_.starts[number]->keptTriangles(), given);
   appendNewTriangles(
-      made, static_cast<std::uint8_t>(number), given.mesh->polygons, given.labels);
+      made, static_cast<std::uint8_t>(number), given.triangles, given.labels);
   return given;
 }
 
@@ -81,15 +83,10 @@ Chain::runStage(const std::string& name,
 
 /** What the start algorithm adds, as triangles. */
 bool
-Chain::construct(std::size_t number, std::vector<Vertices>& made)
+Chain::construct(std::size_t number, Triangles& made)
 {
   ChainStageReport& stage = report_.stages.back();
-  const auto body = [&] {
-    if (!constructFrom(number, made))
-      return false;
-    report_.invalid_polygons += makeTriangles(made, run_.point_count, run_.loop());
-    return true;
-  };
+  const auto body = [&] { return constructFrom(number, made); };
   const bool is_made = runStage(
       stage.name, START_WEIGHT, input_.starts[number]->settings(), stage.seconds, body);
   report_.start_seconds += stage.seconds;
@@ -103,16 +100,16 @@ Chain::construct(std::size_t number, std::vector<Vertices>& made)
 /** A completion is given the mesh there is, another algorithm the points that are still
  * open. */
 bool
-Chain::constructFrom(std::size_t number, std::vector<Vertices>& made)
+Chain::constructFrom(std::size_t number, Triangles& made)
 {
   ChainPart& part = *input_.starts[number];
   if (part.completes()) {
-    const auto partial_mesh = number == 0 ? nullptr : run_.current.mesh;
-    if (!complete(partial_mesh, part, made))
+    const ChainMesh* partial = number == 0 ? nullptr : &run_.current;
+    if (!complete(partial, part, made))
       return false;
-    if (partial_mesh) {
+    if (partial != nullptr) {
       const auto* kept = part.keptTriangles();
-      const auto count = kept ? kept->size() : partial_mesh->polygons.size();
+      const auto count = kept ? kept->size() : partial->triangles.size();
       made.erase(made.begin(), made.begin() + std::ptrdiff_t(count));
     }
     return true;
@@ -121,8 +118,19 @@ Chain::constructFrom(std::size_t number, std::vector<Vertices>& made)
   selection.chosen = number == 0 ? run_.points.usable : selectOpenPoints(run_);
   selection.is_part = number > 0 || run_.points.is_selection;
   selection.has_gaps = run_.points.skipped > 0;
-  if (selection.chosen->size() >= 3 && part.construct(selection, made))
-    mapToCloud(*selection.chosen, made);
+  if (selection.chosen->size() < 3)
+    return true;
+  StageOutput output;
+  const bool speaks_of_places = part.construct(selection, output);
+  if (part.takesHandoff())
+    made = std::move(output.handoff.made);
+  else
+    report_.invalid_polygons +=
+        makeTriangles(output.polygons,
+                      speaks_of_places ? selection.chosen.get() : nullptr,
+                      run_.point_count,
+                      run_.loop(),
+                      made);
   return true;
 }
 
@@ -163,10 +171,10 @@ Chain::applyBase()
   if (base != nullptr && !is_one_sided) {
     report_.stages.emplace_back();
     report_.stages.back().name = "base";
-    std::vector<Vertices> polygons;
-    if (!runBase(current.mesh, BASE_WEIGHT, polygons))
+    Triangles triangles;
+    if (!runBase(&current, BASE_WEIGHT, triangles))
       return false;
-    takeOver(std::move(polygons),
+    takeOver(std::move(triangles),
              base->keptTriangles(),
              static_cast<std::uint8_t>(input_.starts.size()),
              current);
@@ -179,11 +187,9 @@ Chain::applyBase()
 
 /** The base algorithm, in the chain or alone; its time goes to base_seconds. */
 bool
-Chain::runBase(const PolygonMeshConstPtr& partial_mesh,
-               double weight,
-               std::vector<Vertices>& polygons)
+Chain::runBase(const ChainMesh* partial, double weight, Triangles& triangles)
 {
-  const auto body = [&] { return complete(partial_mesh, *input_.base, polygons); };
+  const auto body = [&] { return complete(partial, *input_.base, triangles); };
   const StageSettings settings = input_.base->settings();
   const bool is_done = runStage("base", weight, settings, report_.base_seconds, body);
   takeSides(settings);
@@ -201,24 +207,39 @@ Chain::takeSides(const StageSettings& settings)
 
 /** \return whether the completion kept to the contract of MeshCompletion */
 bool
-Chain::complete(const PolygonMeshConstPtr& partial_mesh,
+Chain::complete(const ChainMesh* partial,
                 ChainPart& completion,
-                std::vector<Vertices>& polygons) const
+                Triangles& triangles) const
 {
-  completion.complete(partial_mesh, run_.points.usable, polygons);
+  StageOutput output;
+  if (completion.takesHandoff()) {
+    output.handoff.given = partial == nullptr ? nullptr : &partial->triangles;
+    completion.complete(nullptr, run_.points.usable, output);
+    triangles = std::move(output.handoff.made);
+    return !cancelled();
+  }
+  if (partial != nullptr)
+    writePolygons(partial->triangles, run_.loop(), partial->mesh->polygons);
+  completion.complete(
+      partial == nullptr ? nullptr : partial->mesh, run_.points.usable, output);
+  if (partial != nullptr)
+    partial->mesh->polygons = {};
   if (cancelled())
     return false;
-  if (areTriangles(polygons, run_.point_count, run_.loop()) &&
-      (!partial_mesh ||
+  auto made = readTriangles(output.polygons, run_.point_count, run_.loop());
+  if (made &&
+      (partial == nullptr ||
        keepsTriangles(
-           partial_mesh->polygons, completion.keptTriangles(), polygons, run_.loop())))
+           partial->triangles, completion.keptTriangles(), *made, run_.loop()))) {
+    triangles = std::move(*made);
     return true;
+  }
   PCL_ERROR("[pcl::ConsecutiveReconstruction::performReconstruction] the algorithm of "
             "stage '%s' did not keep the given triangles (%zu given, %zu polygons "
             "returned)\n",
             run_.stage.c_str(),
-            partial_mesh ? partial_mesh->polygons.size() : 0,
-            polygons.size());
+            partial ? partial->triangles.size() : 0,
+            output.polygons.size());
   return false;
 }
 

@@ -3,7 +3,9 @@
 #include "consecutive/filter_stage.h"
 
 #include "consecutive/stage_polygons.h"
+#include "mesh/polygon_access.h"
 
+#include <typeinfo>
 #include <utility>
 
 namespace pcl::ccaa {
@@ -23,18 +25,28 @@ FilterPart::apply(ChainMesh& given, const ChainRun& run, ChainMesh& left) const
 
 /** \return whether what is left is some of what was given */
 bool
-FilterPart::process(const ChainMesh& given, const ChainRun& run, ChainMesh& left) const
+FilterPart::process(ChainMesh& given, const ChainRun& run, ChainMesh& left) const
 {
   left.mesh = std::make_shared<PolygonMesh>();
   const AtEnd restore(
       [this, own_mesh = filter_->getInputMesh()] { filter_->setInputMesh(own_mesh); });
+  // Who derives from our filter may do more with the polygons.
+  const bool hands = umbrella_ != nullptr && typeid(*filter_) == typeid(UmbrellaFilter);
+  TriangleHandoff handoff{&given.triangles, {}};
+  const LentHandoff lent(hands ? umbrella_ : nullptr, handoff);
+  if (!hands)
+    writePolygons(given.triangles, run.loop(), given.mesh->polygons);
   filter_->setInputMesh(given.mesh);
   filter_->process(*left.mesh);
-  if (run.control.cancelled() ||
-      !areTriangles(left.mesh->polygons, run.point_count, run.loop()))
+  if (run.control.cancelled())
     return false;
-  auto labels =
-      labelsOfSurvivors(given.mesh->polygons, given.labels, left.mesh->polygons);
+  if (hands)
+    left.triangles = std::move(handoff.made);
+  else if (auto read = readTriangles(left.mesh->polygons, run.point_count, run.loop()))
+    left.triangles = std::move(*read);
+  else
+    return false;
+  auto labels = labelsOfSurvivors(given.triangles, given.labels, left.triangles);
   if (labels)
     left.labels = std::move(*labels);
   return labels.has_value();
@@ -46,7 +58,7 @@ FilterPart::rolesAfter(const ChainMesh& left, const ChainRun& run) const
 {
   if (umbrella_ != nullptr && umbrella_->getPointRoles().size() == run.point_count)
     return umbrella_->getPointRoles();
-  return findPointRoles(left.mesh->polygons, run.point_count, run.loop());
+  return findPointRoles(left.triangles, run.point_count, run.loop());
 }
 
 } // namespace pcl::ccaa

@@ -40,7 +40,7 @@ public:
 
 private:
   bool
-  process(const ChainMesh& given, const ChainRun& run, ChainMesh& left) const;
+  process(ChainMesh& given, const ChainRun& run, ChainMesh& left) const;
   std::vector<PointRole>
   rolesAfter(const ChainMesh& left, const ChainRun& run) const;
 

@@ -2,8 +2,6 @@
 // Part of PclSurfaceRepair: which algorithm of a chain has made which triangle.
 #include "consecutive/provenance.h"
 
-#include "mesh/triangle.h"
-
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -14,10 +12,8 @@ namespace {
 
 /** \brief The same for all ways to write a triangle: its corners in ascending order. */
 Triangle
-cornerSet(const pcl::Vertices& polygon)
+cornerSet(Triangle sorted)
 {
-  const pcl::Indices& corners = polygon.vertices;
-  Triangle sorted = {corners[0], corners[1], corners[2]};
   if (sorted[0] > sorted[1])
     std::swap(sorted[0], sorted[1]);
   if (sorted[1] > sorted[2])
@@ -28,15 +24,13 @@ cornerSet(const pcl::Vertices& polygon)
 }
 
 bool
-hasSameCorners(const pcl::Vertices& a, const pcl::Vertices& b)
+hasSameCorners(const Triangle& first, const Triangle& second)
 {
   // Mostly nothing was turned, or the second and third corner were exchanged.
-  const pcl::Indices& first = a.vertices;
-  const pcl::Indices& second = b.vertices;
   if (first[0] == second[0])
     return (first[1] == second[1] && first[2] == second[2]) ||
            (first[1] == second[2] && first[2] == second[1]);
-  return cornerSet(a) == cornerSet(b);
+  return cornerSet(first) == cornerSet(second);
 }
 
 struct CornerSetHash {
@@ -54,14 +48,14 @@ struct CornerSetHash {
 /** \brief For a filter that keeps the order: each survivor is looked for behind the one
  * before. \return fewer labels than survivors when one was not found there */
 TriangleLabels
-labelsInOrder(const std::vector<pcl::Vertices>& given,
+labelsInOrder(const Triangles& given,
               const TriangleLabels& labels,
-              const std::vector<pcl::Vertices>& survivors)
+              const Triangles& survivors)
 {
   TriangleLabels found;
   found.reserve(survivors.size());
   std::size_t place = 0;
-  for (const pcl::Vertices& survivor : survivors) {
+  for (const Triangle& survivor : survivors) {
     while (place < given.size() && !hasSameCorners(given[place], survivor))
       ++place;
     if (place == given.size())
@@ -73,9 +67,9 @@ labelsInOrder(const std::vector<pcl::Vertices>& given,
 
 /** \brief For a filter that gives another order. */
 std::optional<TriangleLabels>
-labelsByLookup(const std::vector<pcl::Vertices>& given,
+labelsByLookup(const Triangles& given,
                const TriangleLabels& labels,
-               const std::vector<pcl::Vertices>& survivors)
+               const Triangles& survivors)
 {
   // Of several equal triangles the last label is the next one to be taken.
   std::unordered_map<Triangle, TriangleLabels, CornerSetHash> labels_of;
@@ -83,7 +77,7 @@ labelsByLookup(const std::vector<pcl::Vertices>& given,
     labels_of[cornerSet(given[i])].push_back(labels[i]);
   TriangleLabels found;
   found.reserve(survivors.size());
-  for (const pcl::Vertices& survivor : survivors) {
+  for (const Triangle& survivor : survivors) {
     const auto place = labels_of.find(cornerSet(survivor));
     if (place == labels_of.end() || place->second.empty())
       return std::nullopt;
@@ -109,9 +103,9 @@ areNumbersOf(const std::vector<pcl::index_t>& numbers, std::size_t count)
 } // namespace
 
 bool
-keepsTriangles(const std::vector<pcl::Vertices>& given,
+keepsTriangles(const Triangles& given,
                const std::vector<pcl::index_t>* kept,
-               const std::vector<pcl::Vertices>& result,
+               const Triangles& result,
                const LoopContext& context)
 {
   const std::size_t count = kept != nullptr ? kept->size() : given.size();
@@ -131,9 +125,9 @@ keepsTriangles(const std::vector<pcl::Vertices>& given,
 }
 
 std::optional<TriangleLabels>
-labelsOfSurvivors(const std::vector<pcl::Vertices>& given,
+labelsOfSurvivors(const Triangles& given,
                   const TriangleLabels& labels,
-                  const std::vector<pcl::Vertices>& survivors)
+                  const Triangles& survivors)
 {
   TriangleLabels found = labelsInOrder(given, labels, survivors);
   if (found.size() == survivors.size())
@@ -142,17 +136,17 @@ labelsOfSurvivors(const std::vector<pcl::Vertices>& given,
 }
 
 void
-appendNewTriangles(const std::vector<pcl::Vertices>& made,
+appendNewTriangles(const Triangles& made,
                    std::uint8_t label,
-                   std::vector<pcl::Vertices>& polygons,
+                   Triangles& triangles,
                    TriangleLabels& labels)
 {
-  std::unordered_set<Triangle, CornerSetHash> known(polygons.size() + made.size());
-  for (const pcl::Vertices& polygon : polygons)
-    known.insert(cornerSet(polygon));
-  for (const pcl::Vertices& polygon : made)
-    if (known.insert(cornerSet(polygon)).second) {
-      polygons.push_back(polygon);
+  std::unordered_set<Triangle, CornerSetHash> known(triangles.size() + made.size());
+  for (const Triangle& triangle : triangles)
+    known.insert(cornerSet(triangle));
+  for (const Triangle& triangle : made)
+    if (known.insert(cornerSet(triangle)).second) {
+      triangles.push_back(triangle);
       labels.push_back(label);
     }
 }

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <pcl/types.h>
-#include <pcl/Vertices.h>
 
 #include "mesh/block_loop.h"
+#include "mesh/triangle.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +19,12 @@ namespace pcl::ccaa {
 using TriangleLabels = std::vector<std::uint8_t>;
 
 /** \brief Whether `result` begins with the triangles of `given`, in their order.
- * Winding and first corner may differ. Both must be triangles. \param[in] kept numbers
+ * Winding and first corner may differ. \param[in] kept numbers
  * of the given ones to be looked for, ascending; null: all */
 bool
-keepsTriangles(const std::vector<pcl::Vertices>& given,
+keepsTriangles(const Triangles& given,
                const std::vector<pcl::index_t>* kept,
-               const std::vector<pcl::Vertices>& result,
+               const Triangles& result,
                const LoopContext& context);
 
 /** \brief Only the items with these numbers. */
@@ -42,20 +42,20 @@ pickItems(const std::vector<Item>& items, const std::vector<pcl::index_t>& numbe
 /** \brief The labels of what a filter has left.
  *
  * One pass when the filter keeps the order, as UmbrellaFilter does; else triangles are
- * looked up. Winding and first corner may differ. All must be triangles.
+ * looked up. Winding and first corner may differ.
  * \return nothing when one of the survivors was not given, or was given less often */
 std::optional<TriangleLabels>
-labelsOfSurvivors(const std::vector<pcl::Vertices>& given,
+labelsOfSurvivors(const Triangles& given,
                   const TriangleLabels& labels,
-                  const std::vector<pcl::Vertices>& survivors);
+                  const Triangles& survivors);
 
 /** \brief Put the triangles that are not there yet behind those that are, each once.
- * \param[in] made triangles; winding and first corner do not tell them apart
+ * \param[in] made winding and first corner do not tell them apart
  * \param[in] label of the new ones */
 void
-appendNewTriangles(const std::vector<pcl::Vertices>& made,
+appendNewTriangles(const Triangles& made,
                    std::uint8_t label,
-                   std::vector<pcl::Vertices>& polygons,
+                   Triangles& triangles,
                    TriangleLabels& labels);
 
 } // namespace pcl::ccaa

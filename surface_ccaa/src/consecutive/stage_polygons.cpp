@@ -2,10 +2,12 @@
 // Part of PclSurfaceRepair: taking over the polygons that any algorithm hands out.
 #include "consecutive/stage_polygons.h"
 
+#include "mesh/polygon_access.h"
 #include "mesh/triangle_adjacency.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace pcl::ccaa {
 namespace {
@@ -41,80 +43,60 @@ isSound(const pcl::Indices& corners, std::size_t point_count)
 
 } // namespace
 
-bool
-areTriangles(const std::vector<pcl::Vertices>& polygons,
-             std::size_t point_count,
-             const LoopContext& context)
-{
-  std::vector<std::uint8_t> good(context.blockCount(polygons.size()), 0);
-  const auto check = [&](std::size_t block, std::size_t begin, std::size_t end) {
-    bool all = true;
-    for (std::size_t i = begin; i < end; ++i)
-      all = all && isTriangle(polygons[i].vertices, point_count);
-    good[block] = all ? 1 : 0;
-  };
-  return forEachBlock(polygons.size(), context, check) &&
-         std::find(good.begin(), good.end(), 0) == good.end();
-}
-
-std::size_t
-makeTriangles(std::vector<pcl::Vertices>& polygons,
+std::optional<Triangles>
+readTriangles(const std::vector<pcl::Vertices>& polygons,
               std::size_t point_count,
               const LoopContext& context)
 {
-  if (areTriangles(polygons, point_count, context))
-    return 0;
+  Triangles triangles(polygons.size());
+  std::vector<std::uint8_t> good(context.blockCount(polygons.size()), 0);
+  const auto read = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const pcl::Indices& corners = polygons[i].vertices;
+      if (!isTriangle(corners, point_count))
+        return;
+      std::copy_n(corners.begin(), 3, triangles[i].begin());
+    }
+    good[block] = 1;
+  };
+  if (forEachBlock(polygons.size(), context, read) &&
+      std::find(good.begin(), good.end(), 0) == good.end())
+    return triangles;
+  return {};
+}
+
+std::size_t
+makeTriangles(const std::vector<pcl::Vertices>& polygons,
+              const pcl::Indices* selection,
+              std::size_t point_count,
+              const LoopContext& context,
+              Triangles& triangles)
+{
   std::size_t left_out = 0;
-  std::vector<pcl::Vertices> triangles;
-  triangles.reserve(polygons.size());
-  for (pcl::Vertices& polygon : polygons) {
-    const pcl::Indices& corners = polygon.vertices;
-    if (!isSound(corners, point_count)) {
-      ++left_out;
-      continue;
+  const std::size_t limit = selection == nullptr ? point_count : selection->size();
+  if (auto read = readTriangles(polygons, limit, context))
+    triangles = std::move(*read);
+  else
+    for (const pcl::Vertices& polygon : polygons) {
+      const pcl::Indices& corners = polygon.vertices;
+      const bool is_sound = isSound(corners, limit);
+      left_out += is_sound ? 0 : 1;
+      for (std::size_t i = 2; is_sound && i < corners.size(); ++i)
+        triangles.push_back({corners[0], corners[i - 1], corners[i]});
     }
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      triangles.emplace_back();
-      triangles.back().vertices = {corners[0], corners[i - 1], corners[i]};
-    }
-  }
-  polygons = std::move(triangles);
+  if (selection != nullptr)
+    renumber(*selection, context, triangles);
   return left_out;
 }
 
-void
-mapToCloud(const pcl::Indices& selection, std::vector<pcl::Vertices>& polygons)
-{
-  for (pcl::Vertices& polygon : polygons)
-    for (pcl::index_t& corner : polygon.vertices)
-      corner = isInRange(corner, selection.size())
-                   ? selection[static_cast<std::size_t>(corner)]
-                   : -1;
-}
-
-Triangles
-toIndexTriangles(const std::vector<pcl::Vertices>& polygons, const LoopContext& context)
-{
-  Triangles triangles(polygons.size());
-  const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      std::copy_n(polygons[i].vertices.begin(), 3, triangles[i].begin());
-  };
-  forEachBlock(polygons.size(), context, copy);
-  return triangles;
-}
-
 std::vector<PointRole>
-findPointRoles(const std::vector<pcl::Vertices>& polygons,
+findPointRoles(const Triangles& triangles,
                std::size_t point_count,
                const LoopContext& context)
 {
   std::vector<PointRole> roles(point_count, PointRole::FREE);
   TriangleAdjacency adjacency;
-  adjacency.build(toIndexTriangles(polygons, context),
-                  point_count,
-                  context.threads,
-                  context.control);
+  adjacency.build(triangles, point_count, context.threads, context.control);
   const std::vector<Fan>& fans = adjacency.fans();
   for (std::size_t i = 0; i < fans.size(); ++i)
     if (fans[i] != Fan::NONE)

@@ -10,38 +10,36 @@
 #include "mesh/triangle.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace pcl::ccaa {
 
-/** \brief Whether all polygons have three different corners below `point_count`. */
-bool
-areTriangles(const std::vector<pcl::Vertices>& polygons,
-             std::size_t point_count,
-             const LoopContext& context);
-
-/** \brief Leave out polygons with a corner out of range or twice the same corner, and
- * turn those with more than three corners into fans around their first one.
- * \return how many were left out */
-std::size_t
-makeTriangles(std::vector<pcl::Vertices>& polygons,
+/** \brief Polygons that are triangles, of corners below `point_count`.
+ * \return nothing if one of them is not */
+std::optional<Triangles>
+readTriangles(const std::vector<pcl::Vertices>& polygons,
               std::size_t point_count,
               const LoopContext& context);
 
-/** \brief Replace positions in a selection by the cloud indices selected. Positions out
- * of range become -1. */
-void
-mapToCloud(const pcl::Indices& selection, std::vector<pcl::Vertices>& polygons);
-
-/** \brief Triangles as the rooms see them, without renumbering. */
-Triangles
-toIndexTriangles(const std::vector<pcl::Vertices>& polygons,
-                 const LoopContext& context);
+/** \brief Triangles of any polygons: those with a corner out of range or twice the same
+ * corner are left out, those with more than three corners become fans around their
+ * first one.
+ *
+ * \param[in] selection null: corners are cloud indices; else places in it
+ * \param[out] triangles of cloud indices
+ * \return how many polygons were left out */
+std::size_t
+makeTriangles(const std::vector<pcl::Vertices>& polygons,
+              const pcl::Indices* selection,
+              std::size_t point_count,
+              const LoopContext& context,
+              Triangles& triangles);
 
 /** \brief The role of each point in any mesh of triangles. A point with more than one
  * fan counts as boundary. For who did not filter with UmbrellaFilter, which knows. */
 std::vector<PointRole>
-findPointRoles(const std::vector<pcl::Vertices>& polygons,
+findPointRoles(const Triangles& triangles,
                std::size_t point_count,
                const LoopContext& context);
 

@@ -168,17 +168,18 @@ runGreedyStart(const CloudInput& input,
   if (searched && report.points < 3)
     fault = std::to_string(report.points) + " usable points, at least 3 are needed";
   if (searched && fault.empty()) {
-    const Triangles triangles = greedyTriangulation(found.points,
-                                                    found.rows,
-                                                    found.lines,
-                                                    parameters,
-                                                    context.threads,
-                                                    control,
-                                                    report);
-    writePolygons(triangles,
-                  found.points.point_indices,
-                  LoopContext{context.threads, &control, "polygons"},
-                  polygons);
+    Triangles triangles = greedyTriangulation(found.points,
+                                              found.rows,
+                                              found.lines,
+                                              parameters,
+                                              context.threads,
+                                              control,
+                                              report);
+    handOut(std::move(triangles),
+            found.points.point_indices,
+            LoopContext{context.threads, &control, "polygons"},
+            input.handoff,
+            polygons);
   }
   report.greedy_seconds = clock.seconds();
   report.cancelled = control.cancelled();

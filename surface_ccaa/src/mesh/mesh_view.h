@@ -4,6 +4,8 @@
 
 #include <pcl/PolygonMesh.h>
 
+#include "mesh/triangle.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -84,6 +86,13 @@ private:
   std::size_t corners_ = 0;
   std::size_t size_ = 0;
 };
+
+/** \brief View of triangles. */
+inline PolygonView
+viewOf(const Triangles& triangles)
+{
+  return {triangles.empty() ? nullptr : triangles.front().data(), triangles.size(), 3};
+}
 
 /** \brief Read-only view of a mesh, as PolygonView. */
 struct MeshView {

@@ -69,7 +69,7 @@ PointChains::find(const Triangles& triangles,
 void
 PointChains::walk(const Surroundings& around, pcl::index_t start, int side)
 {
-  Chain chain;
+  FanChain chain;
   chain.first = members_.size();
   pcl::index_t triangle = start;
   while (take(triangle)) {

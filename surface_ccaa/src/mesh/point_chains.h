@@ -16,7 +16,7 @@ using AliveFlags = std::vector<std::uint8_t>;
 
 /** \brief A chain: triangles at a point, each sharing an edge at the point with the
  * next; of a closed one the last also with the first. */
-struct Chain {
+struct FanChain {
   bool closed = false;
   std::size_t first = 0; /**< place in PointChains::triangles() */
   std::size_t size = 0;  /**< number of triangles, at least 1 */
@@ -40,7 +40,7 @@ public:
 
   /** \brief Open chains first; each kind by its lowest triangle at an end of the chain
    * (open) or anywhere (closed). */
-  const std::vector<Chain>&
+  const std::vector<FanChain>&
   chains() const
   {
     return chains_;
@@ -61,7 +61,7 @@ private:
   bool
   take(pcl::index_t triangle);
 
-  std::vector<Chain> chains_;
+  std::vector<FanChain> chains_;
   std::vector<pcl::index_t> members_;
   std::vector<pcl::index_t> candidates_; /**< live triangles at the point, ascending */
   std::vector<std::uint8_t> taken_;      /**< of a candidate: is in a chain */

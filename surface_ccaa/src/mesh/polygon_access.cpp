@@ -139,20 +139,42 @@ fanTriangles(const PolygonView& polygons)
 
 void
 writePolygons(const Triangles& triangles,
-              const std::vector<pcl::index_t>& point_of_vertex,
               const LoopContext& context,
               std::vector<pcl::Vertices>& polygons)
 {
   polygons.resize(triangles.size());
   const auto write = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Triangle points = triangles[i];
-      for (auto& corner : points)
-        corner = point_of_vertex[static_cast<std::size_t>(corner)];
-      polygons[i].vertices.assign(points.begin(), points.end());
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      polygons[i].vertices.assign(triangles[i].begin(), triangles[i].end());
   };
   forEachBlock(triangles.size(), context, write);
+}
+
+void
+renumber(const std::vector<pcl::index_t>& point_of_vertex,
+         const LoopContext& context,
+         Triangles& triangles)
+{
+  const auto write = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (pcl::index_t& corner : triangles[i])
+        corner = point_of_vertex[static_cast<std::size_t>(corner)];
+  };
+  forEachBlock(triangles.size(), context, write);
+}
+
+void
+handOut(Triangles triangles,
+        const std::vector<pcl::index_t>& point_of_vertex,
+        const LoopContext& context,
+        TriangleHandoff* handoff,
+        std::vector<pcl::Vertices>& polygons)
+{
+  renumber(point_of_vertex, context, triangles);
+  if (handoff != nullptr)
+    handoff->made = std::move(triangles);
+  else
+    writePolygons(triangles, context, polygons);
 }
 
 Triangles

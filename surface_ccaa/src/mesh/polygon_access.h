@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: PCL polygons to index triangles and back.
 #pragma once
 
+#include <pcl/surface_ccaa/impl/triangle_handoff.h>
 #include <pcl/Vertices.h>
 
 #include "mesh/block_loop.h"
@@ -44,13 +45,28 @@ readPolygons(const PolygonView& polygons,
 Triangles
 fanTriangles(const PolygonView& polygons);
 
-/** \brief Write triangles as polygons of point indices, in their order. Buffers of
- * polygons that are there already are used again. */
+/** \brief Write triangles as polygons, in their order. Buffers of polygons that are
+ * there already are used again. */
 void
 writePolygons(const Triangles& triangles,
-              const std::vector<pcl::index_t>& point_of_vertex,
               const LoopContext& context,
               std::vector<pcl::Vertices>& polygons);
+
+/** \brief Let triangles of vertices be triangles of points. */
+void
+renumber(const std::vector<pcl::index_t>& point_of_vertex,
+         const LoopContext& context,
+         Triangles& triangles);
+
+/** \brief Give triangles to whom a run was asked by: as they are, or as polygons.
+ * \param[in] handoff null: as polygons
+ * \param[out] polygons empty where there is a handoff */
+void
+handOut(Triangles triangles,
+        const std::vector<pcl::index_t>& point_of_vertex,
+        const LoopContext& context,
+        TriangleHandoff* handoff,
+        std::vector<pcl::Vertices>& polygons);
 
 /** \brief Only the triangles that are alive, in their order. */
 Triangles

@@ -39,7 +39,7 @@ rankChain(const PointChains& chains,
           const Positions& positions,
           pcl::index_t vertex)
 {
-  const Chain& chain = chains.chains()[place];
+  const FanChain& chain = chains.chains()[place];
   const auto first =
       chains.triangles().begin() + static_cast<std::ptrdiff_t>(chain.first);
   const auto last = first + static_cast<std::ptrdiff_t>(chain.size);
@@ -86,7 +86,7 @@ classifyChains(const PointChains& chains)
 {
   const auto& all = chains.chains();
   const auto closed = std::count_if(
-      all.begin(), all.end(), [](const Chain& chain) { return chain.closed; });
+      all.begin(), all.end(), [](const FanChain& chain) { return chain.closed; });
   const auto open = static_cast<std::ptrdiff_t>(all.size()) - closed;
   if (closed > 1)
     return ChainCase::SEVERAL_CLOSED;
@@ -109,10 +109,12 @@ survivingChain(const PointChains& chains,
     return std::nullopt;
   if (row != ChainCase::SEVERAL_OPEN)
     return all.size() - 1; // the closed one is the last
-  const auto longest =
-      std::max_element(all.begin(), all.end(), [](const Chain& a, const Chain& b) {
-        return a.size < b.size;
-      })->size;
+  const auto longest = std::max_element(all.begin(),
+                                        all.end(),
+                                        [](const FanChain& a, const FanChain& b) {
+                                          return a.size < b.size;
+                                        })
+                           ->size;
   std::vector<ChainRank> ranks;
   for (std::size_t place = 0; place < all.size(); ++place)
     if (all[place].size == longest)

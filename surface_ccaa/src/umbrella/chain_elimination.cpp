@@ -37,7 +37,7 @@ rejectChains(const PointChains& chains,
   for (std::size_t place = 0; place < chains.chains().size(); ++place) {
     if (survivor == place)
       continue;
-    const Chain& chain = chains.chains()[place];
+    const FanChain& chain = chains.chains()[place];
     const auto first =
         chains.triangles().begin() + static_cast<std::ptrdiff_t>(chain.first);
     rejected.insert(

@@ -51,7 +51,7 @@ FilterRun::filter()
 }
 
 void
-FilterRun::read(const std::vector<pcl::Vertices>& polygons)
+FilterRun::read(const PolygonView& polygons)
 {
   auto mesh = readPolygons(polygons, views_.points, stage("reading polygons"));
   if (control_.cancelled())
@@ -171,9 +171,13 @@ FilterRun::cutTwistedRegions()
 }
 
 bool
-FilterRun::write(std::vector<pcl::Vertices>& polygons)
+FilterRun::write(TriangleHandoff* handoff, std::vector<pcl::Vertices>& polygons)
 {
-  writePolygons(triangles_, point_of_vertex_, stage("writing polygons"), polygons);
+  handOut(std::move(triangles_),
+          point_of_vertex_,
+          stage("writing polygons"),
+          handoff,
+          polygons);
   return !control_.cancelled();
 }
 

@@ -6,6 +6,7 @@
 #include <pcl/Vertices.h>
 
 #include "mesh/block_loop.h"
+#include "mesh/mesh_view.h"
 #include "mesh/orientation.h"
 #include "mesh/point_chains.h"
 #include "mesh/point_view.h"
@@ -47,15 +48,15 @@ public:
 
   /** \brief First step. The polygons are not looked at afterwards. */
   void
-  read(const std::vector<pcl::Vertices>& polygons);
+  read(const PolygonView& polygons);
 
   /** \brief All that follows but writing. */
   FilterOutcome
   filter();
 
-  /** \brief After DONE: write the triangles. \return false when cancelled */
+  /** \brief After DONE, once: see handOut(). \return false when cancelled */
   bool
-  write(std::vector<pcl::Vertices>& polygons);
+  write(TriangleHandoff* handoff, std::vector<pcl::Vertices>& polygons);
 
   /** \brief After DONE: the role of every point. */
   std::vector<PointRole>

@@ -78,7 +78,8 @@ UmbrellaFilter::readInput()
     settings.sides = ccaa::relativeTo(offset, side_hints_);
   }
   run_ = std::make_shared<ccaa::FilterRun>(views, settings, progress_);
-  run_->read(input_mesh_->polygons);
+  run_->read(handoff_ != nullptr ? ccaa::viewOf(*handoff_->given)
+                                 : ccaa::PolygonView(input_mesh_->polygons));
 }
 
 void
@@ -108,12 +109,12 @@ UmbrellaFilter::filter(pcl::PolygonMesh& output)
     PCL_ERROR("[pcl::%s::performProcessing] too many triangles (%zu polygons)\n",
               getClassName().c_str(),
               run_->report().input_polygons);
-  if (outcome != ccaa::FilterOutcome::DONE || !run_->write(output.polygons)) {
+  if (outcome != ccaa::FilterOutcome::DONE || !run_->write(handoff_, output.polygons)) {
     clearResult(output);
     report_.cancelled = outcome != ccaa::FilterOutcome::TOO_MANY_TRIANGLES;
     return;
   }
-  if (&output != input_mesh_.get())
+  if (&output != input_mesh_.get() && handoff_ == nullptr) // a chain has the cloud
     output.cloud = input_mesh_->cloud;
   roles_ = run_->pointRoles();
   report_ = run_->report();

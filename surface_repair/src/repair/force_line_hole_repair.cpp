@@ -56,7 +56,8 @@ ForceLineHoleRepair::writeTriangles(ccaa::Triangles& triangles,
                                     const ccaa::LoopContext& context,
                                     pcl::PolygonMesh& output)
 {
-  ccaa::writePolygons(triangles, point_of_vertex, context, output.polygons);
+  ccaa::handOut(
+      std::move(triangles), point_of_vertex, context, nullptr, output.polygons);
 }
 
 repair::Decisions

@@ -39,6 +39,32 @@ TEST_F(ConsecutiveReconstructionTest, TheBaseGetsTheFilteredTrianglesAndTheWhole
   EXPECT_EQ(base_->given_indices.size(), 3000u);
 }
 
+/** \brief Drops half of what GreedyStart makes. */
+class HalvingStart : public GreedyStart<PointXYZ> {
+public:
+  std::size_t made = 0;
+
+protected:
+  void
+  performReconstruction(Polygons& polygons) override
+  {
+    GreedyStart<PointXYZ>::performReconstruction(polygons);
+    made = polygons.size();
+    polygons.resize(made / 2);
+  }
+};
+
+TEST_F(ConsecutiveReconstructionTest, WhoDerivesFromAStageWorksWithPolygons)
+{
+  const auto start = std::make_shared<HalvingStart>();
+  chain_.setStartAlgorithm(start);
+  chain_.setFilter(nullptr);
+  chain_.setBaseAlgorithm(nullptr);
+  const Triangles triangles = reconstruct(toCloud(bumpySphere(2000)));
+  EXPECT_GT(start->made, 3000u);
+  EXPECT_EQ(start->made / 2, triangles.size());
+}
+
 TEST_F(ConsecutiveReconstructionTest, StartsWithGreedyStartAndBlockSearch)
 {
   const Chain chain;

@@ -114,8 +114,11 @@ TEST(PolygonAccess, WritesWhatItHasRead)
   const auto shape = shuffled(icosphere(2), 9);
   const auto mesh = readPolygons(toPolygons(shape.triangles), shape.vertices, {});
   Polygons polygons(7, polygon({1, 2, 3, 4}));
-  writePolygons(mesh.triangles, mesh.point_of_vertex, {}, polygons);
+  handOut(mesh.triangles, mesh.point_of_vertex, {}, nullptr, polygons);
   EXPECT_EQ(toTriangles(polygons), shape.triangles);
+  TriangleHandoff handoff;
+  handOut(mesh.triangles, mesh.point_of_vertex, {}, &handoff, polygons);
+  EXPECT_EQ(handoff.made, shape.triangles);
 }
 
 TEST(PolygonAccess, KeepsLiveTrianglesInOrder)

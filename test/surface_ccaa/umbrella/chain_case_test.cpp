@@ -49,7 +49,7 @@ judge(const Shape& shape)
   const auto place = survivingChain(chains, shape.triangles, shape.vertices, 0);
   judgement.any_survives = place.has_value();
   if (place) {
-    const Chain& chain = chains.chains()[*place];
+    const FanChain& chain = chains.chains()[*place];
     for (std::size_t i = 0; i < chain.size; ++i)
       judgement.survivor.push_back(chains.triangles()[chain.first + i]);
   }

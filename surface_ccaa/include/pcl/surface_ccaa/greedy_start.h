@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/checked_construction.h>
+#include <pcl/surface_ccaa/impl/triangle_handoff.h>
 #include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_settings.h>
@@ -36,7 +37,9 @@ namespace pcl {
  * \tparam PointT any point type with x, y and z of type float in a row
  */
 template <typename PointT>
-class GreedyStart : public ccaa::CheckedConstruction<PointT>, public ccaa::RunSettings {
+class GreedyStart : public ccaa::CheckedConstruction<PointT>,
+                    public ccaa::RunSettings,
+                    public ccaa::TakesHandoff {
 public:
   using Ptr = shared_ptr<GreedyStart<PointT>>;
   using ConstPtr = shared_ptr<const GreedyStart<PointT>>;

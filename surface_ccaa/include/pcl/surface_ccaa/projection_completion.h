@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the base algorithm of CCAA (thesis 3.1, 3.5).
 #pragma once
 
+#include <pcl/surface_ccaa/impl/triangle_handoff.h>
 #include <pcl/surface_ccaa/mesh_completion.h>
 #include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/reconstruction_report.h>
@@ -39,7 +40,7 @@ namespace pcl {
  * \tparam PointT any point type with x, y and z of type float in a row
  */
 template <typename PointT>
-class ProjectionCompletion : public MeshCompletion<PointT> {
+class ProjectionCompletion : public MeshCompletion<PointT>, public ccaa::TakesHandoff {
 public:
   using Ptr = shared_ptr<ProjectionCompletion<PointT>>;
   using ConstPtr = shared_ptr<const ProjectionCompletion<PointT>>;

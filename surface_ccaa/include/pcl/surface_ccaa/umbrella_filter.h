@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface/processing.h>
+#include <pcl/surface_ccaa/impl/triangle_handoff.h>
 #include <pcl/surface_ccaa/run_settings.h>
 #include <pcl/surface_ccaa/side_settings.h>
 
@@ -76,7 +77,8 @@ struct UmbrellaReport {
  */
 class UmbrellaFilter : public MeshProcessing,
                        public ccaa::RunSettings,
-                       public ccaa::SideSettings {
+                       public ccaa::SideSettings,
+                       public ccaa::TakesHandoff {
 public:
   using Ptr = shared_ptr<UmbrellaFilter>;
   using ConstPtr = shared_ptr<const UmbrellaFilter>;

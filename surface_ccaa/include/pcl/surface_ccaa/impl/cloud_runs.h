@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl/surface_ccaa/impl/point_array.h>
+#include <pcl/surface_ccaa/impl/triangle_handoff.h>
 #include <pcl/surface_ccaa/reconstruction_parameters.h>
 #include <pcl/surface_ccaa/reconstruction_report.h>
 #include <pcl/surface_ccaa/run_settings.h>
@@ -48,6 +49,8 @@ struct CloudInput {
   IndicesPtr selection;      /**< points that may be used, not looked at yet */
   unsigned int threads = 0;  /**< 0: all */
   ProgressCallback progress; /**< may be empty */
+  /** \brief Takes the place of the polygons that are given and come out; null: none. */
+  TriangleHandoff* handoff = nullptr;
 };
 
 /** \brief GreedyStart on the points of a cloud, whatever their type.
@@ -112,6 +115,12 @@ struct StageSettings {
   SideSettings* sides; /**< null: it is told nothing */
 };
 
+/** \brief What an algorithm of a chain makes. */
+struct StageOutput {
+  TriangleHandoff handoff;             /**< of an algorithm that takes part in it */
+  std::vector<pcl::Vertices> polygons; /**< of another one; not checked */
+};
+
 /** \brief One algorithm of a chain, whatever its point type. */
 class ChainPart {
 public:
@@ -119,6 +128,9 @@ public:
 
   virtual StageSettings
   settings() const = 0;
+  /** \brief Whether it hands triangles over, and can be given them. */
+  virtual bool
+  takesHandoff() const = 0;
   /** \brief Whether it is a MeshCompletion. */
   virtual bool
   completes() const = 0;
@@ -133,17 +145,17 @@ public:
   }
 
   /** \brief Start from points alone.
-   * \param[out] made polygons, not checked \return whether they speak of places in the
-   * selection and not of points of the cloud */
+   * \return whether its polygons speak of places in the selection and not of points of
+   * the cloud */
   virtual bool
-  construct(const ChainSelection& points, std::vector<pcl::Vertices>& made) = 0;
+  construct(const ChainSelection& points, StageOutput& made) = 0;
 
-  /** \brief Complete a mesh. \param[in] partial_mesh null: there is none
-   * \param[out] polygons of cloud indices, not checked */
+  /** \brief Complete a mesh. \param[in] partial_mesh null: there is none, or it is
+   * handed over \param[in,out] made of cloud indices */
   virtual void
   complete(const PolygonMeshConstPtr& partial_mesh,
            const IndicesPtr& usable,
-           std::vector<pcl::Vertices>& polygons) = 0;
+           StageOutput& made) = 0;
 };
 
 /** \brief A chain and what it is applied to. */

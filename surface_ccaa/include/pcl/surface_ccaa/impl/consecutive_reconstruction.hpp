@@ -12,6 +12,7 @@
 #include <pcl/conversions.h>
 
 #include <memory>
+#include <typeinfo>
 #include <utility>
 
 namespace pcl {
@@ -29,6 +30,7 @@ public:
   CloudPart(MeshConstruction<PointT>& algorithm, CloudConstPtr cloud, TreePtr tree)
   : algorithm_(algorithm)
   , completion_(dynamic_cast<MeshCompletion<PointT>*>(&algorithm))
+  , handing_(handing(algorithm))
   , cloud_(std::move(cloud))
   , tree_(std::move(tree))
   {}
@@ -37,6 +39,11 @@ public:
   settings() const override
   {
     return StageSettings::of(&algorithm_);
+  }
+  bool
+  takesHandoff() const override
+  {
+    return handing_ != nullptr;
   }
   bool
   completes() const override
@@ -57,15 +64,16 @@ public:
   /** A cloud of some of the points is no longer organised: an algorithm whose search
    * method needs that loses it. */
   bool
-  construct(const ChainSelection& points, std::vector<Vertices>& made) override
+  construct(const ChainSelection& points, StageOutput& made) override
   {
+    const LentHandoff lent(handing_, made.handoff);
     if (tree_)
       algorithm_.setSearchMethod(tree_);
     const bool honours_indices = settings().run != nullptr;
     if (honours_indices || !needsCloudOfItsOwn(points)) {
       algorithm_.setInputCloud(cloud_);
       algorithm_.setIndices(honours_indices ? points.chosen : IndicesPtr());
-      algorithm_.reconstruct(made);
+      algorithm_.reconstruct(made.polygons);
       return false;
     }
     const auto part = std::make_shared<PointCloud<PointT>>(*cloud_, *points.chosen);
@@ -74,15 +82,16 @@ public:
       algorithm_.setSearchMethod(nullptr); // it chooses one that can
     algorithm_.setInputCloud(part);
     algorithm_.setIndices(IndicesPtr());
-    algorithm_.reconstruct(made);
+    algorithm_.reconstruct(made.polygons);
     return true;
   }
 
   void
   complete(const PolygonMeshConstPtr& partial_mesh,
            const IndicesPtr& usable,
-           std::vector<Vertices>& polygons) override
+           StageOutput& made) override
   {
+    const LentHandoff lent(handing_, made.handoff);
     if (tree_)
       completion_->setSearchMethod(tree_);
     const std::shared_ptr<void> restore(
@@ -92,10 +101,21 @@ public:
     completion_->setInputCloud(cloud_);
     completion_->setIndices(usable);
     completion_->setPartialMesh(partial_mesh);
-    completion_->reconstruct(polygons);
+    completion_->reconstruct(made.polygons);
   }
 
 private:
+  /** Who derives from one of these may do more with the polygons. */
+  static TakesHandoff*
+  handing(MeshConstruction<PointT>& algorithm)
+  {
+    const std::type_info& type = typeid(algorithm);
+    return type == typeid(GreedyStart<PointT>) ||
+                   type == typeid(ProjectionCompletion<PointT>)
+               ? dynamic_cast<TakesHandoff*>(&algorithm)
+               : nullptr;
+  }
+
   /** A class of PCL may mix up indices and positions among them (gp3 does), and need
    * not expect points that are not finite. Of organised clouds it does. */
   bool
@@ -107,6 +127,7 @@ private:
 
   MeshConstruction<PointT>& algorithm_;
   MeshCompletion<PointT>* completion_;
+  TakesHandoff* handing_; /**< null: it works with polygons */
   CloudConstPtr cloud_;
   TreePtr tree_;
 };

@@ -31,7 +31,7 @@ GreedyStart<PointT>::performReconstruction(std::vector<pcl::Vertices>& polygons)
   if (!tree_)
     tree_ = std::make_shared<search::KdTree<PointT>>(false);
   const ccaa::CloudInput input{
-      ccaa::pointArrayOf(*input_), indices_, threads_, progress_};
+      ccaa::pointArrayOf(*input_), indices_, threads_, progress_, handoff_};
   const std::string error =
       ccaa::runGreedyStart(input,
                            ccaa::treeSearchOf<PointT>(tree_, input_, threads_),

@@ -33,6 +33,7 @@ ProjectionCompletion<PointT>::performReconstruction(
   input.selection = indices_;
   input.threads = threads_;
   input.progress = progress_;
+  input.handoff = handoff_;
   input.normals = ccaa::normalArrayOf(*input_);
   input.viewpoints = ccaa::viewpointArrayOf(*input_);
   input.sides = ccaa::sidesOf(*input_, side_hints_);
