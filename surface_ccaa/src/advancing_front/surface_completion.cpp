@@ -249,8 +249,10 @@ Completion::settle()
       result_.kept.push_back(triangle);
     result_.triangles.push_back((*surface_)[triangle]);
   }
+  adjacency_ = std::move(given_.adjacency);
+  const AliveFlags alive = surface_->aliveGiven();
   surface_.reset();
-  adjacency_ = std::move(given_.adjacency); // its memory serves the result
+  adjacency_.follow(alive, result_.triangles, context_.threads, &control_);
 }
 
 /** Growth and local regrowth may leave pieces behind that are cut off from the rest
@@ -258,9 +260,6 @@ Completion::settle()
 void
 Completion::keepLargeComponents()
 {
-  adjacency_.build(result_.triangles, mesh_.points.size(), context_.threads, &control_);
-  if (control_.cancelled())
-    return;
   const std::vector<std::uint8_t> is_large =
       largeComponentFlags(result_.triangles,
                           adjacency_,
@@ -281,8 +280,7 @@ Completion::keepLargeComponents()
   report_.kept_triangles = kept;
   report_.new_triangles = left - kept;
   if (dropped)
-    adjacency_.build(
-        result_.triangles, mesh_.points.size(), context_.threads, &control_);
+    adjacency_.follow(is_large, result_.triangles, context_.threads, &control_);
 }
 
 /** The whole, outward where that can be told. */

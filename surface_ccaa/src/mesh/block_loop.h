@@ -9,6 +9,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -114,6 +116,32 @@ forEachRange(std::size_t count,
                                 static_cast<double>(end) / static_cast<double>(items));
     }
   return !context.cancelled();
+}
+
+/** \brief How many flags of a range are 1. */
+inline std::size_t
+flagged(const std::vector<std::uint8_t>& flags, std::size_t begin, std::size_t end)
+{
+  const auto first = flags.begin();
+  return static_cast<std::size_t>(std::count(first + static_cast<std::ptrdiff_t>(begin),
+                                             first + static_cast<std::ptrdiff_t>(end),
+                                             std::uint8_t{1}));
+}
+
+/** \brief Where what each block yields begins among all of it; the last entry is how
+ * much that is.
+ * \param[in] yieldOf how much items [begin, end) do: yieldOf(begin, end) */
+template <typename YieldOf>
+std::vector<std::size_t>
+blockStarts(std::size_t count, const LoopContext& context, const YieldOf& yieldOf)
+{
+  std::vector<std::size_t> starts(context.blockCount(count) + 1, 0);
+  forEachBlock(
+      count, context, [&](std::size_t block, std::size_t begin, std::size_t end) {
+        starts[block + 1] = yieldOf(begin, end);
+      });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  return starts;
 }
 
 /** \brief Join what each block has collected, in block order, so that the result does

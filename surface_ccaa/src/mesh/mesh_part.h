@@ -31,11 +31,12 @@ public:
   void
   label(const Triangles& triangles,
         const TriangleAdjacency& adjacency,
+        const CutEdges& cut,
         std::vector<pcl::index_t>& state,
         RunControl& control)
   {
     for (std::size_t i = begin_; i < end_; ++i) {
-      state[i] = labelOne(i, triangles, adjacency, state);
+      state[i] = labelOne(i, triangles, adjacency, cut, state);
       WoundComponent& label = labels[static_cast<std::size_t>(state[i] >> 1)];
       ++label.triangles;
       label.turned += static_cast<std::size_t>(state[i] & 1);
@@ -75,6 +76,7 @@ private:
   labelOne(std::size_t index,
            const Triangles& triangles,
            const TriangleAdjacency& adjacency,
+           const CutEdges& cut,
            const std::vector<pcl::index_t>& state)
   {
     const auto current = static_cast<pcl::index_t>(index);
@@ -85,7 +87,8 @@ private:
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const pcl::index_t other = adjacency.across(current, static_cast<int>(corner));
       closed = closed && other >= 0;
-      if (other < 0 || other > current)
+      if (other < 0 || other > current ||
+          (!cut.empty() && (cut[index] >> corner & 1) != 0))
         continue;
       const auto lower = static_cast<std::size_t>(other);
       const pcl::index_t change = runsAlong(

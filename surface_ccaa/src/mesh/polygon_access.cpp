@@ -68,23 +68,6 @@ private:
   std::vector<pcl::index_t> sorted_;
 };
 
-/** \brief Where the triangles of each block of polygons begin; the last entry is the
- * number of all. */
-std::vector<std::size_t>
-blockStarts(const PolygonView& polygons, const LoopContext& context)
-{
-  std::vector<std::size_t> starts(context.blockCount(polygons.size()) + 1, 0);
-  const auto count = [&](std::size_t block, std::size_t begin, std::size_t end) {
-    std::size_t triangles = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      triangles += triangleCount(polygons[i]);
-    starts[block + 1] = triangles;
-  };
-  forEachBlock(polygons.size(), context, count);
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  return starts;
-}
-
 } // namespace
 
 PolygonTriangles
@@ -93,7 +76,12 @@ readPolygons(const PolygonView& polygons,
              const LoopContext& context)
 {
   const auto non_finite = flagNonFinite(points, context);
-  const auto starts = blockStarts(polygons, context);
+  const auto starts = blockStarts(polygons.size(), context, [&](auto begin, auto end) {
+    std::size_t triangles = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      triangles += triangleCount(polygons[i]);
+    return triangles;
+  });
   std::vector<std::size_t> invalid(starts.size(), 0);
   PolygonTriangles mesh;
   mesh.triangles.resize(starts.back());
@@ -182,15 +170,9 @@ liveTriangles(const Triangles& triangles,
               const AliveFlags& alive,
               const LoopContext& context)
 {
-  std::vector<std::size_t> starts(context.blockCount(triangles.size()) + 1, 0);
-  const auto count = [&](std::size_t block, std::size_t begin, std::size_t end) {
-    std::size_t live = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      live += alive[i] != 0 ? 1 : 0;
-    starts[block + 1] = live;
-  };
-  forEachBlock(triangles.size(), context, count);
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  const auto starts = blockStarts(triangles.size(), context, [&](auto begin, auto end) {
+    return flagged(alive, begin, end);
+  });
   Triangles live(starts.back());
   const auto copy = [&](std::size_t block, std::size_t begin, std::size_t end) {
     Triangle* out = live.data() + starts[block];

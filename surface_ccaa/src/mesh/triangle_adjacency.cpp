@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pcl::ccaa {
 namespace {
@@ -135,30 +136,104 @@ TriangleAdjacency::listOverfull(const std::vector<EdgeTriangle>& edge_triangles)
 
 void
 TriangleAdjacency::keep(const std::vector<std::uint8_t>& alive,
-                        const std::vector<Fan>& fans)
+                        const Triangles& left,
+                        int threads,
+                        RunControl* control)
 {
+  const LoopContext context{threads, control, "adjacency", BLOCK_SIZE};
   UninitializedVector<pcl::index_t> kept_as(alive.size());
-  pcl::index_t kept = 0;
-  for (std::size_t i = 0; i < alive.size(); ++i)
-    kept_as[i] = alive[i] != 0 ? kept++ : NONE;
-  std::size_t end = 0, begin = 0;
-  for (std::size_t vertex = 0; vertex < fans_.size(); ++vertex) {
-    for (std::size_t i = std::exchange(begin, offsets_[vertex + 1]); i < begin; ++i) {
-      const auto triangle = kept_as[static_cast<std::size_t>(incident_[i])];
-      incident_[end] = triangle;
-      end += triangle != NONE ? 1 : 0;
+  const auto starts = blockStarts(alive.size(), context, [&](auto begin, auto end) {
+    return flagged(alive, begin, end);
+  });
+  const auto number = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    auto next = static_cast<pcl::index_t>(starts[block]);
+    for (std::size_t i = begin; i < end; ++i)
+      kept_as[i] = alive[i] != 0 ? next++ : NONE;
+  };
+  if (!forEachBlock(alive.size(), context, number) || !keepAcross(kept_as, context) ||
+      !keepLists(kept_as, left, context))
+    clear();
+}
+
+void
+TriangleAdjacency::follow(const std::vector<std::uint8_t>& alive,
+                          const Triangles& triangles,
+                          int threads,
+                          RunControl* control)
+{
+  const std::size_t kept = flagged(alive, 0, alive.size());
+  if (isAppendedAnew(kept, triangles.size()))
+    return build(triangles, vertexCount(), threads, control);
+  if (kept < alive.size())
+    keep(alive, triangles, threads, control);
+  if (kept < triangles.size() && (control == nullptr || !control->cancelled()))
+    append(triangles, vertexCount(), threads, control);
+}
+
+/** Whether so many triangles more are better built than appended. */
+bool
+TriangleAdjacency::isAppendedAnew(std::size_t before, std::size_t after) const
+{
+  return !overfull_edges_.empty() || APPENDED_SHARE * (after - before) > before;
+}
+
+bool
+TriangleAdjacency::keepAcross(const UninitializedVector<pcl::index_t>& kept_as,
+                              const LoopContext& context)
+{
+  UninitializedVector<pcl::index_t> across(across_.size());
+  const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (kept_as[i] == NONE)
+        continue;
+      auto slot = across.begin() + 3 * std::ptrdiff_t{kept_as[i]};
+      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+        *slot++ =
+            across_[k] < 0 ? across_[k] : kept_as[static_cast<std::size_t>(across_[k])];
     }
-    offsets_[vertex + 1] = static_cast<std::uint32_t>(end);
-  }
-  incident_.resize(end);
-  auto slot = across_.begin();
-  for (std::size_t i = 0; i < across_.size(); ++i) {
-    const auto other = across_[i];
-    if (alive[i / 3] != 0)
-      *slot++ = other < 0 ? other : kept_as[static_cast<std::size_t>(other)];
-  }
-  across_.erase(slot, across_.end());
-  fans_ = fans;
+  };
+  const bool complete = forEachBlock(kept_as.size(), context, copy);
+  across_ = std::move(across);
+  return complete;
+}
+
+/** And chains anew around vertices that have lost a triangle. */
+bool
+TriangleAdjacency::keepLists(const UninitializedVector<pcl::index_t>& kept_as,
+                             const Triangles& left,
+                             const LoopContext& context)
+{
+  const auto offsets = std::exchange(offsets_, std::vector<std::uint32_t>(1));
+  const auto incident = std::exchange(incident_, {});
+  offsets_.resize(offsets.size());
+  const auto eachAt = [&](std::size_t vertex, const auto& visit) {
+    for (std::size_t i = offsets[vertex]; i < offsets[vertex + 1]; ++i)
+      if (const auto kept = kept_as[static_cast<std::size_t>(incident[i])];
+          kept != NONE)
+        visit(kept);
+  };
+  const auto count = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      eachAt(v, [&](pcl::index_t) { ++offsets_[v + 1]; });
+  };
+  forEachBlock(fans_.size(), context, count);
+  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  incident_.resize(offsets_.back());
+  across_.resize(offsets_.back());
+  const auto fill = [&](std::size_t, std::size_t begin, std::size_t end) {
+    auto* next = incident_.data() + offsets_[begin];
+    for (std::size_t v = begin; v < end; ++v)
+      eachAt(v, [&](pcl::index_t kept) { *next++ = kept; });
+  };
+  const auto match = [&](std::size_t, std::size_t begin, std::size_t end) {
+    VertexLink link;
+    std::vector<EdgeTriangle> overfull; // none is made by deletion
+    for (std::size_t v = begin; v < end; ++v)
+      if (offsets[v + 1] - offsets[v] != offsets_[v + 1] - offsets_[v])
+        matchVertex(left, v, link, overfull);
+  };
+  return forEachBlock(fans_.size(), context, fill) &&
+         forEachBlock(fans_.size(), context, match);
 }
 
 void
@@ -168,7 +243,7 @@ TriangleAdjacency::append(const Triangles& triangles,
                           RunControl* control)
 {
   const std::size_t before = triangleCount();
-  if (!overfull_edges_.empty() || APPENDED_SHARE * (triangles.size() - before) > before)
+  if (isAppendedAnew(before, triangles.size()))
     return build(triangles, vertex_count, threads, control);
   std::vector<Corner> corners;
   for (std::size_t t = before; t < triangles.size(); ++t)

@@ -59,10 +59,16 @@ public:
   /** \brief Follow the deletion of triangles, several times cheaper than build().
    *
    * Needs a mesh without overfull edges. Triangles are numbered anew, in the same
-   * order; vertices keep their numbers. \param[in] alive one flag for each triangle:
-   * not deleted \param[in] fans what the vertices have after the deletion */
+   * order; vertices keep their numbers.
+   *
+   * \param[in] alive one flag for each triangle: 0 or 1, not deleted
+   * \param[in] left begins with those that are not
+   * \param[in] threads \param[in] control of build() */
   void
-  keep(const std::vector<std::uint8_t>& alive, const std::vector<Fan>& fans);
+  keep(const std::vector<std::uint8_t>& alive,
+       const Triangles& left,
+       int threads = 1,
+       RunControl* control = nullptr);
 
   /** \brief Follow appended triangles, many times cheaper than build() where these are
    * few: one pass over the lists and a match of their corners. Else, and where there
@@ -73,6 +79,14 @@ public:
   void
   append(const Triangles& triangles,
          std::size_t vertex_count,
+         int threads = 1,
+         RunControl* control = nullptr);
+
+  /** \brief Follow both, or build anew if that is cheaper.
+   * \param[in] triangles those that are alive, then the appended ones */
+  void
+  follow(const std::vector<std::uint8_t>& alive,
+         const Triangles& triangles,
          int threads = 1,
          RunControl* control = nullptr);
 
@@ -172,6 +186,15 @@ private:
               std::size_t vertex,
               VertexLink& link,
               std::vector<EdgeTriangle>& overfull);
+  bool
+  isAppendedAnew(std::size_t before, std::size_t after) const;
+  bool
+  keepAcross(const UninitializedVector<pcl::index_t>& kept_as,
+             const LoopContext& context);
+  bool
+  keepLists(const UninitializedVector<pcl::index_t>& kept_as,
+            const Triangles& left,
+            const LoopContext& context);
   void
   listOverfull(const std::vector<EdgeTriangle>& edge_triangles);
   void

@@ -111,14 +111,16 @@ bool
 Winding::find(const Triangles& triangles,
               const TriangleAdjacency& adjacency,
               int threads,
-              RunControl& control)
+              RunControl& control,
+              const CutEdges& cut)
 {
   state_.resize(triangles.size());
   std::vector<MeshPart> parts = cutIntoParts(triangles.size(), threads);
   const auto count = static_cast<int>(parts.size());
 #pragma omp parallel for schedule(static, 1) num_threads(count) if (count > 1)
   for (int i = 0; i < count; ++i)
-    parts[static_cast<std::size_t>(i)].label(triangles, adjacency, state_, control);
+    parts[static_cast<std::size_t>(i)].label(
+        triangles, adjacency, cut, state_, control);
   if (control.cancelled())
     return false;
   PartMerger merger(parts);

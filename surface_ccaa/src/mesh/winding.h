@@ -51,6 +51,10 @@ struct WoundComponent {
   bool one_sided = false;
 };
 
+/** \brief Of each triangle a bit for each corner whose edge leads to a lower triangle:
+ * components do not go on across it. Empty: across all edges. */
+using CutEdges = std::vector<std::uint8_t>;
+
 /** \brief Every triangle's component, and whether it is wound against the component's
  * first triangle. */
 class Winding {
@@ -61,13 +65,21 @@ public:
   find(const Triangles& triangles,
        const TriangleAdjacency& adjacency,
        int threads,
-       RunControl& control);
+       RunControl& control,
+       const CutEdges& cut = {});
 
   /** \brief By ascending first triangle. */
   const std::vector<WoundComponent>&
   components() const
   {
     return components_;
+  }
+
+  /** \brief Twice the component, and one more if turned. */
+  pcl::index_t
+  state(pcl::index_t triangle) const
+  {
+    return state_[static_cast<std::size_t>(triangle)];
   }
 
   std::size_t

@@ -109,7 +109,7 @@ FilterRun::dropDeleted()
       0) {
     triangles_ = liveTriangles(triangles_, alive_, stage("regions"));
     if (settings_.consistent_orientation)
-      adjacency_.keep(alive_, fans_);
+      adjacency_.keep(alive_, triangles_, settings_.threads, &control_);
   }
   alive_ = AliveFlags(); // {} would keep the memory
   report_.output_triangles = triangles_.size();

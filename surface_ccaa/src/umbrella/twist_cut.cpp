@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/label_votes.h"
+#include "mesh/winding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,6 @@ struct BentEdge {
   double cosine;  /**< of the angle between their normals, wound alike */
   bool wound_alike;
 };
-
-/** What is known of the edge at each corner of a triangle, two bits a corner. Edges are
- * noted at their triangle of higher index. */
-constexpr unsigned int SMOOTH = 1;
-constexpr unsigned int WOUND_ALIKE = 2;
 
 /** The mesh with a normal for each triangle. */
 class BendMeter {
@@ -100,20 +96,20 @@ public:
               const Positions& positions,
               const TwistLimits& limits,
               const LoopContext& context)
-  : adjacency_(adjacency)
+  : triangles_(triangles)
+  , adjacency_(adjacency)
   , limits_(limits)
   , context_(context)
   , meter_(triangles, adjacency, positions, context)
-  , edges_(triangles.size())
+  , is_bent_(triangles.size())
   {}
 
   std::vector<index_t>
-  find()
+  find(RunControl& control)
   {
     measureEdges();
-    if (context_.cancelled())
-      return {};
-    if (!joinSmoothEdges())
+    if (context_.cancelled() ||
+        !smooth_.find(triangles_, adjacency_, context_.threads, control, is_bent_))
       return {};
     joinBentEdges();
     if (context_.cancelled())
@@ -123,34 +119,29 @@ public:
   }
 
 private:
-  std::size_t
-  size() const
-  {
-    return edges_.size();
-  }
-
-  /** The part that takes the time, on all threads. */
   void
   measureEdges()
   {
     const double smooth = std::cos(limits_.smooth_angle);
-    std::vector<std::vector<BentEdge>> bent(context_.blockCount(size()));
-    forEachBlock(
-        size(), context_, [&](std::size_t block, std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            edges_[i] = edgesOf(static_cast<index_t>(i), smooth, bent[block]);
-        });
-    for (const std::vector<BentEdge>& part : bent)
-      bent_.insert(bent_.end(), part.begin(), part.end());
-    spend(context_.control, size());
+    std::vector<std::vector<BentEdge>> bent(context_.blockCount(is_bent_.size()));
+    forEachBlock(is_bent_.size(),
+                 context_,
+                 [&](std::size_t block, std::size_t begin, std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i)
+                     is_bent_[i] =
+                         bentEdgesOf(static_cast<index_t>(i), smooth, bent[block]);
+                 });
+    bent_ = joinBlocks(bent);
+    spend(context_.control, is_bent_.size());
     std::stable_sort(
         bent_.begin(), bent_.end(), [](const BentEdge& e, const BentEdge& f) {
           return e.cosine > f.cosine;
         });
   }
 
+  /** \return see CutEdges */
   std::uint8_t
-  edgesOf(index_t triangle, double smooth, std::vector<BentEdge>& bent) const
+  bentEdgesOf(index_t triangle, double smooth, std::vector<BentEdge>& bent) const
   {
     unsigned int bits = 0;
     for (int corner = 0; corner < 3; ++corner) {
@@ -159,45 +150,28 @@ private:
         continue;
       const BentEdge edge = meter_.edge(triangle, corner, other);
       if (edge.cosine > smooth)
-        bits |= (SMOOTH | (edge.wound_alike ? WOUND_ALIKE : 0u)) << 2 * corner;
-      else
-        bent.push_back(edge);
+        continue;
+      bits |= 1u << corner;
+      bent.push_back(edge);
     }
     return static_cast<std::uint8_t>(bits);
-  }
-
-  /** One triangle after the other: each takes the label of a neighbor before it.
-   * \return false when cancelled */
-  bool
-  joinSmoothEdges()
-  {
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (i % BLOCK_SIZE == 0 && context_.control != nullptr &&
-          !context_.control->report(context_.stage, double(i) / double(size())))
-        return false;
-      const auto triangle = static_cast<index_t>(i);
-      sets_.add();
-      for (int corner = 0; corner < 3; ++corner) {
-        const unsigned int bits = edges_[i] >> 2 * corner & 3u;
-        if ((bits & SMOOTH) != 0 && !join(adjacency_.across(triangle, corner),
-                                          triangle,
-                                          (bits & WOUND_ALIKE) != 0))
-          truly_one_sided_.push_back(triangle);
-      }
-    }
-    return true;
   }
 
   /** An even one tells more. */
   void
   joinBentEdges()
   {
+    for (std::size_t i = 0; i < smooth_.components().size(); ++i)
+      sets_.add();
     std::vector<LabelVote> votes;
     votes.reserve(bent_.size());
     for (const BentEdge& edge : bent_) {
+      const index_t lower = smooth_.state(edge.lower);
+      const index_t higher = smooth_.state(edge.higher);
       const double evenness = (1.0 + edge.cosine) * (1.0 + edge.cosine);
       votes.push_back(
-          {{edge.lower, edge.higher}, edge.wound_alike ? evenness : -evenness});
+          {{lower / 2, higher / 2},
+           edge.wound_alike == ((lower ^ higher) % 2 == 0) ? evenness : -evenness});
     }
     joinClearest(std::move(votes), sets_, context_.control);
   }
@@ -207,32 +181,19 @@ private:
   void
   findWrong()
   {
-    spend(context_.control, size());
-    std::vector<char> is_wrong(size(), 0);
+    spend(context_.control, is_bent_.size());
+    std::vector<char> is_wrong(is_bent_.size(), 0);
     for (const BentEdge& edge : bent_) {
       if (is_wrong[static_cast<std::size_t>(edge.lower)] != 0 ||
           is_wrong[static_cast<std::size_t>(edge.higher)] != 0 ||
-          join(edge.lower, edge.higher, edge.wound_alike))
+          sets_.join(smooth_.state(edge.lower),
+                     smooth_.state(edge.higher) ^ (edge.wound_alike ? 0 : 1)))
         continue;
       wrong_.push_back(meter_.evenness(edge.lower) < meter_.evenness(edge.higher)
                            ? edge.lower
                            : edge.higher);
       is_wrong[static_cast<std::size_t>(wrong_.back())] = 1;
     }
-  }
-
-  /** \return false when the winding that the edge wants contradicts the others' */
-  bool
-  join(index_t lower, index_t higher, bool wound_alike)
-  {
-    return sets_.join(2 * lower, 2 * higher + (wound_alike ? 0 : 1));
-  }
-
-  /** First triangle of the region of a triangle. */
-  std::size_t
-  region(index_t triangle)
-  {
-    return static_cast<std::size_t>(sets_.find(2 * triangle) >> 1);
   }
 
   /** The wrong triangles of regions that are worth cutting. */
@@ -242,32 +203,38 @@ private:
     struct Balance {
       double triangles = 0;
       double wrong = 0;
+      bool is_truly_one_sided = false;
     };
-    spend(context_.control, size());
-    std::vector<Balance> balance(size());
-    for (std::size_t i = 0; i < size(); ++i)
-      ++balance[region(static_cast<index_t>(i))].triangles;
+    const auto& parts = smooth_.components();
+    std::vector<Balance> balance(parts.size());
+    const auto of = [&](index_t state) -> Balance& {
+      return balance[static_cast<std::size_t>(sets_.find(state) >> 1)];
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      Balance& all = of(2 * static_cast<index_t>(i));
+      all.triangles += static_cast<double>(parts[i].triangles);
+      all.is_truly_one_sided = all.is_truly_one_sided || parts[i].one_sided;
+    }
     for (const index_t triangle : wrong_)
-      ++balance[region(triangle)].wrong;
-    for (const index_t triangle : truly_one_sided_)
-      balance[region(triangle)].triangles = 0;
+      ++of(smooth_.state(triangle)).wrong;
     std::vector<index_t> kept;
     for (const index_t triangle : wrong_) {
-      const Balance& all = balance[region(triangle)];
-      if (all.wrong <= limits_.largest_share * all.triangles)
+      const Balance& all = of(smooth_.state(triangle));
+      if (!all.is_truly_one_sided && all.wrong <= limits_.largest_share * all.triangles)
         kept.push_back(triangle);
     }
     return kept;
   }
 
+  const Triangles& triangles_;
   const TriangleAdjacency& adjacency_;
   const TwistLimits& limits_;
   const LoopContext& context_;
   const BendMeter meter_;
-  std::vector<std::uint8_t> edges_; /**< SMOOTH and WOUND_ALIKE, two bits a corner */
+  CutEdges is_bent_;
   std::vector<BentEdge> bent_;
-  LabelSets sets_; /**< a label for each triangle */
-  std::vector<index_t> truly_one_sided_;
+  Winding smooth_; /**< over edges that are not bent */
+  LabelSets sets_; /**< a label for each of its components */
   std::vector<index_t> wrong_;
 };
 
@@ -280,7 +247,9 @@ findTwists(const Triangles& triangles,
            const TwistLimits& limits,
            const LoopContext& context)
 {
-  return TwistSearch(triangles, adjacency, positions, limits, context).find();
+  RunControl unasked({});
+  return TwistSearch(triangles, adjacency, positions, limits, context)
+      .find(context.control != nullptr ? *context.control : unasked);
 }
 
 } // namespace pcl::ccaa

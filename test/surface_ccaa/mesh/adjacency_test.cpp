@@ -225,11 +225,12 @@ TEST(TriangleAdjacency, FollowsDeletionAsIfBuiltAnew)
     if (alive[i] != 0)
       kept.push_back(shape.triangles[i]);
   }
-  TriangleAdjacency anew, adjacency;
-  anew.build(kept, shape.vertices.size());
-  adjacency.build(shape.triangles, shape.vertices.size());
-  adjacency.keep(alive, anew.fans());
-  expectMatches(adjacency, kept, shape.vertices.size());
+  for (const int threads : {1, 3}) {
+    TriangleAdjacency adjacency;
+    adjacency.build(shape.triangles, shape.vertices.size());
+    adjacency.keep(alive, kept, threads);
+    expectMatches(adjacency, kept, shape.vertices.size());
+  }
 }
 
 TEST(TriangleAdjacency, FollowsTurnedTrianglesAsIfBuiltAnew)
@@ -264,6 +265,27 @@ TEST(TriangleAdjacency, FollowsAppendedTrianglesAsIfBuiltAnew)
     all.push_back({0, 1, 2}); // there may be overfull edges now
     adjacency.append(all, more_vertices);
     expectMatches(adjacency, all, more_vertices);
+  }
+}
+
+TEST(TriangleAdjacency, FollowsDeletedAndAppendedTrianglesAsIfBuiltAnew)
+{
+  const auto shape = icosphere(2);
+  for (const std::size_t appended : {0U, 3U, 200U}) {
+    Triangles before(shape.triangles.begin() + std::ptrdiff_t(appended),
+                     shape.triangles.end());
+    std::vector<std::uint8_t> alive(before.size(), 1);
+    Triangles after;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (alive[i] = i % 9 != 0; alive[i] != 0)
+        after.push_back(before[i]);
+    after.insert(after.end(),
+                 shape.triangles.begin(),
+                 shape.triangles.begin() + std::ptrdiff_t(appended));
+    TriangleAdjacency adjacency;
+    adjacency.build(before, shape.vertices.size());
+    adjacency.follow(alive, after);
+    expectMatches(adjacency, after, shape.vertices.size());
   }
 }
 
