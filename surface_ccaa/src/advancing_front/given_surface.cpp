@@ -98,14 +98,16 @@ contactsOf(const GivenSurface& given,
 } // namespace
 
 GivenSurface
-readGiven(const PartialMesh& mesh,
+readGiven(PartialMesh& mesh,
           const Reopening& reopening,
           bool keep_given,
           const LoopContext& context)
 {
   GivenSurface surface;
-  surface.adjacency.build(
-      mesh.given, mesh.points.size(), context.threads, context.control);
+  surface.adjacency = std::move(mesh.adjacency);
+  if (surface.adjacency.vertexCount() == 0)
+    surface.adjacency.build(
+        mesh.given, mesh.points.size(), context.threads, context.control);
   if (context.cancelled())
     return surface;
   surface.fault = findFault(surface.adjacency);

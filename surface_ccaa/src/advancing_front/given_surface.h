@@ -23,6 +23,7 @@ struct PartialMesh {
   PointView viewpoints; /**< sensor positions, one per vertex, or empty */
   SideHints sides;      /**< what is told for the whole */
   Triangles given;      /**< three different vertices each */
+  TriangleAdjacency adjacency;      /**< of these, or empty: to be built */
   std::vector<std::uint8_t> is_cut; /**< one flag per vertex, or empty: the surface goes
                                          on there outside of what is given */
 
@@ -61,9 +62,10 @@ struct Reopening {
 /** \brief Read the given triangles of a mesh. Doubtful are, where they need not all be
  * kept, those of doubtfulTriangles() and of islands in which neighbors are wound
  * differently: one-sided ones, which no object has, and those wound at random.
+ * \param[in,out] mesh its adjacency is taken over
  * \return nothing of use after cancelling */
 GivenSurface
-readGiven(const PartialMesh& mesh,
+readGiven(PartialMesh& mesh,
           const Reopening& reopening,
           bool keep_given,
           const LoopContext& context);

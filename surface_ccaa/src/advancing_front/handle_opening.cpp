@@ -99,6 +99,7 @@ HandleOpening::regrow(const Reopening& reopening, double most_work) const
   Completed regrown;
   PartialMesh mesh = again_.mesh;
   mesh.given = now_.mesh.triangles;
+  mesh.adjacency = now_.mesh.adjacency;
   const auto budget =
       static_cast<std::uint64_t>(most_work * static_cast<double>(again_.work));
   regrown.mesh = again_.complete(std::move(mesh), reopening, budget, regrown.report);

@@ -8,6 +8,7 @@
 #include "mesh/cloud_access.h"
 #include "mesh/curve_order.h"
 #include "mesh/polygon_access.h"
+#include "mesh/vertex_adjacency.h"
 #include "run/stage_clock.h"
 #include "search/tree_rows.h"
 
@@ -76,6 +77,8 @@ private:
   addFreePoints();
   Indices
   withoutUsedPlaces(const Indices& free) const;
+  TriangleAdjacency
+  handedAdjacency() const;
   std::vector<std::uint8_t>
   cutFlags() const;
   void
@@ -92,6 +95,7 @@ private:
   LoopContext context_;
   RunControl& control_;
   PolygonTriangles given_;
+  std::size_t given_count_ = 0; /**< vertices with given triangles, the first ones */
   std::vector<Eigen::Vector3f> coordinates_; /**< by vertex */
 };
 
@@ -118,6 +122,7 @@ PolygonCompletion::run(CompletionReport& report)
   mesh.sides = input_.sides;
   mesh.is_cut = cutFlags();
   mesh.given = std::move(given_.triangles);
+  mesh.adjacency = handedAdjacency();
   CompletedMesh completed = completeSurface(
       std::move(mesh),
       [this](auto& open, auto k, auto& table) { return searchOpen(open, k, table); },
@@ -166,6 +171,7 @@ PolygonCompletion::readGiven(CompletionOutput& output)
   if (given.empty())
     return true;
   given_ = readPolygons(given, viewOf(input_.points), context_);
+  given_count_ = given_.point_of_vertex.size();
   if (control_.cancelled())
     return false;
   if (given_.invalid_polygons > 0)
@@ -216,6 +222,26 @@ PolygonCompletion::withoutUsedPlaces(const Indices& free) const
     if (taken.count(place_of(point)) == 0)
       remaining.push_back(point);
   return remaining;
+}
+
+/** Of the given triangles, which it gives their vertices; empty where a chain has none.
+ */
+TriangleAdjacency
+PolygonCompletion::handedAdjacency() const
+{
+  if (input_.handoff == nullptr || input_.handoff->adjacency == nullptr)
+    return {};
+  const auto handed = std::move(input_.handoff->adjacency);
+  std::vector<index_t> number_of(input_.points.size, UNAVAILABLE);
+  for (std::size_t v = 0; v < handed->point_of_vertex.size(); ++v)
+    number_of[static_cast<std::size_t>(handed->point_of_vertex[v])] =
+        static_cast<index_t>(v);
+  std::vector<index_t> before;
+  before.reserve(given_count_);
+  for (std::size_t v = 0; v < given_count_; ++v)
+    before.push_back(number_of[static_cast<std::size_t>(given_.point_of_vertex[v])]);
+  handed->adjacency.renumber(before, given_.point_of_vertex.size(), context_.threads);
+  return std::move(handed->adjacency);
 }
 
 /** Of the vertices; empty where no point is cut. */

@@ -70,9 +70,9 @@ private:
   bool
   applyBase();
   bool
-  runBase(const ChainMesh* partial, double weight, Triangles& triangles);
+  runBase(ChainMesh* partial, double weight, Triangles& triangles);
   bool
-  complete(const ChainMesh* partial, ChainPart& completion, Triangles& triangles) const;
+  complete(ChainMesh* partial, ChainPart& completion, Triangles& triangles) const;
   void
   computeNormals();
 

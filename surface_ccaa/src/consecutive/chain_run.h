@@ -34,8 +34,9 @@ struct ChainMesh {
   std::shared_ptr<PolygonMesh> mesh; /**< the whole cloud; polygons only while an
                                           algorithm looks at them (writePolygons()) */
   Triangles triangles;               /**< of cloud indices */
-  TriangleLabels labels;             /**< of the triangles */
-  std::vector<PointRole> roles;      /**< of the cloud's points */
+  std::shared_ptr<VertexAdjacency> adjacency; /**< of them; null: unknown */
+  TriangleLabels labels;                      /**< of the triangles */
+  std::vector<PointRole> roles;               /**< of the cloud's points */
 };
 
 /** \brief The selected points that can have triangles. */

@@ -104,7 +104,7 @@ Chain::constructFrom(std::size_t number, Triangles& made)
 {
   ChainPart& part = *input_.starts[number];
   if (part.completes()) {
-    const ChainMesh* partial = number == 0 ? nullptr : &run_.current;
+    ChainMesh* const partial = number == 0 ? nullptr : &run_.current;
     if (!complete(partial, part, made))
       return false;
     if (partial != nullptr) {
@@ -187,7 +187,7 @@ Chain::applyBase()
 
 /** The base algorithm, in the chain or alone; its time goes to base_seconds. */
 bool
-Chain::runBase(const ChainMesh* partial, double weight, Triangles& triangles)
+Chain::runBase(ChainMesh* partial, double weight, Triangles& triangles)
 {
   const auto body = [&] { return complete(partial, *input_.base, triangles); };
   const StageSettings settings = input_.base->settings();
@@ -207,13 +207,14 @@ Chain::takeSides(const StageSettings& settings)
 
 /** \return whether the completion kept to the contract of MeshCompletion */
 bool
-Chain::complete(const ChainMesh* partial,
-                ChainPart& completion,
-                Triangles& triangles) const
+Chain::complete(ChainMesh* partial, ChainPart& completion, Triangles& triangles) const
 {
   StageOutput output;
   if (completion.takesHandoff()) {
-    output.handoff.given = partial == nullptr ? nullptr : &partial->triangles;
+    if (partial != nullptr) {
+      output.handoff.given = &partial->triangles;
+      output.handoff.adjacency = std::move(partial->adjacency);
+    }
     completion.complete(nullptr, run_.points.usable, output);
     triangles = std::move(output.handoff.made);
     return !cancelled();

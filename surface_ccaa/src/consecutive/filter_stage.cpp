@@ -32,7 +32,7 @@ FilterPart::process(ChainMesh& given, const ChainRun& run, ChainMesh& left) cons
       [this, own_mesh = filter_->getInputMesh()] { filter_->setInputMesh(own_mesh); });
   // Who derives from our filter may do more with the polygons.
   const bool hands = umbrella_ != nullptr && typeid(*filter_) == typeid(UmbrellaFilter);
-  TriangleHandoff handoff{&given.triangles, {}};
+  TriangleHandoff handoff{&given.triangles, {}, {}};
   const LentHandoff lent(hands ? umbrella_ : nullptr, handoff);
   if (!hands)
     writePolygons(given.triangles, run.loop(), given.mesh->polygons);
@@ -40,6 +40,7 @@ FilterPart::process(ChainMesh& given, const ChainRun& run, ChainMesh& left) cons
   filter_->process(*left.mesh);
   if (run.control.cancelled())
     return false;
+  left.adjacency = std::move(handoff.adjacency);
   if (hands)
     left.triangles = std::move(handoff.made);
   else if (auto read = readTriangles(left.mesh->polygons, run.point_count, run.loop()))

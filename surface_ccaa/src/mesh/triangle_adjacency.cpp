@@ -156,6 +156,33 @@ TriangleAdjacency::keep(const std::vector<std::uint8_t>& alive,
 }
 
 void
+TriangleAdjacency::renumber(const std::vector<pcl::index_t>& before,
+                            std::size_t vertex_count,
+                            int threads)
+{
+  const auto offsets =
+      std::exchange(offsets_, std::vector<std::uint32_t>(vertex_count + 1));
+  const auto incident =
+      std::exchange(incident_, UninitializedVector<pcl::index_t>(offsets.back()));
+  const auto fans = std::exchange(fans_, std::vector<Fan>(vertex_count, Fan::NONE));
+  const auto old = [&](std::size_t vertex) {
+    return static_cast<std::size_t>(before[vertex]);
+  };
+  for (std::size_t v = 0; v < before.size(); ++v)
+    offsets_[v + 1] = offsets[old(v) + 1] - offsets[old(v)];
+  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::copy(incident.begin() + offsets[old(v)],
+                incident.begin() + offsets[old(v) + 1],
+                incident_.begin() + offsets_[v]);
+      fans_[v] = fans[old(v)];
+    }
+  };
+  forEachBlock(before.size(), {threads}, copy);
+}
+
+void
 TriangleAdjacency::follow(const std::vector<std::uint8_t>& alive,
                           const Triangles& triangles,
                           int threads,

@@ -82,6 +82,13 @@ public:
          int threads = 1,
          RunControl* control = nullptr);
 
+  /** \brief Let vertices have other numbers. \param[in] before the number that each
+   * had; of those beyond there are no triangles */
+  void
+  renumber(const std::vector<pcl::index_t>& before,
+           std::size_t vertex_count,
+           int threads = 1);
+
   /** \brief Follow both, or build anew if that is cheaper.
    * \param[in] triangles those that are alive, then the appended ones */
   void

@@ -130,7 +130,8 @@ FilterRun::orient()
     report_.one_sided_components = oriented.oneSided();
     tally_ = oriented.tally;
   }
-  adjacency_.clear();
+  else
+    adjacency_.clear(); // it has not followed what went
   positions_ = Positions();
 }
 

@@ -10,10 +10,11 @@
 #include "mesh/orientation.h"
 #include "mesh/point_chains.h"
 #include "mesh/point_view.h"
-#include "mesh/triangle_adjacency.h"
+#include "mesh/vertex_adjacency.h"
 #include "umbrella/twist_cut.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -61,6 +62,13 @@ public:
   /** \brief After DONE: the role of every point. */
   std::vector<PointRole>
   pointRoles();
+
+  /** \brief After all else: the adjacency of the triangles. */
+  VertexAdjacency
+  takeAdjacency()
+  {
+    return {std::move(adjacency_), std::move(point_of_vertex_)};
+  }
 
   const UmbrellaReport&
   report() const

@@ -119,6 +119,9 @@ UmbrellaFilter::filter(pcl::PolygonMesh& output)
   roles_ = run_->pointRoles();
   report_ = run_->report();
   side_tally_ = run_->sideTally();
+  if (handoff_ != nullptr && consistent_orientation_)
+    handoff_->adjacency =
+        std::make_shared<ccaa::VertexAdjacency>(run_->takeAdjacency());
   if (report_.invalid_polygons > 0)
     PCL_WARN("[pcl::%s::performProcessing] left out invalid polygons (%zu of %zu)\n",
              getClassName().c_str(),

@@ -289,6 +289,22 @@ TEST(TriangleAdjacency, FollowsDeletedAndAppendedTrianglesAsIfBuiltAnew)
   }
 }
 
+TEST(TriangleAdjacency, FollowsNewNumbersOfVerticesAsIfBuiltAnew)
+{
+  auto shape = icosphere(2);
+  const std::size_t count = shape.vertices.size();
+  TriangleAdjacency adjacency;
+  adjacency.build(shape.triangles, count + 2); // two have no triangle
+  std::vector<pcl::index_t> before(count);
+  for (std::size_t v = 0; v < count; ++v)
+    before[v] = static_cast<pcl::index_t>(count - 1 - v);
+  for (Triangle& triangle : shape.triangles)
+    for (pcl::index_t& corner : triangle)
+      corner = static_cast<pcl::index_t>(count) - 1 - corner;
+  adjacency.renumber(before, count + 5);
+  expectMatches(adjacency, shape.triangles, count + 5);
+}
+
 TEST(TriangleAdjacency, FollowsMoreTrianglesThanThereWere)
 {
   const auto shape = icosphere(2);

@@ -5,10 +5,12 @@
 #include <pcl/types.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace pcl::ccaa {
 
+struct VertexAdjacency;
 using TriangleList = std::vector<std::array<index_t, 3>>;
 
 /** \brief Triangles of cloud indices in place of polygons, of which each is a block of
@@ -16,6 +18,8 @@ using TriangleList = std::vector<std::array<index_t, 3>>;
 struct TriangleHandoff {
   const TriangleList* given = nullptr; /**< in place of those of the mesh */
   TriangleList made;                   /**< in place of those of the output */
+  /** \brief Of what is given, to be taken over, then of what is made; null: unknown. */
+  std::shared_ptr<VertexAdjacency> adjacency;
 };
 
 /** \brief Base of the algorithms that can take part. */
