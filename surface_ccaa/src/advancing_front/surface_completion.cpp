@@ -252,7 +252,8 @@ Completion::settle()
   adjacency_ = std::move(given_.adjacency);
   const AliveFlags alive = surface_->aliveGiven();
   surface_.reset();
-  adjacency_.follow(alive, result_.triangles, context_.threads, &control_);
+  adjacency_.follow(
+      alive, result_.triangles, mesh_.points.size(), context_.threads, &control_);
 }
 
 /** Growth and local regrowth may leave pieces behind that are cut off from the rest
@@ -280,7 +281,8 @@ Completion::keepLargeComponents()
   report_.kept_triangles = kept;
   report_.new_triangles = left - kept;
   if (dropped)
-    adjacency_.follow(is_large, result_.triangles, context_.threads, &control_);
+    adjacency_.follow(
+        is_large, result_.triangles, mesh_.points.size(), context_.threads, &control_);
 }
 
 /** The whole, outward where that can be told. */

@@ -135,35 +135,13 @@ TriangleAdjacency::listOverfull(const std::vector<EdgeTriangle>& edge_triangles)
 }
 
 void
-TriangleAdjacency::keep(const std::vector<std::uint8_t>& alive,
-                        const Triangles& left,
-                        int threads,
-                        RunControl* control)
-{
-  const LoopContext context{threads, control, "adjacency", BLOCK_SIZE};
-  UninitializedVector<pcl::index_t> kept_as(alive.size());
-  const auto starts = blockStarts(alive.size(), context, [&](auto begin, auto end) {
-    return flagged(alive, begin, end);
-  });
-  const auto number = [&](std::size_t block, std::size_t begin, std::size_t end) {
-    auto next = static_cast<pcl::index_t>(starts[block]);
-    for (std::size_t i = begin; i < end; ++i)
-      kept_as[i] = alive[i] != 0 ? next++ : NONE;
-  };
-  if (!forEachBlock(alive.size(), context, number) || !keepAcross(kept_as, context) ||
-      !keepLists(kept_as, left, context))
-    clear();
-}
-
-void
 TriangleAdjacency::renumber(const std::vector<pcl::index_t>& before,
                             std::size_t vertex_count,
                             int threads)
 {
   const auto offsets =
       std::exchange(offsets_, std::vector<std::uint32_t>(vertex_count + 1));
-  const auto incident =
-      std::exchange(incident_, UninitializedVector<pcl::index_t>(offsets.back()));
+  const auto incident = std::exchange(incident_, Numbers(offsets.back()));
   const auto fans = std::exchange(fans_, std::vector<Fan>(vertex_count, Fan::NONE));
   const auto old = [&](std::size_t vertex) {
     return static_cast<std::size_t>(before[vertex]);
@@ -185,134 +163,111 @@ TriangleAdjacency::renumber(const std::vector<pcl::index_t>& before,
 void
 TriangleAdjacency::follow(const std::vector<std::uint8_t>& alive,
                           const Triangles& triangles,
-                          int threads,
-                          RunControl* control)
-{
-  const std::size_t kept = flagged(alive, 0, alive.size());
-  if (isAppendedAnew(kept, triangles.size()))
-    return build(triangles, vertexCount(), threads, control);
-  if (kept < alive.size())
-    keep(alive, triangles, threads, control);
-  if (kept < triangles.size() && (control == nullptr || !control->cancelled()))
-    append(triangles, vertexCount(), threads, control);
-}
-
-/** Whether so many triangles more are better built than appended. */
-bool
-TriangleAdjacency::isAppendedAnew(std::size_t before, std::size_t after) const
-{
-  return !overfull_edges_.empty() || APPENDED_SHARE * (after - before) > before;
-}
-
-bool
-TriangleAdjacency::keepAcross(const UninitializedVector<pcl::index_t>& kept_as,
-                              const LoopContext& context)
-{
-  UninitializedVector<pcl::index_t> across(across_.size());
-  const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (kept_as[i] == NONE)
-        continue;
-      auto slot = across.begin() + 3 * std::ptrdiff_t{kept_as[i]};
-      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
-        *slot++ =
-            across_[k] < 0 ? across_[k] : kept_as[static_cast<std::size_t>(across_[k])];
-    }
-  };
-  const bool complete = forEachBlock(kept_as.size(), context, copy);
-  across_ = std::move(across);
-  return complete;
-}
-
-/** And chains anew around vertices that have lost a triangle. */
-bool
-TriangleAdjacency::keepLists(const UninitializedVector<pcl::index_t>& kept_as,
-                             const Triangles& left,
-                             const LoopContext& context)
-{
-  const auto offsets = std::exchange(offsets_, std::vector<std::uint32_t>(1));
-  const auto incident = std::exchange(incident_, {});
-  offsets_.resize(offsets.size());
-  const auto eachAt = [&](std::size_t vertex, const auto& visit) {
-    for (std::size_t i = offsets[vertex]; i < offsets[vertex + 1]; ++i)
-      if (const auto kept = kept_as[static_cast<std::size_t>(incident[i])];
-          kept != NONE)
-        visit(kept);
-  };
-  const auto count = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      eachAt(v, [&](pcl::index_t) { ++offsets_[v + 1]; });
-  };
-  forEachBlock(fans_.size(), context, count);
-  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
-  incident_.resize(offsets_.back());
-  across_.resize(offsets_.back());
-  const auto fill = [&](std::size_t, std::size_t begin, std::size_t end) {
-    auto* next = incident_.data() + offsets_[begin];
-    for (std::size_t v = begin; v < end; ++v)
-      eachAt(v, [&](pcl::index_t kept) { *next++ = kept; });
-  };
-  const auto match = [&](std::size_t, std::size_t begin, std::size_t end) {
-    VertexLink link;
-    std::vector<EdgeTriangle> overfull; // none is made by deletion
-    for (std::size_t v = begin; v < end; ++v)
-      if (offsets[v + 1] - offsets[v] != offsets_[v + 1] - offsets_[v])
-        matchVertex(left, v, link, overfull);
-  };
-  return forEachBlock(fans_.size(), context, fill) &&
-         forEachBlock(fans_.size(), context, match);
-}
-
-void
-TriangleAdjacency::append(const Triangles& triangles,
                           std::size_t vertex_count,
                           int threads,
                           RunControl* control)
 {
-  const std::size_t before = triangleCount();
-  if (isAppendedAnew(before, triangles.size()))
+  const LoopContext context{threads, control, "adjacency", BLOCK_SIZE};
+  const auto starts = blockStarts(alive.size(), context, [&](auto begin, auto end) {
+    return flagged(alive, begin, end);
+  });
+  const std::size_t kept = alive.empty() ? triangleCount() : starts.back();
+  if (!overfull_edges_.empty() || APPENDED_SHARE * (triangles.size() - kept) > kept)
     return build(triangles, vertex_count, threads, control);
+  Numbers kept_as(alive.size());
+  const auto number = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    auto next = static_cast<pcl::index_t>(starts[block]);
+    for (std::size_t i = begin; i < end; ++i)
+      kept_as[i] = alive[i] != 0 ? next++ : NONE;
+  };
   std::vector<Corner> corners;
-  for (std::size_t t = before; t < triangles.size(); ++t)
+  for (std::size_t t = kept; t < triangles.size(); ++t)
     for (const auto vertex : triangles[t])
       corners.emplace_back(vertex, static_cast<pcl::index_t>(t));
   std::sort(corners.begin(), corners.end());
-  offsets_.resize(vertex_count + 1, offsets_.back());
-  insertCorners(corners);
-  across_.resize(3 * triangles.size());
-  fans_.resize(vertex_count, Fan::NONE);
-  VertexLink link;
-  std::vector<EdgeTriangle> overfull;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (i == 0 || corners[i].first != corners[i - 1].first)
-      matchVertex(
-          triangles, static_cast<std::size_t>(corners[i].first), link, overfull);
-  listOverfull(overfull);
+  if (!forEachBlock(alive.size(), context, number) ||
+      !followAcross(kept_as, triangles.size(), context) ||
+      !followLists(kept_as, corners, triangles, vertex_count, context))
+    clear();
 }
 
-/** \brief Put triangles at the ends of the lists of their vertices.
- * \param[in] corners ascending */
-void
-TriangleAdjacency::insertCorners(const std::vector<Corner>& corners)
+bool
+TriangleAdjacency::followAcross(const Numbers& kept_as,
+                                std::size_t triangle_count,
+                                const LoopContext& context)
 {
-  std::size_t end = incident_.size(); // of what has not moved yet
-  incident_.resize(end + corners.size());
-  for (std::size_t i = corners.size(); i-- > 0;) {
-    const auto [vertex, triangle] = corners[i];
-    const std::size_t list_end = offsets_[static_cast<std::size_t>(vertex) + 1];
-    std::copy_backward(incident_.begin() + static_cast<std::ptrdiff_t>(list_end),
-                       incident_.begin() + static_cast<std::ptrdiff_t>(end),
-                       incident_.begin() + static_cast<std::ptrdiff_t>(end + i + 1));
-    incident_[list_end + i] = triangle;
-    end = list_end;
-  }
-  std::uint32_t inserted = 0;
-  for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
-    while (inserted < corners.size() &&
-           static_cast<std::size_t>(corners[inserted].first) == v)
-      ++inserted;
-    offsets_[v + 1] += inserted;
-  }
+  const Numbers old = std::exchange(across_, Numbers(3 * triangle_count));
+  const auto numberOf = [&](pcl::index_t t) {
+    return t < 0 || kept_as.empty() ? t : kept_as[static_cast<std::size_t>(t)];
+  };
+  const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (const pcl::index_t kept = numberOf(static_cast<pcl::index_t>(i));
+          kept != NONE)
+        std::transform(old.begin() + 3 * std::ptrdiff_t(i),
+                       old.begin() + 3 * std::ptrdiff_t(i) + 3,
+                       across_.begin() + 3 * std::ptrdiff_t{kept},
+                       numberOf);
+  };
+  return forEachBlock(old.size() / 3, context, copy);
+}
+
+/** The lists, and chains anew around vertices whose lists have changed. */
+bool
+TriangleAdjacency::followLists(const Numbers& kept_as,
+                               const std::vector<Corner>& corners,
+                               const Triangles& triangles,
+                               std::size_t vertex_count,
+                               const LoopContext& context)
+{
+  auto offsets = std::exchange(offsets_, std::vector<std::uint32_t>(vertex_count + 1));
+  offsets.resize(vertex_count + 1, offsets.back());
+  const Numbers incident = std::exchange(incident_, Numbers(3 * triangles.size()));
+  fans_.resize(vertex_count, Fan::NONE);
+  const auto appendedAt = [&](std::size_t vertex) {
+    return std::lower_bound(corners.begin(),
+                            corners.end(),
+                            Corner(static_cast<pcl::index_t>(vertex), NONE));
+  };
+  const auto each = [&](std::size_t begin, std::size_t end, const auto& visit) {
+    auto appended = appendedAt(begin);
+    for (std::size_t v = begin; v < end; ++v) {
+      for (std::size_t i = offsets[v]; i < offsets[v + 1]; ++i)
+        if (const auto kept = kept_as.empty()
+                                  ? incident[i]
+                                  : kept_as[static_cast<std::size_t>(incident[i])];
+            kept != NONE)
+          visit(v, kept);
+      for (;
+           appended != corners.end() && static_cast<std::size_t>(appended->first) == v;
+           ++appended)
+        visit(v, appended->second);
+    }
+  };
+  forEachBlock(vertex_count, context, [&](auto, auto begin, auto end) {
+    each(begin, end, [&](auto v, auto) { ++offsets_[v + 1]; });
+  });
+  std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
+  forEachBlock(vertex_count, context, [&](auto, auto begin, auto end) {
+    auto* next = incident_.data() + offsets_[begin];
+    each(begin, end, [&](auto, auto triangle) { *next++ = triangle; });
+  });
+  std::vector<std::vector<EdgeTriangle>> overfull(context.blockCount(vertex_count));
+  const auto match = [&](std::size_t block, std::size_t begin, std::size_t end) {
+    VertexLink link;
+    auto appended = appendedAt(begin);
+    for (std::size_t v = begin; v < end; ++v) {
+      const bool gained =
+          appended != corners.end() && static_cast<std::size_t>(appended->first) == v;
+      if (gained || offsets[v + 1] - offsets[v] != offsets_[v + 1] - offsets_[v])
+        matchVertex(triangles, v, link, overfull[block]);
+      if (gained)
+        appended = appendedAt(v + 1);
+    }
+  };
+  const bool complete = forEachBlock(vertex_count, context, match);
+  listOverfull(joinBlocks(overfull));
+  return complete;
 }
 
 } // namespace pcl::ccaa

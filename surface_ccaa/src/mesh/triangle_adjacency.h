@@ -56,28 +56,17 @@ public:
         int threads = 1,
         RunControl* control = nullptr);
 
-  /** \brief Follow the deletion of triangles, several times cheaper than build().
+  /** \brief Follow deleted and appended triangles, several times cheaper than build()
+   * where the appended ones are few; else, and where there were overfull edges, builds
+   * anew. Triangles are numbered anew, in the same order; vertices keep their numbers.
    *
-   * Needs a mesh without overfull edges. Triangles are numbered anew, in the same
-   * order; vertices keep their numbers.
-   *
-   * \param[in] alive one flag for each triangle: 0 or 1, not deleted
-   * \param[in] left begins with those that are not
-   * \param[in] threads \param[in] control of build() */
-  void
-  keep(const std::vector<std::uint8_t>& alive,
-       const Triangles& left,
-       int threads = 1,
-       RunControl* control = nullptr);
-
-  /** \brief Follow appended triangles, many times cheaper than build() where these are
-   * few: one pass over the lists and a match of their corners. Else, and where there
-   * were overfull edges, builds anew.
-   * \param[in] triangles all: the first ones are those that there were
+   * \param[in] alive one flag for each triangle: 0 or 1, not deleted; empty: all are
+   * \param[in] triangles those that are alive, then the appended ones
    * \param[in] vertex_count at least that before
    * \param[in] threads \param[in] control of build() */
   void
-  append(const Triangles& triangles,
+  follow(const std::vector<std::uint8_t>& alive,
+         const Triangles& triangles,
          std::size_t vertex_count,
          int threads = 1,
          RunControl* control = nullptr);
@@ -88,14 +77,6 @@ public:
   renumber(const std::vector<pcl::index_t>& before,
            std::size_t vertex_count,
            int threads = 1);
-
-  /** \brief Follow both, or build anew if that is cheaper.
-   * \param[in] triangles those that are alive, then the appended ones */
-  void
-  follow(const std::vector<std::uint8_t>& alive,
-         const Triangles& triangles,
-         int threads = 1,
-         RunControl* control = nullptr);
 
   /** \brief Exchange the second and third corner of a triangle, and follow that. */
   void
@@ -177,6 +158,7 @@ public:
   }
 
 private:
+  using Numbers = UninitializedVector<pcl::index_t>;
   /** \brief A triangle on an overfull edge. */
   using EdgeTriangle = std::pair<Edge, pcl::index_t>;
   /** \brief A vertex and a triangle that has it. */
@@ -194,22 +176,21 @@ private:
               VertexLink& link,
               std::vector<EdgeTriangle>& overfull);
   bool
-  isAppendedAnew(std::size_t before, std::size_t after) const;
+  followAcross(const Numbers& kept_as,
+               std::size_t triangle_count,
+               const LoopContext& context);
   bool
-  keepAcross(const UninitializedVector<pcl::index_t>& kept_as,
-             const LoopContext& context);
-  bool
-  keepLists(const UninitializedVector<pcl::index_t>& kept_as,
-            const Triangles& left,
-            const LoopContext& context);
+  followLists(const Numbers& kept_as,
+              const std::vector<Corner>& corners,
+              const Triangles& triangles,
+              std::size_t vertex_count,
+              const LoopContext& context);
   void
   listOverfull(const std::vector<EdgeTriangle>& edge_triangles);
-  void
-  insertCorners(const std::vector<Corner>& corners);
 
   std::vector<std::uint32_t> offsets_{0};
-  UninitializedVector<pcl::index_t> incident_;
-  UninitializedVector<pcl::index_t> across_;
+  Numbers incident_;
+  Numbers across_;
   std::vector<Fan> fans_;
   std::vector<Edge> overfull_edges_;
   std::vector<std::size_t> overfull_offsets_{0};

@@ -109,7 +109,8 @@ FilterRun::dropDeleted()
       0) {
     triangles_ = liveTriangles(triangles_, alive_, stage("regions"));
     if (settings_.consistent_orientation)
-      adjacency_.keep(alive_, triangles_, settings_.threads, &control_);
+      adjacency_.follow(
+          alive_, triangles_, positions_.size(), settings_.threads, &control_);
   }
   alive_ = AliveFlags(); // {} would keep the memory
   report_.output_triangles = triangles_.size();

@@ -206,8 +206,8 @@ addToModel(const ccaa::LoopContext& context,
   closed.positions.clear();
   closed.point_of_vertex.clear();
   if (list.replaced.empty() && slits.empty()) {
-    model.adjacency.append(
-        model.triangles, model.positions.size(), context.threads, context.control);
+    model.adjacency.follow(
+        {}, model.triangles, model.positions.size(), context.threads, context.control);
     return;
   }
   list.replaced.clear();

@@ -228,7 +228,7 @@ TEST(TriangleAdjacency, FollowsDeletionAsIfBuiltAnew)
   for (const int threads : {1, 3}) {
     TriangleAdjacency adjacency;
     adjacency.build(shape.triangles, shape.vertices.size());
-    adjacency.keep(alive, kept, threads);
+    adjacency.follow(alive, kept, shape.vertices.size(), threads);
     expectMatches(adjacency, kept, shape.vertices.size());
   }
 }
@@ -259,11 +259,11 @@ TEST(TriangleAdjacency, FollowsAppendedTrianglesAsIfBuiltAnew)
     const auto wild = soup(seed % 7, static_cast<int>(more_vertices), seed);
     all.insert(all.end(), wild.begin(), wild.end());
     all.insert(all.end(), gaps.begin(), gaps.end());
-    adjacency.append(all, more_vertices);
+    adjacency.follow({}, all, more_vertices);
     expectMatches(adjacency, all, more_vertices);
     expectOverfullListed(adjacency, all);
     all.push_back({0, 1, 2}); // there may be overfull edges now
-    adjacency.append(all, more_vertices);
+    adjacency.follow({}, all, more_vertices);
     expectMatches(adjacency, all, more_vertices);
   }
 }
@@ -284,7 +284,7 @@ TEST(TriangleAdjacency, FollowsDeletedAndAppendedTrianglesAsIfBuiltAnew)
                  shape.triangles.begin() + std::ptrdiff_t(appended));
     TriangleAdjacency adjacency;
     adjacency.build(before, shape.vertices.size());
-    adjacency.follow(alive, after);
+    adjacency.follow(alive, after, shape.vertices.size());
     expectMatches(adjacency, after, shape.vertices.size());
   }
 }
@@ -310,8 +310,8 @@ TEST(TriangleAdjacency, FollowsMoreTrianglesThanThereWere)
   const auto shape = icosphere(2);
   const Triangles few(shape.triangles.begin(), shape.triangles.begin() + 3);
   TriangleAdjacency adjacency;
-  adjacency.append(few, shape.vertices.size());
-  adjacency.append(shape.triangles, shape.vertices.size());
+  adjacency.follow({}, few, shape.vertices.size());
+  adjacency.follow({}, shape.triangles, shape.vertices.size());
   expectMatches(adjacency, shape.triangles, shape.vertices.size());
 }
 
