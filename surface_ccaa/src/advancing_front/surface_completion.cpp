@@ -10,6 +10,7 @@
 #include "advancing_front/tunnels.h"
 #include "mesh/block_loop.h"
 #include "mesh/orientation.h"
+#include "mesh/polygon_access.h"
 #include "mesh/sort_unique.h"
 
 #include <optional>
@@ -239,18 +240,16 @@ Completion::settle()
     settleFansAndCrossings();
   nearby_.reset();
   gap_ = {};
-  result_.kept.reserve(mesh_.given.size());
-  result_.triangles.reserve(surface_->triangleCount());
-  for (std::size_t t = 0; t < surface_->triangleCount(); ++t) {
-    const auto triangle = static_cast<pcl::index_t>(t);
-    if (!surface_->isAlive(triangle))
-      continue;
-    if (surface_->isGiven(triangle))
-      result_.kept.push_back(triangle);
-    result_.triangles.push_back((*surface_)[triangle]);
-  }
-  adjacency_ = std::move(given_.adjacency);
   const AliveFlags alive = surface_->aliveGiven();
+  result_.triangles = liveTriangles(mesh_.given, alive, context_);
+  result_.kept.reserve(result_.triangles.size());
+  for (std::size_t t = 0; t < alive.size(); ++t)
+    if (alive[t] != 0)
+      result_.kept.push_back(static_cast<pcl::index_t>(t));
+  for (std::size_t t = alive.size(); t < surface_->triangleCount(); ++t)
+    if (surface_->isAlive(static_cast<pcl::index_t>(t)))
+      result_.triangles.push_back((*surface_)[static_cast<pcl::index_t>(t)]);
+  adjacency_ = std::move(given_.adjacency);
   surface_.reset();
   adjacency_.follow(
       alive, result_.triangles, mesh_.points.size(), context_.threads, &control_);

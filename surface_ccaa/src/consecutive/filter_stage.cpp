@@ -5,10 +5,22 @@
 #include "consecutive/stage_polygons.h"
 #include "mesh/polygon_access.h"
 
+#include <algorithm>
 #include <typeinfo>
 #include <utility>
 
 namespace pcl::ccaa {
+namespace {
+
+/** Whether one algorithm has made all there is. */
+bool
+areAlike(const TriangleLabels& labels)
+{
+  return !labels.empty() &&
+         std::equal(labels.begin() + 1, labels.end(), labels.begin());
+}
+
+} // namespace
 
 bool
 FilterPart::apply(ChainMesh& given, const ChainRun& run, ChainMesh& left) const
@@ -47,6 +59,10 @@ FilterPart::process(ChainMesh& given, const ChainRun& run, ChainMesh& left) cons
     left.triangles = std::move(*read);
   else
     return false;
+  if (hands && areAlike(given.labels)) {
+    left.labels.assign(left.triangles.size(), given.labels.front());
+    return true;
+  }
   auto labels = labelsOfSurvivors(given.triangles, given.labels, left.triangles);
   if (labels)
     left.labels = std::move(*labels);

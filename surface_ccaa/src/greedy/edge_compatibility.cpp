@@ -107,13 +107,17 @@ AngleLimit::fromRadians(double angle)
   return {cosine * cosine};
 }
 
-JoinedEdges::JoinedEdges(const RankedPoints& points)
+JoinedEdges::JoinedEdges(const RankedPoints& points, const LoopContext& context)
 : coordinates_(points.coordinates)
 , rows_(points.size())
 , triangle_counts_(points.size())
 {
-  for (Row& row : rows_)
-    row.neighbors.fill(NeighborRows::NONE);
+  forEachBlock(rows_.size(), context, [&](auto, auto begin, auto end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      rows_[i].neighbors.fill(NeighborRows::NONE);
+      triangle_counts_[i] = 0;
+    }
+  });
 }
 
 unsigned int

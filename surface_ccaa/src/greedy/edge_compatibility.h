@@ -4,7 +4,9 @@
 #pragma once
 
 #include "greedy/ranked_points.h"
+#include "mesh/block_loop.h"
 #include "mesh/triangle.h"
+#include "mesh/uninitialized.h"
 
 #include <array>
 #include <cstdint>
@@ -43,7 +45,7 @@ public:
   /** Neighbors of a point: a row is one cache line. */
   static constexpr unsigned int SLOTS = 16;
 
-  explicit JoinedEdges(const RankedPoints& points);
+  explicit JoinedEdges(const RankedPoints& points, const LoopContext& context = {});
 
   /** \brief Test the edge by the three rules and add it if it is compatible; each
    * common neighbor of its ends then gives a triangle. \param[in] a rank \param[in] b
@@ -146,8 +148,8 @@ private:
   }
 
   const std::vector<Coordinates>& coordinates_;
-  std::vector<Row> rows_;
-  std::vector<std::uint32_t> triangle_counts_;
+  UninitializedVector<Row> rows_;
+  UninitializedVector<std::uint32_t> triangle_counts_;
 };
 
 } // namespace pcl::ccaa

@@ -69,7 +69,7 @@ public:
   , control_(control)
   , schedule_(points.size())
   , votes_(points.size())
-  , joined_(points)
+  , joined_(points, {threads})
   , limits_{AngleLimit::fromRadians(parameters.certified_minimum_angle),
             AngleLimit::fromRadians(parameters.certified_minimum_angle),
             AngleLimit::fromRadians(parameters.minimum_angle)}

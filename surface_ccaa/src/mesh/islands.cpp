@@ -36,11 +36,24 @@ labelIslands(const TriangleAdjacency& adjacency,
   spend(context.control, count);
   Islands islands;
   islands.of_triangle.resize(count);
-  for (std::size_t t = 0; t < count; ++t) { // the lowest of a set is its root
-    const std::size_t root = sets.find(t);
-    islands.of_triangle[t] = root == t ? static_cast<pcl::index_t>(islands.count++)
-                                       : islands.of_triangle[root];
-  }
+  const auto starts = blockStarts(count, context, [&](auto begin, auto end) {
+    std::size_t roots = 0;
+    for (std::size_t t = begin; t < end; ++t)
+      roots += sets.isRoot(t) ? 1 : 0;
+    return roots;
+  });
+  islands.count = starts.back();
+  forEachBlock(count, context, [&](auto block, auto begin, auto end) {
+    auto next = static_cast<pcl::index_t>(starts[block]);
+    for (std::size_t t = begin; t < end; ++t)
+      if (sets.isRoot(t)) // the lowest of a set
+        islands.of_triangle[t] = next++;
+  });
+  forEachBlock(count, context, [&](auto, auto begin, auto end) {
+    for (std::size_t t = begin; t < end; ++t)
+      if (!sets.isRoot(t))
+        islands.of_triangle[t] = islands.of_triangle[sets.find(t)];
+  });
   return islands;
 }
 
