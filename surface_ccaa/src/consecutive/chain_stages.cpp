@@ -54,6 +54,7 @@ Chain::joined(std::size_t number, Triangles made) const
   }
   given.mesh = std::make_shared<PolygonMesh>();
   given.mesh->cloud = run_.current.mesh->cloud;
+  given.adjacency = nullptr;
   keepOnly(input_.starts[number]->keptTriangles(), given);
   appendNewTriangles(
       made, static_cast<std::uint8_t>(number), given.triangles, given.labels);
@@ -210,24 +211,22 @@ bool
 Chain::complete(ChainMesh* partial, ChainPart& completion, Triangles& triangles) const
 {
   StageOutput output;
-  if (completion.takesHandoff()) {
-    if (partial != nullptr) {
-      output.handoff.given = &partial->triangles;
-      output.handoff.adjacency = std::move(partial->adjacency);
-    }
-    completion.complete(nullptr, run_.points.usable, output);
-    triangles = std::move(output.handoff.made);
-    return !cancelled();
+  const bool hands = completion.takesHandoff();
+  if (partial != nullptr && hands) {
+    output.handoff.given = &partial->triangles;
+    output.handoff.adjacency = std::move(partial->adjacency);
   }
-  if (partial != nullptr)
+  else if (partial != nullptr)
     writePolygons(partial->triangles, run_.loop(), partial->mesh->polygons);
-  completion.complete(
-      partial == nullptr ? nullptr : partial->mesh, run_.points.usable, output);
+  completion.complete(partial == nullptr || hands ? nullptr : partial->mesh,
+                      run_.points.usable,
+                      output);
   if (partial != nullptr)
     partial->mesh->polygons = {};
   if (cancelled())
     return false;
-  auto made = readTriangles(output.polygons, run_.point_count, run_.loop());
+  auto made = hands ? std::move(output.handoff.made)
+                    : readTriangles(output.polygons, run_.point_count, run_.loop());
   if (made &&
       (partial == nullptr ||
        keepsTriangles(

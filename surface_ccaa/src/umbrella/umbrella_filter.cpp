@@ -145,6 +145,8 @@ UmbrellaFilter::clearResult(pcl::PolygonMesh& output)
   if (&output != input_mesh_.get())
     output.cloud = input_mesh_->cloud;
   output.polygons.clear();
+  if (handoff_ != nullptr)
+    handoff_->made.clear();
   roles_.clear();
   report_ = UmbrellaReport();
   side_tally_ = {};

@@ -65,6 +65,14 @@ TEST_F(ConsecutiveReconstructionTest, WhoDerivesFromAStageWorksWithPolygons)
   EXPECT_EQ(start->made / 2, triangles.size());
 }
 
+TEST_F(ConsecutiveReconstructionTest, ABaseThatFailsLeavesNothing)
+{
+  const auto base = std::make_shared<ProjectionCompletion<PointXYZ>>();
+  base->setSupport(-1.0);
+  chain_.setBaseAlgorithm(base);
+  EXPECT_TRUE(reconstruct(toCloud(bumpySphere(2000))).empty());
+}
+
 TEST_F(ConsecutiveReconstructionTest, StartsWithGreedyStartAndBlockSearch)
 {
   const Chain chain;
