@@ -15,12 +15,6 @@
 
 namespace pcl::ccaa {
 
-std::size_t
-countOf(const std::vector<std::uint8_t>& flags)
-{
-  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
-}
-
 std::vector<pcl::index_t>
 trianglesAt(const std::vector<std::uint8_t>& flags, const Triangles& triangles)
 {
@@ -90,12 +84,12 @@ findNecks(const PointView& points,
       !handlePlaces(mesh.triangles, adjacency, mesh.is_cleft, threads).empty();
   report.doubts.thin_necks = neckVertices(
       mesh.thin_necks, mesh.is_cleft, mesh.triangles, adjacency, points, threads);
-  std::vector<Contact>& contacts = report.doubts.touching_pieces;
-  contacts = facingEnds(edges.convex, mesh.triangles, adjacency, points);
+  report.doubts.touching_pieces =
+      facingEnds(edges.convex, mesh.triangles, adjacency, points);
   if (mesh.topology.pieces > 1)
     for (const Contact& contact :
          pieceContacts(mesh.triangles, adjacency, points, {threads}))
-      contacts.push_back(contact);
+      report.doubts.touching_pieces.push_back(contact);
 }
 
 } // namespace pcl::ccaa

@@ -14,10 +14,6 @@
 
 namespace pcl::ccaa {
 
-/** \brief How many vertices are flagged. */
-std::size_t
-countOf(const std::vector<std::uint8_t>& flags);
-
 /** \brief The triangles at flagged vertices, ascending. */
 std::vector<pcl::index_t>
 trianglesAt(const std::vector<std::uint8_t>& flags, const Triangles& triangles);

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <utility>
 
 namespace pcl::ccaa {
 namespace {
@@ -77,8 +78,6 @@ private:
   addFreePoints();
   Indices
   withoutUsedPlaces(const Indices& free) const;
-  TriangleAdjacency
-  handedAdjacency() const;
   std::vector<std::uint8_t>
   cutFlags() const;
   void
@@ -95,7 +94,6 @@ private:
   LoopContext context_;
   RunControl& control_;
   PolygonTriangles given_;
-  std::size_t given_count_ = 0; /**< vertices with given triangles, the first ones */
   std::vector<Eigen::Vector3f> coordinates_; /**< by vertex */
 };
 
@@ -122,7 +120,12 @@ PolygonCompletion::run(CompletionReport& report)
   mesh.sides = input_.sides;
   mesh.is_cut = cutFlags();
   mesh.given = std::move(given_.triangles);
-  mesh.adjacency = handedAdjacency();
+  if (input_.handoff != nullptr && input_.handoff->adjacency != nullptr)
+    mesh.adjacency =
+        adjacencyFor(given_.point_of_vertex,
+                     std::move(*std::exchange(input_.handoff->adjacency, {})),
+                     input_.points.size,
+                     context_.threads);
   CompletedMesh completed = completeSurface(
       std::move(mesh),
       [this](auto& open, auto k, auto& table) { return searchOpen(open, k, table); },
@@ -171,7 +174,6 @@ PolygonCompletion::readGiven(CompletionOutput& output)
   if (given.empty())
     return true;
   given_ = readPolygons(given, viewOf(input_.points), context_);
-  given_count_ = given_.point_of_vertex.size();
   if (control_.cancelled())
     return false;
   if (given_.invalid_polygons > 0)
@@ -222,26 +224,6 @@ PolygonCompletion::withoutUsedPlaces(const Indices& free) const
     if (taken.count(place_of(point)) == 0)
       remaining.push_back(point);
   return remaining;
-}
-
-/** Of the given triangles, which it gives their vertices; empty where a chain has none.
- */
-TriangleAdjacency
-PolygonCompletion::handedAdjacency() const
-{
-  if (input_.handoff == nullptr || input_.handoff->adjacency == nullptr)
-    return {};
-  const auto handed = std::move(input_.handoff->adjacency);
-  std::vector<index_t> number_of(input_.points.size, UNAVAILABLE);
-  for (std::size_t v = 0; v < handed->point_of_vertex.size(); ++v)
-    number_of[static_cast<std::size_t>(handed->point_of_vertex[v])] =
-        static_cast<index_t>(v);
-  std::vector<index_t> before;
-  before.reserve(given_count_);
-  for (std::size_t v = 0; v < given_count_; ++v)
-    before.push_back(number_of[static_cast<std::size_t>(given_.point_of_vertex[v])]);
-  handed->adjacency.renumber(before, given_.point_of_vertex.size(), context_.threads);
-  return std::move(handed->adjacency);
 }
 
 /** Of the vertices; empty where no point is cut. */

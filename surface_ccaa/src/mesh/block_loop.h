@@ -120,12 +120,19 @@ forEachRange(std::size_t count,
 
 /** \brief How many flags of a range are 1. */
 inline std::size_t
-flagged(const std::vector<std::uint8_t>& flags, std::size_t begin, std::size_t end)
+countOf(const std::vector<std::uint8_t>& flags, std::size_t begin, std::size_t end)
 {
   const auto first = flags.begin();
   return static_cast<std::size_t>(std::count(first + static_cast<std::ptrdiff_t>(begin),
                                              first + static_cast<std::ptrdiff_t>(end),
                                              std::uint8_t{1}));
+}
+
+/** \brief The same of all. */
+inline std::size_t
+countOf(const std::vector<std::uint8_t>& flags)
+{
+  return countOf(flags, 0, flags.size());
 }
 
 /** \brief Where what each block yields begins among all of it; the last entry is how

@@ -171,7 +171,7 @@ liveTriangles(const Triangles& triangles,
               const LoopContext& context)
 {
   const auto starts = blockStarts(triangles.size(), context, [&](auto begin, auto end) {
-    return flagged(alive, begin, end);
+    return countOf(alive, begin, end);
   });
   Triangles live(starts.back());
   const auto copy = [&](std::size_t block, std::size_t begin, std::size_t end) {

@@ -135,29 +135,27 @@ TriangleAdjacency::listOverfull(const std::vector<EdgeTriangle>& edge_triangles)
 }
 
 void
-TriangleAdjacency::renumber(const std::vector<pcl::index_t>& before,
-                            std::size_t vertex_count,
-                            int threads)
+TriangleAdjacency::renumber(const std::vector<pcl::index_t>& before, int threads)
 {
-  const auto offsets =
-      std::exchange(offsets_, std::vector<std::uint32_t>(vertex_count + 1));
+  const std::size_t count = before.size();
+  const auto offsets = std::exchange(offsets_, std::vector<std::uint32_t>(count + 1));
   const auto incident = std::exchange(incident_, Numbers(offsets.back()));
-  const auto fans = std::exchange(fans_, std::vector<Fan>(vertex_count, Fan::NONE));
-  const auto old = [&](std::size_t vertex) {
-    return static_cast<std::size_t>(before[vertex]);
-  };
-  for (std::size_t v = 0; v < before.size(); ++v)
-    offsets_[v + 1] = offsets[old(v) + 1] - offsets[old(v)];
+  const auto fans = std::exchange(fans_, std::vector<Fan>(count, Fan::NONE));
+  for (std::size_t v = 0; v < count; ++v)
+    if (before[v] >= 0) {
+      const auto old = static_cast<std::size_t>(before[v]);
+      offsets_[v + 1] = offsets[old + 1] - offsets[old];
+      fans_[v] = fans[old];
+    }
   std::partial_sum(offsets_.begin(), offsets_.end(), offsets_.begin());
   const auto copy = [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      std::copy(incident.begin() + offsets[old(v)],
-                incident.begin() + offsets[old(v) + 1],
-                incident_.begin() + offsets_[v]);
-      fans_[v] = fans[old(v)];
-    }
+    for (std::size_t v = begin; v < end; ++v)
+      if (before[v] >= 0)
+        std::copy_n(incident.begin() + offsets[static_cast<std::size_t>(before[v])],
+                    offsets_[v + 1] - offsets_[v],
+                    incident_.begin() + offsets_[v]);
   };
-  forEachBlock(before.size(), {threads}, copy);
+  forEachBlock(count, {threads}, copy);
 }
 
 void
@@ -169,7 +167,7 @@ TriangleAdjacency::follow(const std::vector<std::uint8_t>& alive,
 {
   const LoopContext context{threads, control, "adjacency", BLOCK_SIZE};
   const auto starts = blockStarts(alive.size(), context, [&](auto begin, auto end) {
-    return flagged(alive, begin, end);
+    return countOf(alive, begin, end);
   });
   const std::size_t kept = alive.empty() ? triangleCount() : starts.back();
   if (!overfull_edges_.empty() || APPENDED_SHARE * (triangles.size() - kept) > kept)

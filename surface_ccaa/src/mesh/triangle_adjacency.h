@@ -71,12 +71,11 @@ public:
          int threads = 1,
          RunControl* control = nullptr);
 
-  /** \brief Let vertices have other numbers. \param[in] before the number that each
-   * had; of those beyond there are no triangles */
+  /** \brief Let vertices have other numbers.
+   * \param[in] before the number that each had, or -1: it has no triangle; all that
+   * have triangles must be among them */
   void
-  renumber(const std::vector<pcl::index_t>& before,
-           std::size_t vertex_count,
-           int threads = 1);
+  renumber(const std::vector<pcl::index_t>& before, int threads = 1);
 
   /** \brief Exchange the second and third corner of a triangle, and follow that. */
   void

@@ -301,7 +301,8 @@ TEST(TriangleAdjacency, FollowsNewNumbersOfVerticesAsIfBuiltAnew)
   for (Triangle& triangle : shape.triangles)
     for (pcl::index_t& corner : triangle)
       corner = static_cast<pcl::index_t>(count) - 1 - corner;
-  adjacency.renumber(before, count + 5);
+  before.resize(count + 5, -1);
+  adjacency.renumber(before);
   expectMatches(adjacency, shape.triangles, count + 5);
 }
 
