@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <ostream>
@@ -33,6 +34,8 @@ using namespace pcl::ccaa::test;
 constexpr double FREE_SHARE = 0.05;
 /** In median edges. */
 constexpr double NOISE = 0.3;
+/** The same, where the distance of what was lost is measured. */
+constexpr std::array<double, 4> TRUTH_NOISES = {0.0, 0.3, 1.0, 2.0};
 
 constexpr std::array<LossKind, 4> KINDS = {
     LossKind::PATCHES, LossKind::BALLS, LossKind::SLABS3, LossKind::SLABS6};
@@ -229,10 +232,33 @@ farDistance(const Positions& points, const Shape& surface)
   return *place;
 }
 
+/** \return the root mean square distance of points from a surface */
+double
+usualDistance(const Positions& points, const Shape& surface)
+{
+  const MeshDistance distance(surface.triangles, surface.vertices);
+  double sum = 0.0;
+  for (const auto& point : points)
+    sum += std::pow(distance(point), 2);
+  return points.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(points.size()));
+}
+
 struct FreePointSums {
   std::size_t cases = 0, exact = 0, noisy = 0;
   double without = 0, with = 0, with_noisy = 0; /**< seconds */
 };
+
+/** How far the lost vertices are from the surface, with samples of so much noise. */
+void
+printTruth(std::ostream& out, const LostPart& part)
+{
+  for (const double noise : TRUTH_NOISES) {
+    TrialSettings settings;
+    settings.free_points = freePoints(part, noise * part.edge, 1);
+    const Shape result = runTrial(part.left, settings).result;
+    out << " | " << usualDistance(part.lost_vertices, result) / part.edge;
+  }
+}
 
 void
 printFreePointRow(std::ostream& out,
@@ -258,8 +284,9 @@ printFreePointRow(std::ostream& out,
   sums.with_noisy += seconds[1];
   out << "| " << name << " | " << settings.free_points.size() << " | " << std::fixed
       << std::setprecision(3) << far[0] << " | " << far[1] / NOISE << " | "
-      << std::setprecision(2) << seconds[0] / without << " | " << seconds[1] / without
-      << " |" << std::endl;
+      << std::setprecision(2) << seconds[0] / without << " | " << seconds[1] / without;
+  printTruth(out, part);
+  out << " |" << std::endl;
 }
 
 } // namespace
@@ -297,8 +324,8 @@ void
 printFreePointTable(std::ostream& out)
 {
   out << "| lost | free points | 95 % distance, edges | with noise, sigma | time | "
-         "with "
-         "noise |\n|---|---|---|---|---|---|\n";
+         "with noise | truth, edges: exact | noise 0.3 | 1 | 2 "
+         "|\n|---|---|---|---|---|---|---|---|---|---|\n";
   FreePointSums sums;
   printFreePointRow(out,
                     "bunny's ears",

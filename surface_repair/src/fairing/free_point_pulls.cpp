@@ -137,13 +137,15 @@ FreePointPulls::weighted(const std::vector<AttachedPoint>& attached) const
   std::vector<Comparison> comparisons;
   for (std::size_t i = 0; i < attached.size(); ++i)
     comparisons.push_back(neighbourhoods.compare(i));
-  const double noise = noiseOf(comparisons);
+  const double seen = noiseOf(comparisons);
   std::vector<Pull> pulls;
   for (std::size_t i = 0; i < attached.size(); ++i) {
     const Comparison& one = comparisons[i];
     const double t = one.difference / (OUTSTANDING * one.scale);
     const double robust = 1.0 / ((1.0 + t * t) * (1.0 + t * t));
-    const double n = (one.alone ? one.difference : noise) / HALVING_NOISE;
+    const double noise =
+        std::max(one.alone ? one.difference : seen, noise_ / attached[i].edge);
+    const double n = noise / HALVING_NOISE;
     Pull pull = attached[i].pull;
     pull.weight = trust_ * FULL_WEIGHT * robust / (1.0 + n * n) /
                   (attached[i].edge * attached[i].edge);
@@ -157,7 +159,9 @@ FreePointPulls::FreePointPulls(const IncompleteModel& model,
                                const RelaxationParameters& parameters,
                                const Patch& patch,
                                const JoinedSurface& surface)
-: trust_(parameters.trust / (1.0 - parameters.trust)), reach_(parameters.reach)
+: trust_(parameters.trust / (1.0 - parameters.trust))
+, reach_(parameters.reach)
+, noise_(patch.noise / surface.size)
 {
   if (!(parameters.trust > 0.0) || free_points.empty())
     return;

@@ -41,7 +41,8 @@ public:
    *
    * No say has a point beyond the reach, or one that the model is nearer to. Weights
    * are k_t / (1 - k_t) times some bending energies of an edge, so many that exact
-   * points are met; they fall with the noise of the points, and with how far one stands
+   * points are met; they fall with the noise of the points (of the patch, or what
+   * they differ by if that is more), and with how far one stands
    * out from its neighbours (after Geman and McClure 1987). */
   std::vector<Pull>
   attach(const JoinedSurface& surface) const;
@@ -59,6 +60,7 @@ private:
   std::vector<ccaa::Corners> model_triangles_;
   double trust_;
   double reach_; /**< in edge lengths */
+  double noise_; /**< that is known of the points, in the frame of the surface */
 };
 
 } // namespace pcl::repair

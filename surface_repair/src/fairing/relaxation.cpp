@@ -126,8 +126,10 @@ relaxPatch(const IncompleteModel& model,
   for (std::size_t round = 0; round < parameters.rounds && !settled; ++round) {
     if (!ccaa::spend(control, ROUND_WORK * surface.triangles.size()))
       break;
-    if (round > 0) { // the first surface is the thin plate, with normals to go on from
+    // The first surface is the thin plate, with normals to go on from.
+    if (round > 0)
       task.curvatures = harmonicValues(surface, rim, control);
+    if (round > 0 || patch.noise > 0.0) { // what has grown is near its samples already
       task.pulls = pulls.attach(surface);
       ccaa::spend(control, ATTACHING_WORK * surface.triangles.size());
     }

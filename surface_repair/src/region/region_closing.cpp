@@ -59,7 +59,7 @@ private:
   fill();
   void
   leaveDepthJumps();
-  void
+  bool
   assemble();
   void
   fair();
@@ -166,8 +166,8 @@ RegionClosing::any(bool FillStrategy::*wanted) const
 }
 
 /** The fills of all that is not given up, grown over the samples; the last one serves
- * as long as it is made of the same fills. */
-void
+ * as long as it is made of the same fills. \return whether it has grown */
+bool
 RegionClosing::assemble()
 {
   const bool grows =
@@ -181,7 +181,7 @@ RegionClosing::assemble()
   }
   if (grows && fills == grown_fills_) {
     result_.patch = grown_;
-    return;
+    return true;
   }
   std::vector<FilledPart> closed;
   for (std::size_t p = 0; p < parts_.parts.size(); ++p)
@@ -189,22 +189,29 @@ RegionClosing::assemble()
       closed.push_back(parts_.parts[p]);
   result_.patch = assemblePatch(closed, place_.model.positions.size(), region_.creases);
   if (!grows || result_.patch.triangles.empty())
-    return;
+    return false;
   are_strays_ = !growPatch(place_, region_.samples, obstacle_, context_, result_.patch);
   grown_ = result_.patch;
   grown_fills_ = std::move(fills);
+  return true;
 }
 
 void
 RegionClosing::fair()
 {
-  assemble();
+  const bool has_grown = assemble();
   if (are_strays_)
     return;
   PatchFairing how;
   how.is_flat = parts_.isFlat();
   how.keeps_shape = any(&FillStrategy::keeps_shape);
   how.is_tested = region_.holes.size() == 1 && !place_.mends;
+  if (has_grown)
+    if (const auto drawn = fairDrawn(
+            place_, region_.samples, obstacle_, how, context_, result_.patch)) {
+      faired_ = *drawn;
+      return;
+    }
   faired_ = fairPatch(place_, obstacle_, how, context_, result_.patch);
 }
 
