@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 
 #include "fairing_table.h"
+#include "free_point_table.h"
 #include "junction_table.h"
 #include "repair_cases_table.h"
 #include "repair_error_table.h"

@@ -27,6 +27,8 @@ constexpr int HALVINGS = 40;
 /** Spread of the lengths of edges by which patches grow, as a power of e. */
 constexpr double TORN = 0.7;
 constexpr std::size_t PATCH_COUNT = 4;
+/** Of the lost vertices that are free points. */
+constexpr double FREE_SHARE = 0.05;
 
 using Edges = std::vector<std::pair<std::size_t, std::size_t>>; // the lower end first
 
@@ -237,6 +239,19 @@ hasLostHandle(const LostPart& part)
     const Topology found = topologyOf(piece.second);
     return 2 - found.characteristic - static_cast<long>(found.borders) >= 2;
   });
+}
+
+pcl::ccaa::Positions
+freePoints(const LostPart& part, double noise, std::uint64_t seed)
+{
+  app::RandomNumbers random(seed);
+  pcl::ccaa::Positions points;
+  for (const auto& position : part.lost_vertices)
+    if (random.uniform() < FREE_SHARE)
+      points.push_back(position + noise * Position(random.normal(),
+                                                   random.normal(),
+                                                   random.normal()));
+  return points;
 }
 
 } // namespace bench

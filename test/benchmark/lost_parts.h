@@ -43,4 +43,9 @@ lose(const pcl::ccaa::test::Shape& whole,
 bool
 hasLostHandle(const LostPart& part);
 
+/** \brief A twentieth of the lost vertices. \param[in] noise of a coordinate, units of
+ * the shape */
+pcl::ccaa::Positions
+freePoints(const LostPart& part, double noise, std::uint64_t seed);
+
 } // namespace bench

@@ -4,11 +4,9 @@
 
 #include "boundary/extraction.h"
 #include "closed_models.h"
-#include "damage/random_numbers.h"
 #include "lost_parts.h"
 #include "measuring.h"
 #include "mesh/mesh_facts.h"
-#include "mesh_distance.h"
 #include "repair_trial.h"
 #include "rival_hole_filling.h"
 #include "rivals.h"
@@ -17,8 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <iomanip>
 #include <map>
 #include <ostream>
 #include <set>
@@ -30,30 +26,9 @@ namespace {
 
 using namespace pcl::ccaa::test;
 
-/** Of the lost vertices. */
-constexpr double FREE_SHARE = 0.05;
-/** In median edges. */
-constexpr double NOISE = 0.3;
-/** The same, where the distance of what was lost is measured. */
-constexpr std::array<double, 4> TRUTH_NOISES = {0.0, 0.3, 1.0, 2.0};
-
 constexpr std::array<LossKind, 4> KINDS = {
     LossKind::PATCHES, LossKind::BALLS, LossKind::SLABS3, LossKind::SLABS6};
 constexpr std::array<int, 3> PERCENTS = {5, 15, 40};
-
-/** Some of the lost vertices. \param[in] noise of a coordinate, units of the shape */
-Positions
-freePoints(const LostPart& part, double noise, std::uint64_t seed)
-{
-  app::RandomNumbers random(seed);
-  Positions points;
-  for (const auto& position : part.lost_vertices)
-    if (random.uniform() < FREE_SHARE)
-      points.push_back(position + noise * pcl::ccaa::Position(random.normal(),
-                                                              random.normal(),
-                                                              random.normal()));
-  return points;
-}
 
 bool
 isRight(const Triangles& triangles, const Positions& positions, const Shape& whole)
@@ -168,127 +143,6 @@ printRow(std::ostream& out, const std::string& name, const Counts& counts)
       << " | " << counts.loops << " |" << std::endl;
 }
 
-/** The vertices that hang together with one, of those where a condition holds. */
-template <typename Condition>
-std::vector<bool>
-partAround(const Shape& whole, std::size_t vertex, const Condition& condition)
-{
-  std::vector<bool> is_in(whole.vertices.size(), false);
-  is_in[vertex] = true;
-  for (bool has_grown = true; has_grown;) {
-    has_grown = false;
-    for (const auto& triangle : whole.triangles) {
-      const bool touches =
-          std::any_of(triangle.begin(), triangle.end(), [&](pcl::index_t corner) {
-            return is_in[static_cast<std::size_t>(corner)];
-          });
-      for (const pcl::index_t corner : triangle) {
-        const auto other = static_cast<std::size_t>(corner);
-        if (!touches || is_in[other] || !condition(whole.vertices[other]))
-          continue;
-        is_in[other] = true;
-        has_grown = true;
-      }
-    }
-  }
-  return is_in;
-}
-
-/** Beyond a share of the way from the lowest to the highest vertex along an axis. */
-LostPart
-withoutLimb(const Shape& whole, int axis, double from)
-{
-  std::vector<bool> is_used(whole.vertices.size(), false);
-  for (const auto& triangle : whole.triangles)
-    for (const pcl::index_t corner : triangle)
-      is_used[static_cast<std::size_t>(corner)] = true;
-  std::size_t highest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (is_used[v]) {
-      least = std::min(least, whole.vertices[v][axis]);
-      if (whole.vertices[v][axis] > whole.vertices[highest][axis] || !is_used[highest])
-        highest = v;
-    }
-  const double limit = least + from * (whole.vertices[highest][axis] - least);
-  return without(whole, partAround(whole, highest, [&](const auto& p) {
-                   return p[axis] > limit;
-                 }));
-}
-
-/** \return the 95 % distance of points from a surface */
-double
-farDistance(const Positions& points, const Shape& surface)
-{
-  const MeshDistance distance(surface.triangles, surface.vertices);
-  std::vector<double> distances;
-  for (const auto& point : points)
-    distances.push_back(distance(point));
-  if (distances.empty())
-    return 0.0;
-  const auto place = distances.begin() +
-                     static_cast<std::ptrdiff_t>(0.95 * double(distances.size() - 1));
-  std::nth_element(distances.begin(), place, distances.end());
-  return *place;
-}
-
-/** \return the root mean square distance of points from a surface */
-double
-usualDistance(const Positions& points, const Shape& surface)
-{
-  const MeshDistance distance(surface.triangles, surface.vertices);
-  double sum = 0.0;
-  for (const auto& point : points)
-    sum += std::pow(distance(point), 2);
-  return points.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(points.size()));
-}
-
-struct FreePointSums {
-  std::size_t cases = 0, exact = 0, noisy = 0;
-  double without = 0, with = 0, with_noisy = 0; /**< seconds */
-};
-
-/** How far the lost vertices are from the surface, with samples of so much noise. */
-void
-printTruth(std::ostream& out, const LostPart& part)
-{
-  for (const double noise : TRUTH_NOISES) {
-    TrialSettings settings;
-    settings.free_points = freePoints(part, noise * part.edge, 1);
-    const Shape result = runTrial(part.left, settings).result;
-    out << " | " << usualDistance(part.lost_vertices, result) / part.edge;
-  }
-}
-
-void
-printFreePointRow(std::ostream& out,
-                  const std::string& name,
-                  const LostPart& part,
-                  FreePointSums& sums)
-{
-  TrialSettings settings;
-  const double without = runTrial(part.left, settings).seconds;
-  std::array<double, 2> far{};
-  std::array<double, 2> seconds{};
-  for (const std::size_t noisy : {0U, 1U}) {
-    settings.free_points = freePoints(part, noisy == 1 ? NOISE * part.edge : 0.0, 1);
-    const RepairTrial trial = runTrial(part.left, settings);
-    seconds[noisy] = trial.seconds;
-    far[noisy] = farDistance(settings.free_points, trial.result) / part.edge;
-  }
-  ++sums.cases;
-  sums.exact += far[0] <= 0.15 ? 1 : 0;
-  sums.noisy += far[1] <= 1.5 * NOISE ? 1 : 0;
-  sums.without += without;
-  sums.with += seconds[0];
-  sums.with_noisy += seconds[1];
-  out << "| " << name << " | " << settings.free_points.size() << " | " << std::fixed
-      << std::setprecision(3) << far[0] << " | " << far[1] / NOISE << " | "
-      << std::setprecision(2) << seconds[0] / without << " | " << seconds[1] / without;
-  printTruth(out, part);
-  out << " |" << std::endl;
-}
-
 } // namespace
 
 void
@@ -318,41 +172,6 @@ printTopologyTable(std::ostream& out, std::uint64_t seeds)
   for (const auto& [file, counts] : models)
     printRow(out, file.substr(file.find('/') + 1), counts);
   printRow(out, "all", all);
-}
-
-void
-printFreePointTable(std::ostream& out)
-{
-  out << "| lost | free points | 95 % distance, edges | with noise, sigma | time | "
-         "with noise | truth, edges: exact | noise 0.3 | 1 | 2 "
-         "|\n|---|---|---|---|---|---|---|---|---|---|\n";
-  FreePointSums sums;
-  printFreePointRow(out,
-                    "bunny's ears",
-                    withoutLimb(readShared("bunny/bun_zipper.ply"), 1, 0.73),
-                    sums);
-  printFreePointRow(out,
-                    "woman's arm",
-                    withoutLimb(readShared("woman/human_woman.ply"), 0, 0.61),
-                    sums);
-  for (const char* file : {"fandisk/fandisk_large.ply",
-                           "igea/igea.ply",
-                           "rocker_arm/rockerArm.ply",
-                           "horse/horse.ply",
-                           "armadillo/armadillo.ply"}) {
-    const std::string path = file;
-    const Shape whole = readShared(path);
-    for (const LossKind kind : {LossKind::PATCHES, LossKind::SLABS3, LossKind::BALLS})
-      for (const int percent : {5, 15})
-        printFreePointRow(out,
-                          path.substr(path.find('/') + 1) + ", " + nameOf(kind) + " " +
-                              std::to_string(percent) + " %",
-                          lose(whole, kind, 0.01 * percent, 1),
-                          sums);
-  }
-  out << "| all: at most 0.15 edges, 1.5 sigma | " << sums.cases << " cases | "
-      << sums.exact << " | " << sums.noisy << " | " << std::setprecision(2)
-      << sums.with / sums.without << " | " << sums.with_noisy / sums.without << " |\n";
 }
 
 } // namespace bench

@@ -14,9 +14,4 @@ namespace bench {
 void
 printTopologyTable(std::ostream& out, std::uint64_t seeds);
 
-/** \brief Lost parts of which a twentieth of the vertices is left, exact and noisy: how
- * near the new surface comes to these, and what they cost. */
-void
-printFreePointTable(std::ostream& out);
-
 } // namespace bench

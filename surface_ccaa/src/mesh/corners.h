@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace pcl::ccaa {
 
@@ -21,6 +22,17 @@ inline Corners
 cornersOf(const Triangle& triangle, const PointView& positions)
 {
   return {positions[triangle[0]], positions[triangle[1]], positions[triangle[2]]};
+}
+
+/** \brief The corners of each of some triangles. */
+inline std::vector<Corners>
+cornersOf(const Triangles& triangles, const PointView& positions)
+{
+  std::vector<Corners> corners;
+  corners.reserve(triangles.size());
+  for (const Triangle& triangle : triangles)
+    corners.push_back(cornersOf(triangle, positions));
+  return corners;
 }
 
 /** \brief Normal on the side from which the corners run counter-clockwise, as long as

@@ -31,4 +31,12 @@ medianOf(std::vector<T> values)
   return quantile(std::move(values), 0.5);
 }
 
+/** \brief Standard deviation of normally distributed values around 0, robustly: from
+ * the median of their absolute values; 0 without any. */
+inline double
+deviationOf(std::vector<double> absolute)
+{
+  return 1.4826 * medianOf(std::move(absolute));
+}
+
 } // namespace pcl::ccaa

@@ -84,7 +84,7 @@ public:
     const double middle = ccaa::medianOf(offsets_);
     for (double& offset : offsets_)
       offset = std::abs(offset - middle);
-    const double scale = 1.4826 * ccaa::medianOf(offsets_) / own.edge;
+    const double scale = ccaa::deviationOf(offsets_) / own.edge;
     return {
         std::abs(own.offset - middle) / own.edge, std::max(scale, LEAST_SCALE), false};
   }
@@ -125,7 +125,7 @@ noiseOf(const std::vector<Comparison>& comparisons)
   for (const Comparison& one : comparisons)
     if (!one.alone)
       differences.push_back(one.difference);
-  return differences.empty() ? 0.0 : 1.4826 * ccaa::medianOf(differences);
+  return ccaa::deviationOf(std::move(differences));
 }
 
 } // namespace
@@ -158,10 +158,11 @@ FreePointPulls::FreePointPulls(const IncompleteModel& model,
                                const Positions& free_points,
                                const RelaxationParameters& parameters,
                                const Patch& patch,
-                               const JoinedSurface& surface)
+                               const JoinedSurface& surface,
+                               double noise)
 : trust_(parameters.trust / (1.0 - parameters.trust))
 , reach_(parameters.reach)
-, noise_(patch.noise / surface.size)
+, noise_(noise / surface.size)
 {
   if (!(parameters.trust > 0.0) || free_points.empty())
     return;

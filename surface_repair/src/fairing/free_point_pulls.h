@@ -25,11 +25,13 @@ struct AttachedPoint {
  * of the joined surface, and the model's triangles among them. */
 class FreePointPulls {
 public:
+  /** \param[in] noise that is known of the points, units of the cloud */
   FreePointPulls(const IncompleteModel& model,
                  const Positions& free_points,
                  const RelaxationParameters& parameters,
                  const Patch& patch,
-                 const JoinedSurface& surface);
+                 const JoinedSurface& surface,
+                 double noise);
 
   bool
   empty() const
@@ -41,8 +43,8 @@ public:
    *
    * No say has a point beyond the reach, or one that the model is nearer to. Weights
    * are k_t / (1 - k_t) times some bending energies of an edge, so many that exact
-   * points are met; they fall with the noise of the points (of the patch, or what
-   * they differ by if that is more), and with how far one stands
+   * points are met; they fall with the noise of the points (what is known, or
+   * what they differ by if that is more), and with how far one stands
    * out from its neighbours (after Geman and McClure 1987). */
   std::vector<Pull>
   attach(const JoinedSurface& surface) const;

@@ -110,7 +110,8 @@ relaxPatch(const IncompleteModel& model,
            const Positions& free_points,
            const RelaxationParameters& parameters,
            Patch& patch,
-           ccaa::RunControl* control)
+           ccaa::RunControl* control,
+           double noise)
 {
   RelaxationReport report;
   JoinedSurface surface = joinSurface(model, patch, RINGS);
@@ -119,7 +120,7 @@ relaxPatch(const IncompleteModel& model,
   task.fixed = fixedVertices(surface, patch);
   task.hinges = creasedVertices(surface, patch);
   const std::vector<double> rim = rimCurvatures(surface, patch.rim.size());
-  const FreePointPulls pulls(model, free_points, parameters, patch, surface);
+  const FreePointPulls pulls(model, free_points, parameters, patch, surface, noise);
   ccaa::spend(control, JOINING_WORK * surface.triangles.size());
   SparseFactorisation solver;
   bool settled = false;
@@ -129,7 +130,7 @@ relaxPatch(const IncompleteModel& model,
     // The first surface is the thin plate, with normals to go on from.
     if (round > 0)
       task.curvatures = harmonicValues(surface, rim, control);
-    if (round > 0 || patch.noise > 0.0) { // what has grown is near its samples already
+    if (round > 0 || noise > 0.0) { // what has grown is near its samples already
       task.pulls = pulls.attach(surface);
       ccaa::spend(control, ATTACHING_WORK * surface.triangles.size());
     }

@@ -25,12 +25,15 @@ struct RelaxationReport {
  * vertices. \param[in] free_points finite, near the patch or elsewhere; a single
  * outlier makes no spike \param[in] control once it says stop the patch is worth
  * nothing
- */
+ * \param[in] noise standard deviation of the free points, where the patch has grown
+ * over them: it is drawn by them from the first round on; 0: not known, units of the
+ * cloud */
 RelaxationReport
 relaxPatch(const IncompleteModel& model,
            const Positions& free_points,
            const RelaxationParameters& parameters,
            Patch& patch,
-           ccaa::RunControl* control = nullptr);
+           ccaa::RunControl* control = nullptr,
+           double noise = 0.0);
 
 } // namespace pcl::repair

@@ -23,9 +23,7 @@ constexpr std::size_t FEWEST_AROUND = 9;
 /** Variance of the quadric at the sample in that of a neighbour, at most: more is
  * extrapolation. */
 constexpr double MOST_LEVERAGE = 3.0;
-/** Standard deviation of a normal distribution whose absolute median is 1. */
-constexpr double DEVIATION_OF_MEDIAN = 1.4826;
-/** Standard error of such a deviation from one value, in itself. */
+/** Standard error of a deviation by the median of one value, in itself. */
 constexpr double ERROR_OF_MEDIAN = 1.17;
 
 /** Compares the samples of a patch with what is around. */
@@ -42,25 +40,25 @@ public:
     for (std::size_t v = 0; v < patch_.positions.size(); ++v) {
       if (patch_.free_point[v] == NONE)
         continue;
-      const double deviation = deviationAt(v);
+      const double edge = meanEdgeAt(v), deviation = deviationAt(v, edge);
       if (deviation < 0.0)
         continue;
       deviations.push_back(deviation);
-      shares.push_back(deviation / meanEdgeAt(v));
+      shares.push_back(deviation / edge);
     }
     if (deviations.empty())
       return {};
     const double error =
         ERROR_OF_MEDIAN / std::sqrt(static_cast<double>(deviations.size()));
-    return {DEVIATION_OF_MEDIAN * ccaa::medianOf(deviations),
-            DEVIATION_OF_MEDIAN * ccaa::medianOf(shares) * std::max(0.0, 1.0 - error)};
+    return {ccaa::deviationOf(std::move(deviations)),
+            ccaa::deviationOf(std::move(shares)) * std::max(0.0, 1.0 - error)};
   }
 
 private:
   using Terms = Eigen::Matrix<double, 6, 1>; /**< of a quadric over a plane */
 
   double
-  deviationAt(std::size_t sample) const;
+  deviationAt(std::size_t sample, double edge) const;
   double
   meanEdgeAt(std::size_t vertex) const;
   Eigen::Vector3d
@@ -75,16 +73,16 @@ private:
 };
 
 /** Distance of a sample from the quadric through those around it, divided by what it
- * would be by their noise besides its own. \return below 0 where there is none */
+ * would be by their noise besides its own. \return below 0 where there is
+ * none */
 double
-NoiseSearch::deviationAt(std::size_t sample) const
+NoiseSearch::deviationAt(std::size_t sample, double edge) const
 {
   const std::vector<std::size_t> around = measuredAround(sample);
   const Eigen::Vector3d normal = normalAt(sample);
   if (around.size() < FEWEST_AROUND || normal.isZero())
     return -1.0;
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-  const double edge = meanEdgeAt(sample);
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   Terms heights = Terms::Zero();
   for (const std::size_t other : around) {

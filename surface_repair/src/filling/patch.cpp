@@ -19,7 +19,6 @@ Patch
 keepTriangles(const Patch& patch, const std::vector<bool>& is_kept)
 {
   Patch left;
-  left.noise = patch.noise;
   std::vector<pcl::index_t> number(patch.positions.size(), -1);
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     if (!is_kept[t])

@@ -30,10 +30,6 @@ struct Patch {
   Triangles triangles;                 /**< wound like the model */
   std::vector<std::size_t> hole;       /**< of each triangle: of which filling it is */
 
-  /** Standard deviation of the samples that it has grown over, where they only draw it;
-   * 0 where they are its vertices, and where there are none. Units of the cloud. */
-  double noise = 0.0;
-
   /** Edges of creases, the lower vertex first: never flipped, halved at a new vertex of
    * the crease. */
   std::set<std::array<std::size_t, 2>> creases;

@@ -251,9 +251,8 @@ obstructedTriangles(const Patch& patch,
                     const SurfaceObstacle& obstacle,
                     ccaa::RunControl* control)
 {
-  std::vector<ccaa::Corners> triangles;
-  for (const Triangle& triangle : patch.triangles)
-    triangles.push_back(ccaa::cornersOf(triangle, patch.positions));
+  const std::vector<ccaa::Corners> triangles =
+      ccaa::cornersOf(patch.triangles, patch.positions);
   const ccaa::BoxTree tree = treeOver(triangles, control);
   std::vector<bool> obstructed(triangles.size(), false);
   std::vector<std::size_t> found;

@@ -30,10 +30,7 @@ cornersOf(const Filling& filling, const BoundaryCurve& polygon)
 {
   Positions positions = polygon.points;
   positions.insert(positions.end(), filling.inner.begin(), filling.inner.end());
-  std::vector<ccaa::Corners> corners;
-  for (const Triangle& triangle : filling.triangles)
-    corners.push_back(ccaa::cornersOf(triangle, positions));
-  return corners;
+  return ccaa::cornersOf(filling.triangles, positions);
 }
 
 double

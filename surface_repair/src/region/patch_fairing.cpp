@@ -81,8 +81,12 @@ Fairing::relax()
   if (how_.is_flat)
     flattenPatch(place_.model, patch_, context_.control);
   else
-    relaxPatch(
-        place_.model, place_.model.free_points, relaxation, patch_, context_.control);
+    relaxPatch(place_.model,
+               place_.model.free_points,
+               relaxation,
+               patch_,
+               context_.control,
+               how_.noise);
   findCollisions();
   for (const std::size_t rings : CALMED_RINGS) {
     if (obstructed_.empty() || context_.cancelled())

@@ -15,6 +15,8 @@ struct PatchFairing {
   bool is_flat = false;     /**< in the plane of its rim, rather than relaxed */
   bool keeps_shape = false; /**< see FillStrategy; only a patch that is free as it is */
   bool is_tested = false;   /**< a patch that runs into much is left as it is */
+  double noise = 0.0;       /**< of samples that draw a patch grown over them, see
+                                 relaxPatch() */
 };
 
 /** \brief What came of a patch. */

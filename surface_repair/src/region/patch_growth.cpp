@@ -26,7 +26,6 @@ constexpr double HELD_NOISE = 0.28;
 /** Root mean square distance of samples from what they have drawn, in their noise, at
  * most: 0.5 to 1 where it is the surface, up to 2.2 where a limb has shrunk. */
 constexpr double MOST_APART = 1.25;
-
 /** Tries to draw a patch, each with half the noise of the one before. */
 constexpr std::size_t DRAWING_TRIES = 4;
 
@@ -36,11 +35,7 @@ distanceOf(const std::vector<std::size_t>& samples,
            const Positions& free_points,
            const Patch& patch)
 {
-  std::vector<ccaa::Corners> corners;
-  corners.reserve(patch.triangles.size());
-  for (const Triangle& triangle : patch.triangles)
-    corners.push_back(ccaa::cornersOf(triangle, patch.positions));
-  const TriangleSearch surface(std::move(corners));
+  const TriangleSearch surface(ccaa::cornersOf(patch.triangles, patch.positions));
   double sum = 0.0;
   for (const std::size_t sample : samples) {
     const double distance =
@@ -76,34 +71,34 @@ growPatch(const ClosingPlace& place,
   return samplesDescribe(place.model.free_points, samples, patch);
 }
 
-std::optional<FairedPatch>
-fairDrawn(const ClosingPlace& place,
+FairedPatch
+fairGrown(const ClosingPlace& place,
           const std::vector<std::size_t>& samples,
           const SurfaceObstacle& obstacle,
-          const PatchFairing& how,
+          PatchFairing how,
           const ccaa::LoopContext& context,
           Patch& patch)
 {
+  const SampleNoise noise =
+      place.parameters.relax ? noiseOfSamples(patch) : SampleNoise();
   const double trust = place.parameters.survey.field.trust;
-  const SampleNoise noise = noiseOfSamples(patch);
   const double belief = std::sqrt(trust / (1.0 - trust)); // squares of noise weigh
-  if (!place.parameters.relax || !(noise.share > HELD_NOISE * belief))
-    return std::nullopt;
-  double counted = noise.deviation;
-  for (std::size_t i = 0; i < DRAWING_TRIES; ++i, counted *= 0.5) {
+  const std::size_t tries = noise.share > HELD_NOISE * belief ? DRAWING_TRIES : 0;
+  how.noise = noise.deviation;
+  for (std::size_t i = 0; i < tries; ++i, how.noise *= 0.5) {
     Patch drawn = patch;
-    drawn.noise = counted;
     std::fill(drawn.free_point.begin(), drawn.free_point.end(), NONE);
     FairedPatch faired = fairPatch(place, obstacle, how, context, drawn);
     if (!faired.is_faired || !faired.obstructed.empty() || context.cancelled())
-      return std::nullopt;
+      break;
     if (distanceOf(samples, place.model.free_points, drawn) >
         MOST_APART * noise.deviation)
       continue;
     patch = std::move(drawn);
     return faired;
   }
-  return std::nullopt;
+  how.noise = 0.0;
+  return fairPatch(place, obstacle, how, context, patch);
 }
 
 } // namespace pcl::repair

@@ -20,18 +20,17 @@ growPatch(const ClosingPlace& place,
           const ccaa::LoopContext& context,
           Patch& patch);
 
-/** \brief Fair a patch that has grown over samples with noise: they draw it, instead of
- * being its vertices, so that it averages them.
+/** \brief Fair a patch that has grown over samples. Those with noise draw it, instead
+ * of being its vertices, so that it averages them.
  *
- * With exact samples, where little tells noise from detail, and with a trust near 1
- * they are to be held: not done. Nor is it kept where it runs into something, or is
- * farther from the samples than their noise lets it: what was smoothed away is no
- * noise. \param[in,out] patch grown; as it was where nothing is returned */
-std::optional<FairedPatch>
-fairDrawn(const ClosingPlace& place,
+ * They are held where they are exact, where little tells noise from detail, and with a
+ * trust near 1; and after all where the patch that they draw runs into something, or is
+ * farther from them than their noise lets it: what was smoothed away is no noise. */
+FairedPatch
+fairGrown(const ClosingPlace& place,
           const std::vector<std::size_t>& samples,
           const SurfaceObstacle& obstacle,
-          const PatchFairing& how,
+          PatchFairing how,
           const ccaa::LoopContext& context,
           Patch& patch);
 

@@ -206,13 +206,10 @@ RegionClosing::fair()
   how.is_flat = parts_.isFlat();
   how.keeps_shape = any(&FillStrategy::keeps_shape);
   how.is_tested = region_.holes.size() == 1 && !place_.mends;
-  if (has_grown)
-    if (const auto drawn = fairDrawn(
-            place_, region_.samples, obstacle_, how, context_, result_.patch)) {
-      faired_ = *drawn;
-      return;
-    }
-  faired_ = fairPatch(place_, obstacle_, how, context_, result_.patch);
+  faired_ =
+      has_grown
+          ? fairGrown(place_, region_.samples, obstacle_, how, context_, result_.patch)
+          : fairPatch(place_, obstacle_, how, context_, result_.patch);
 }
 
 void
