@@ -164,10 +164,9 @@ closeBetween(const std::vector<pcl::index_t>& open,
   if (isCancelled(control))
     return false;
   completeSpacings(gap);
-  std::vector<pcl::index_t> points = grown.open;
-  const VertexNumbers numbers({}, points);
+  const IndexSet numbers(grown.open);
   for (std::size_t i = 0; i < open.size(); ++i)
-    if (const pcl::index_t number = numbers[open[i]]; number >= 0)
+    if (const pcl::index_t number = numbers.placeOf(open[i]); number >= 0)
       gap.spacings[i] = grown.surface.spacings[static_cast<std::size_t>(number)];
   GrowingSurface growing(gap);
   TriangleTrial trial(gap, growing, parameters.support, &nearby);

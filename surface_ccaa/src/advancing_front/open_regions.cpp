@@ -96,10 +96,7 @@ regionOf(const OpenSurface& open,
   for (const pcl::index_t t : rim)
     region.rim.push_back(open.rim[static_cast<std::size_t>(t)]);
   vertices = points;
-  const VertexNumbers numbers(region.rim, vertices);
-  for (Triangle& triangle : region.rim)
-    for (pcl::index_t& corner : triangle)
-      corner = numbers[corner];
+  const IndexSet numbers = numberVertices(region.rim, vertices);
   work.add(REGION_WORK * points.size());
   for (const pcl::index_t vertex : vertices)
     region.positions.push_back(open.positions[static_cast<std::size_t>(vertex)]);
@@ -114,7 +111,7 @@ regionOf(const OpenSurface& open,
       region.outward.push_back(open.outward[static_cast<std::size_t>(points[i])]);
     std::size_t place = i * k;
     for (unsigned int j = 0; j < open.neighbors.count(points[i]); ++j)
-      if (const pcl::index_t near = numbers[open.neighbors.row(points[i])[j]];
+      if (const pcl::index_t near = numbers.placeOf(open.neighbors.row(points[i])[j]);
           near >= 0 && static_cast<std::size_t>(near) < points.size())
         region.neighbor_table[place++] = near;
   }

@@ -9,33 +9,23 @@
 
 namespace pcl::ccaa {
 
-VertexNumbers::VertexNumbers(const Triangles& rim, std::vector<index_t>& vertices)
+IndexSet
+numberVertices(Triangles& rim, std::vector<index_t>& vertices)
 {
-  note(vertices, 0);
+  IndexSet numbers(vertices);
   std::vector<index_t> others;
   for (const Triangle& triangle : rim)
     for (const index_t corner : triangle)
-      if ((*this)[corner] < 0)
+      if (!numbers.contains(corner))
         others.push_back(corner);
   sortUnique(others);
-  note(others, vertices.size());
-  vertices.insert(vertices.end(), others.begin(), others.end());
-}
-
-index_t
-VertexNumbers::operator[](index_t vertex) const
-{
-  const auto place = std::lower_bound(
-      numbers_.begin(), numbers_.end(), std::pair<index_t, index_t>(vertex, 0));
-  return place != numbers_.end() && place->first == vertex ? place->second : -1;
-}
-
-void
-VertexNumbers::note(const std::vector<index_t>& vertices, std::size_t first)
-{
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    numbers_.emplace_back(vertices[i], static_cast<index_t>(first + i));
-  std::sort(numbers_.begin(), numbers_.end());
+  for (const index_t vertex : others)
+    numbers.insert(vertex);
+  for (Triangle& triangle : rim)
+    for (index_t& corner : triangle)
+      corner = numbers.placeOf(corner);
+  vertices = numbers.items();
+  return numbers;
 }
 
 Triangles

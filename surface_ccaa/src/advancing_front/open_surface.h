@@ -4,6 +4,7 @@
 
 #include "advancing_front/tuning.h"
 #include "greedy/ranked_points.h"
+#include "mesh/index_set.h"
 #include "mesh/triangle.h"
 
 #include <cstddef>
@@ -37,23 +38,13 @@ struct OpenSurface {
                           whatever else is known; zero where unknown; or empty */
 };
 
-/** \brief Numbers of the vertices of an open surface: the open ones, then the other
- * corners of its rim in ascending order. */
-class VertexNumbers {
-public:
-  /** \param[in,out] vertices the open ones; the others are put behind them */
-  VertexNumbers(const Triangles& rim, std::vector<index_t>& vertices);
-
-  /** \brief Number of a vertex, -1 if it has none. */
-  index_t
-  operator[](index_t vertex) const;
-
-private:
-  void
-  note(const std::vector<index_t>& vertices, std::size_t first);
-
-  std::vector<std::pair<index_t, index_t>> numbers_; /**< vertex, number; ascending */
-};
+/** \brief Number the vertices of an open surface: the open ones, then the other corners
+ * of its rim, ascending.
+ * \param[in,out] rim in the vertices of the whole, then in these numbers
+ * \param[in,out] vertices the open ones; the others are put behind them
+ * \return the numbers of all of them */
+IndexSet
+numberVertices(Triangles& rim, std::vector<index_t>& vertices);
 
 /** \brief Triangles of an open surface in the vertices of the whole.
  * \param[in] vertices what its vertices are there */

@@ -97,12 +97,9 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
   if (!spend(control, OPENING_WORK * open.size()))
     return {};
   vertices = open;
-  const VertexNumbers numbers(surface.rim, vertices);
+  numberVertices(surface.rim, vertices);
   if (!spend(control, OPENING_WORK * open.size()))
     return {};
-  for (Triangle& triangle : surface.rim)
-    for (pcl::index_t& corner : triangle)
-      corner = numbers[corner];
   WorkCount work(control);
   surface.positions.reserve(vertices.size());
   for (const pcl::index_t vertex : vertices)

@@ -28,14 +28,15 @@ TriangleTrial::TriangleTrial(const OpenSurface& open,
 , asked_(open.positions.size(), 0)
 {}
 
-/** Length of an edge that the surface does not have yet, else 0. */
-double
-TriangleTrial::newLength(pcl::index_t a, pcl::index_t b) const
+/** Whether an edge is as short as the side of an equilateral triangle with a
+ * circumradius may be, or the surface has it already. */
+bool
+TriangleTrial::isShort(pcl::index_t a, pcl::index_t b, double radius) const
 {
   const Front& front = surface_.front();
-  if (front.find(a, b) != FrontEdge::NONE || front.find(b, a) != FrontEdge::NONE)
-    return 0.0;
-  return (surface_.position(a) - surface_.position(b)).norm();
+  return (surface_.position(a) - surface_.position(b)).norm() / SIDE_OF_UNIT_RADIUS <=
+             radius ||
+         front.find(a, b) != FrontEdge::NONE || front.find(b, a) != FrontEdge::NONE;
 }
 
 double
@@ -79,11 +80,8 @@ TriangleTrial::isSupported(const Triangle& t, double spacing_there, double radiu
   const double least = std::min({spacing(t[0]), spacing(t[1]), spacing(t[2])});
   const double limit =
       support_ * std::min(spacing_there, tuning::MOST_SPACING_RATIO * least);
-  if (radius <= limit)
-    return true;
-  const double longest =
-      std::max({newLength(t[0], t[1]), newLength(t[1], t[2]), newLength(t[2], t[0])});
-  return longest / SIDE_OF_UNIT_RADIUS <= limit;
+  return radius <= limit || (isShort(t[0], t[1], limit) && isShort(t[1], t[2], limit) &&
+                             isShort(t[2], t[0], limit));
 }
 
 bool

@@ -81,8 +81,8 @@ private:
   isSupported(const Triangle& triangle, double spacing_there, double radius) const;
   double
   circumradius(const Triangle& triangle) const;
-  double
-  newLength(pcl::index_t a, pcl::index_t b) const;
+  bool
+  isShort(pcl::index_t a, pcl::index_t b, double radius) const;
   void
   noteBoxes();
   bool

@@ -5,6 +5,7 @@
 #include "mesh/corners.h"
 #include "mesh/neck_parts.h"
 #include "mesh/sort_unique.h"
+#include "mesh/surroundings.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -16,6 +17,8 @@ using Edge = TriangleAdjacency::Edge;
 
 /** Cosine between the normals of two sides that face each other. */
 constexpr double FACING = -0.5;
+/** Cosine of half the angle between them, with room for rounding. */
+constexpr double COS_OF_HALF = 0.5 + 1e-9;
 /** Rings of triangles around such an edge that may face each other: of 14 pairs of
  * bodies that were glued, with two rings 12 were found, with one 6, with three 13. */
 constexpr int RINGS_AT_BOTTOM = 3;
@@ -49,40 +52,53 @@ public:
   void
   addCleft(const Edge& edge, std::unordered_set<pcl::index_t>& cleft) const
   {
-    const std::vector<pcl::index_t> around = trianglesAround(edge);
-    std::vector<Wall> walls;
-    for (const pcl::index_t t : around) {
-      const Corners corners =
-          cornersOf(triangles_[static_cast<std::size_t>(t)], points_);
-      walls.push_back(
-          {(corners[0] + corners[1] + corners[2]) / 3.0, unitNormal(corners)});
-    }
-    for (std::size_t i = 0; i < walls.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
+    Surroundings around({edge.begin(), edge.end()}, triangles_, adjacency_, points_);
+    for (int ring = 0; ring < RINGS_AT_BOTTOM; ++ring)
+      around.addRing();
+    const std::vector<Wall> walls = wallsOf(around.triangles());
+    for (const std::size_t i : steepOf(walls))
+      for (std::size_t j = 0; j < walls.size(); ++j)
         if (walls[i].faces(walls[j]))
-          for (const pcl::index_t t : {around[i], around[j]}) {
-            const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
+          for (const std::size_t wall : {i, j}) {
+            const Triangle& triangle = cornersOfWall(around, wall);
             cleft.insert(triangle.begin(), triangle.end());
           }
   }
 
 private:
-  std::vector<pcl::index_t>
-  trianglesAround(const Edge& edge) const
+  std::vector<Wall>
+  wallsOf(const std::vector<pcl::index_t>& triangles) const
   {
-    std::vector<pcl::index_t> vertices(edge.begin(), edge.end()), around;
-    for (int ring = 0; ring < RINGS_AT_BOTTOM; ++ring) {
-      around.clear();
-      for (const pcl::index_t vertex : vertices)
-        around.insert(around.end(), adjacency_.begin(vertex), adjacency_.end(vertex));
-      sortUnique(around);
-      for (const pcl::index_t t : around) {
-        const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
-        vertices.insert(vertices.end(), triangle.begin(), triangle.end());
-      }
-      sortUnique(vertices);
+    std::vector<Wall> walls;
+    walls.reserve(triangles.size());
+    for (const pcl::index_t t : triangles) {
+      const Corners corners =
+          cornersOf(triangles_[static_cast<std::size_t>(t)], points_);
+      walls.push_back(
+          {(corners[0] + corners[1] + corners[2]) / 3.0, unitNormal(corners)});
     }
-    return around;
+    return walls;
+  }
+
+  /** Those more than 60 degrees off the mean: of two that face each other one is. */
+  static std::vector<std::size_t>
+  steepOf(const std::vector<Wall>& walls)
+  {
+    Position mean = Position::Zero();
+    for (const Wall& wall : walls)
+      mean += wall.normal;
+    mean.normalize();
+    std::vector<std::size_t> steep;
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      if (!(walls[i].normal.dot(mean) > COS_OF_HALF))
+        steep.push_back(i);
+    return steep;
+  }
+
+  const Triangle&
+  cornersOfWall(const Surroundings& around, std::size_t wall) const
+  {
+    return triangles_[static_cast<std::size_t>(around.triangles()[wall])];
   }
 
   const Triangles& triangles_;

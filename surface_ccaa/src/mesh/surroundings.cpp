@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -19,34 +18,23 @@ constexpr double TURN_OF_CONE = M_PI;
 /** The same around a cone of 10 degrees: less, and it is a tube. */
 constexpr double TURN_OF_TUBE = M_PI / 3.0;
 
-/** Make items a part of an ascending set. \return those that are new, ascending */
-std::vector<pcl::index_t>
-addTo(std::vector<pcl::index_t>& set, std::vector<pcl::index_t> items)
-{
-  sortUnique(items);
-  std::vector<pcl::index_t> added;
-  std::set_difference(
-      items.begin(), items.end(), set.begin(), set.end(), std::back_inserter(added));
-  const auto old = static_cast<std::ptrdiff_t>(set.size());
-  set.insert(set.end(), added.begin(), added.end());
-  std::inplace_merge(set.begin(), set.begin() + old, set.end());
-  return added;
-}
-
 } // namespace
 
 void
 Surroundings::addRing()
 {
-  std::vector<pcl::index_t> around, corners;
-  for (const pcl::index_t vertex : rim_)
-    around.insert(around.end(), adjacency_.begin(vertex), adjacency_.end(vertex));
-  for (const pcl::index_t t : addTo(chosen_, std::move(around))) {
-    const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  const std::size_t first_added = chosen_.size();
+  for (std::size_t i = rim_; i < vertices_.size(); ++i) {
+    const pcl::index_t vertex = vertices()[i];
+    for (const auto* t = adjacency_.begin(vertex); t != adjacency_.end(vertex); ++t)
+      chosen_.insert(*t);
   }
-  rim_ = addTo(vertices_, std::move(corners));
-  findRims();
+  rim_ = vertices_.size();
+  for (std::size_t i = first_added; i < chosen_.size(); ++i)
+    for (const pcl::index_t corner :
+         triangles_[static_cast<std::size_t>(triangles()[i])])
+      vertices_.insert(corner);
+  findRims(first_added);
 }
 
 bool
@@ -71,7 +59,7 @@ Surroundings::haveHandle() const
   std::vector<std::pair<std::size_t, std::size_t>> ends;
   for (std::size_t i = 0; i < n; ++i)
     for (int corner = 0; corner < 3; ++corner)
-      if (!isChosen(adjacency_.across(chosen_[i], corner)))
+      if (!chosen_.contains(adjacency_.across(triangles()[i], corner)))
         ends.emplace_back(fans.find(cornerOf(i, corner)),
                           fans.find(cornerOf(i, (corner + 1) % 3)));
   const std::size_t vertices = fans.count();
@@ -92,7 +80,7 @@ Position
 Surroundings::center() const
 {
   Position sum = Position::Zero();
-  for (const pcl::index_t vertex : vertices_)
+  for (const pcl::index_t vertex : vertices())
     sum += points_[vertex];
   return sum / static_cast<double>(vertices_.size());
 }
@@ -101,7 +89,7 @@ Position
 Surroundings::areaVector() const
 {
   Position sum = Position::Zero();
-  for (const pcl::index_t t : chosen_)
+  for (const pcl::index_t t : triangles())
     sum += areaNormal(cornersOf(triangles_[static_cast<std::size_t>(t)], points_));
   return sum;
 }
@@ -109,40 +97,37 @@ Surroundings::areaVector() const
 void
 Surroundings::joinAcross(std::size_t place, int corner, DisjointSets& fans) const
 {
-  const pcl::index_t across = adjacency_.across(chosen_[place], corner);
-  if (!isChosen(across))
+  const pcl::index_t across = adjacency_.across(triangles()[place], corner);
+  const pcl::index_t there = chosen_.placeOf(across);
+  if (there < 0)
     return;
-  const auto there = static_cast<std::size_t>(
-      std::lower_bound(chosen_.begin(), chosen_.end(), across) - chosen_.begin());
-  const Triangle& one = triangles_[static_cast<std::size_t>(chosen_[place])];
+  const Triangle& one = triangles_[static_cast<std::size_t>(triangles()[place])];
   const Triangle& other = triangles_[static_cast<std::size_t>(across)];
   for (const int end : {corner, (corner + 1) % 3}) {
     const auto* same =
         std::find(other.begin(), other.end(), one[static_cast<std::size_t>(end)]);
     fans.join(cornerOf(place, end),
-              cornerOf(there, static_cast<int>(same - other.begin())));
+              cornerOf(static_cast<std::size_t>(there),
+                       static_cast<int>(same - other.begin())));
   }
 }
 
-bool
-Surroundings::isChosen(pcl::index_t triangle) const
-{
-  return std::binary_search(chosen_.begin(), chosen_.end(), triangle);
-}
-
+/** All triangles at the vertices before the last ring are chosen, so only those that it
+ * has added have rims. */
 void
-Surroundings::findRims()
+Surroundings::findRims(std::size_t first_added)
 {
   rims_.clear();
-  borders_.clear();
-  for (const pcl::index_t t : chosen_)
-    for (int corner = 0; corner < 3; ++corner)
-      if (const pcl::index_t across = adjacency_.across(t, corner); !isChosen(across)) {
-        const Triangle& triangle = triangles_[static_cast<std::size_t>(t)];
-        const auto from = static_cast<std::size_t>(corner);
-        (across < 0 ? borders_ : rims_)
-            .push_back({triangle[from], triangle[(from + 1) % 3]});
-      }
+  for (std::size_t i = first_added; i < chosen_.size(); ++i)
+    for (int corner = 0; corner < 3; ++corner) {
+      const pcl::index_t across = adjacency_.across(triangles()[i], corner);
+      if (chosen_.contains(across))
+        continue;
+      const Triangle& triangle = triangles_[static_cast<std::size_t>(triangles()[i])];
+      const auto from = static_cast<std::size_t>(corner);
+      (across < 0 ? borders_ : rims_)
+          .push_back({triangle[from], triangle[(from + 1) % 3]});
+    }
 }
 
 bool
@@ -176,7 +161,7 @@ Surroundings::turnsOf(const std::vector<TriangleAdjacency::Edge>& edges) const
   for (std::size_t i = 0; i < vertices.size(); ++i)
     turns[rims.find(i)] -=
         anglesAt(vertices[i], triangles_, adjacency_, points_, [&](pcl::index_t t) {
-          return isChosen(t);
+          return chosen_.contains(t);
         });
   std::vector<double> list;
   for (const auto& [vertex, turn] : turns)

@@ -4,6 +4,7 @@
 
 #include "mesh/corners.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/index_set.h"
 #include "mesh/triangle_adjacency.h"
 
 #include <vector>
@@ -44,16 +45,11 @@ anglesAt(pcl::index_t vertex,
 /** \brief The triangles within some edges of a vertex or an opening. */
 class Surroundings {
 public:
-  /** \param[in] center ascending */
   Surroundings(const std::vector<pcl::index_t>& center,
                const Triangles& triangles,
                const TriangleAdjacency& adjacency,
                const PointView& points)
-  : triangles_(triangles)
-  , adjacency_(adjacency)
-  , points_(points)
-  , vertices_(center)
-  , rim_(center)
+  : triangles_(triangles), adjacency_(adjacency), points_(points), vertices_(center)
   {}
 
   /** \brief Go one edge farther. */
@@ -90,10 +86,17 @@ public:
   Position
   areaVector() const;
 
+  /** \brief Ring by ring, as triangles(). */
   const std::vector<pcl::index_t>&
   vertices() const
   {
-    return vertices_;
+    return vertices_.items();
+  }
+
+  const std::vector<pcl::index_t>&
+  triangles() const
+  {
+    return chosen_.items();
   }
 
 private:
@@ -107,11 +110,8 @@ private:
   void
   joinAcross(std::size_t place, int corner, DisjointSets& fans) const;
 
-  bool
-  isChosen(pcl::index_t triangle) const;
-
   void
-  findRims();
+  findRims(std::size_t first_added);
 
   /** Whether a boundary of the surface leads out of them. */
   bool
@@ -124,10 +124,10 @@ private:
   const Triangles& triangles_;
   const TriangleAdjacency& adjacency_;
   const PointView& points_;
-  std::vector<pcl::index_t> vertices_;        /**< ascending */
-  std::vector<pcl::index_t> rim_;             /**< those that the last ring has added */
-  std::vector<pcl::index_t> chosen_;          /**< triangles, ascending */
-  std::vector<TriangleAdjacency::Edge> rims_; /**< the surface goes on there */
+  IndexSet vertices_;
+  std::size_t rim_ = 0; /**< those from here on the last ring has added */
+  IndexSet chosen_;     /**< triangles */
+  std::vector<TriangleAdjacency::Edge> rims_;    /**< the surface goes on there */
   std::vector<TriangleAdjacency::Edge> borders_; /**< and ends there */
 };
 

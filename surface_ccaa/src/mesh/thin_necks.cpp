@@ -2,7 +2,6 @@
 // Part of PclSurfaceRepair: rings of a few edges between two parts of a surface.
 #include "mesh/thin_necks.h"
 
-#include "mesh/sort_unique.h"
 #include "mesh/surroundings.h"
 
 #include <algorithm>
@@ -60,7 +59,6 @@ openingFrom(pcl::index_t vertex,
   while (next > vertex && rim.size() < MOST_OPENING);
   if (next != vertex)
     return {};
-  sortUnique(rim);
   return rim;
 }
 

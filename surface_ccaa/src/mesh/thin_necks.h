@@ -16,7 +16,7 @@ constexpr int EDGES_AROUND_NECK = 6;
 /** \brief A place where a surface is thin. */
 struct ThinNeck {
   pcl::index_t vertex = -1;         /**< one on it */
-  std::vector<pcl::index_t> around; /**< vertices, ascending, with all of the ring */
+  std::vector<pcl::index_t> around; /**< vertices, with all of the ring */
   bool is_handle = false; /**< it is no neck, but has a handle as small as one */
 };
 
