@@ -105,6 +105,13 @@ readGiven(PartialMesh& mesh,
 {
   GivenSurface surface;
   surface.adjacency = std::move(mesh.adjacency);
+  if (reopening.is_again) {
+    surface.doubts.triangles = reopening.triangles;
+    surface.doubts.typical_fold = reopening.typical_fold;
+    if (!reopening.isWound())
+      surface.islands = labelIslands(surface.adjacency, {context.threads});
+    return surface;
+  }
   if (surface.adjacency.vertexCount() == 0)
     surface.adjacency.build(
         mesh.given, mesh.points.size(), context.threads, context.control);
@@ -123,8 +130,8 @@ readGiven(PartialMesh& mesh,
   surface.doubts = doubtfulTriangles(
       mesh.given, surface.adjacency, surface.islands, mesh.points, context);
   std::vector<pcl::index_t>& doubts = surface.doubts.triangles;
-  if (keep_given || reopening.is_again) {
-    doubts = reopening.triangles;
+  if (keep_given) {
+    doubts.clear();
     surface.doubts.folded.clear();
   }
   doubts.insert(doubts.end(), disagreeing.begin(), disagreeing.end());

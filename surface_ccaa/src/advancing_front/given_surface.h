@@ -57,11 +57,22 @@ struct Reopening {
   std::vector<pcl::index_t> triangles; /**< that are to go */
   std::vector<pcl::index_t> handles;   /**< points, ascending, around which local
                                             regrowth opens handles, if no triangles go */
+  std::size_t pieces = 0;              /**< of the completed mesh */
+  double typical_fold = 0.0;           /**< of what was given first, see Doubts */
+
+  /** \brief One piece is wound outward already; several may have to be turned for what
+   * grows between them. */
+  bool
+  isWound() const
+  {
+    return is_again && pieces == 1;
+  }
 };
 
 /** \brief Read the given triangles of a mesh. Doubtful are, where they need not all be
  * kept, those of doubtfulTriangles() and of islands in which neighbors are wound
- * differently: one-sided ones, which no object has, and those wound at random.
+ * differently: one-sided ones, which no object has, and those wound at random. Of a
+ * mesh that is completed again, those that are to go.
  * \param[in,out] mesh its adjacency is taken over
  * \return nothing of use after cancelling */
 GivenSurface

@@ -79,7 +79,7 @@ public:
 
 private:
   std::optional<Completed>
-  regrow(const Reopening& reopening, double most_work) const;
+  regrow(Reopening reopening, double most_work) const;
   std::optional<Completed>
   regrowAt(const std::vector<std::uint8_t>& is_chosen, bool alone) const;
   bool
@@ -94,9 +94,12 @@ private:
 
 /** \return nothing where that takes more than so often the work of the first */
 std::optional<Completed>
-HandleOpening::regrow(const Reopening& reopening, double most_work) const
+HandleOpening::regrow(Reopening reopening, double most_work) const
 {
   Completed regrown;
+  regrown.report.sides = now_.report.sides;
+  reopening.pieces = now_.mesh.topology.pieces;
+  reopening.typical_fold = now_.mesh.typical_fold;
   PartialMesh mesh = again_.mesh;
   mesh.given = now_.mesh.triangles;
   mesh.adjacency = now_.mesh.adjacency;

@@ -27,6 +27,7 @@ struct Recompletion {
   const CompletionAgain& complete;
   std::uint64_t work; /**< that it took first */
   int threads;
+  RunControl& control;
 };
 
 /** \brief A completed mesh with its report. */

@@ -87,6 +87,7 @@ private:
   std::optional<NearbyTriangles> nearby_;
   std::vector<pcl::index_t> obstructed_;
   TriangleAdjacency adjacency_; /**< of the result */
+  LastingPieces pieces_;
   CompletedMesh result_;
 };
 
@@ -130,7 +131,7 @@ Completion::searchOpenPoints()
 void
 Completion::findOpenPoints()
 {
-  if (searchOpenPoints())
+  if (searchOpenPoints() && !reopening_.isWound())
     alignGiven(mesh_, given_, open_, table_, context_);
 }
 
@@ -260,28 +261,29 @@ Completion::settle()
 void
 Completion::keepLargeComponents()
 {
-  const std::vector<std::uint8_t> is_large =
-      largeComponentFlags(result_.triangles,
-                          adjacency_,
-                          parameters_.keep_given ? result_.kept.size() : 0,
+  pieces_ = lastingPieces(adjacency_,
+                          result_.kept.size(),
+                          parameters_.keep_given,
                           parameters_.minimum_internal_points,
                           {context_.threads});
   std::size_t left = 0, kept = 0;
   for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
-    if (is_large[t] == 0)
+    if (pieces_.flags[t] == 0)
       continue;
     if (t < result_.kept.size())
       result_.kept[kept++] = result_.kept[t];
     result_.triangles[left++] = result_.triangles[t];
   }
-  const bool dropped = left < result_.triangles.size();
   result_.triangles.resize(left);
   result_.kept.resize(kept);
   report_.kept_triangles = kept;
   report_.new_triangles = left - kept;
-  if (dropped)
-    adjacency_.follow(
-        is_large, result_.triangles, mesh_.points.size(), context_.threads, &control_);
+  if (left < pieces_.flags.size())
+    adjacency_.follow(pieces_.flags,
+                      result_.triangles,
+                      mesh_.points.size(),
+                      context_.threads,
+                      &control_);
 }
 
 /** The whole, outward where that can be told. */
@@ -290,16 +292,18 @@ Completion::orient()
 {
   for (const Fan fan : adjacency_.fans())
     report_.free_points += fan == Fan::NONE;
-  const OrientationReport sides = orientTriangles(result_.triangles,
-                                                  adjacency_,
-                                                  mesh_.points,
-                                                  hintsOf(mesh_, context_.threads),
-                                                  control_);
-  report_.sides = sides.tally;
+  if (!reopening_.isWound() || pieces_.any_new)
+    report_.sides = orientTriangles(result_.triangles,
+                                    adjacency_,
+                                    mesh_.points,
+                                    hintsOf(mesh_, context_.threads),
+                                    control_)
+                        .tally;
+  result_.typical_fold = given_.doubts.typical_fold;
   if (parameters_.keep_given)
     return;
-  result_.topology = topologyOf(
-      result_.triangles, adjacency_, sides.components.size(), {context_.threads});
+  result_.topology =
+      topologyOf(result_.triangles, adjacency_, pieces_.count, {context_.threads});
   result_.adjacency = std::move(adjacency_);
 }
 

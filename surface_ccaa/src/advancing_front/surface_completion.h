@@ -22,6 +22,7 @@ struct CompletedMesh {
   PartialMeshFault fault = PartialMeshFault::NONE; /**< if any, nothing else is set */
   Triangles triangles; /**< the given ones that stay, in order, then the new ones */
   std::vector<pcl::index_t> kept; /**< which of the given ones, ascending */
+  double typical_fold = 0.0;      /**< of what was given, see Doubts */
   /** \name Unless all given ones are kept. */
   /** \{ */
   SurfaceTopology topology;

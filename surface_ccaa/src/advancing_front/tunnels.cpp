@@ -6,6 +6,7 @@
 #include "advancing_front/narrow_places.h"
 #include "advancing_front/tuning.h"
 #include "mesh/handle_places.h"
+#include "mesh/orientation.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -50,6 +51,12 @@ openNarrow(const Recompletion& again,
   report = opened.report;
   if (opened.flaws() == first.flaws())
     return;
+  report.sides = orientTriangles(result.triangles,
+                                 result.adjacency,
+                                 again.mesh.points,
+                                 hintsOf(again.mesh, again.threads),
+                                 again.control)
+                     .tally; // more is closed, so more is known
   is_thin = thinPlaces(result.triangles, again.mesh.points, 0.0, {again.threads});
   result.thin_necks =
       thinNecks(result.triangles, result.adjacency, again.mesh.points, {again.threads});
@@ -102,7 +109,11 @@ openTunnels(PartialMesh mesh,
     if (!has_thin)
       is_thin = thinPlaces(mesh.given, points, tuning::LARGEST_RISE, context);
     mesh.given = {}; // the result takes its place
-    openNarrow({mesh, complete, work, threads}, has_thin, is_thin, result, report);
+    openNarrow({mesh, complete, work, threads, *context.control},
+               has_thin,
+               is_thin,
+               result,
+               report);
   }
   findNecks(points, threads, result, report);
   doubtHandles(has_thin, std::move(is_thin), threads, result, report.doubts);

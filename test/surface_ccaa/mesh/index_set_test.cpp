@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Part of PclSurfaceRepair: a few indices out of many.
-#include "mesh/index_set.h"
-
 #include <gtest/gtest.h>
+
+#include "mesh/index_set.h"
 
 #include <map>
 #include <random>
