@@ -2,6 +2,7 @@
 // Part of PclSurfaceRepair: the triangles around open points, for crossing tests.
 #include "advancing_front/nearby_triangles.h"
 
+#include "advancing_front/tuning.h"
 #include "mesh/curve_order.h"
 #include "mesh/sort_unique.h"
 
@@ -80,7 +81,8 @@ NearbyTriangles::NearbyTriangles(const Triangles& triangles,
     return;
   const LoopContext context{threads};
   choose(open, cell, context);
-  sortAlongCurve(threads);
+  if (!isInOrder())
+    sortAlongCurve(threads);
   tree_ = BoxTree(chosen_.size(), context, [this](std::size_t place) {
     return boxOf(cornersAt(place));
   });
@@ -97,13 +99,12 @@ NearbyTriangles::choose(const std::vector<pcl::index_t>& open,
     std::uint64_t last = 0;
     bool last_is_near = false;
     for (std::size_t t = begin; t < end; ++t) {
-      const Corners corners = cornersOf(triangles_[t], points_);
-      const std::uint64_t number = numberOf(cellOf(corners[0], cell));
+      const std::uint64_t number = numberOf(cellOf(points_[triangles_[t][0]], cell));
       if (t == begin || number != last) { // neighbors in the list mostly share a cell
         last = number;
         last_is_near = cells.count(number) != 0;
       }
-      if (last_is_near || isLong(corners, cell))
+      if (last_is_near || isLong(cornersOf(triangles_[t], points_), cell))
         chosen[block].push_back(static_cast<pcl::index_t>(t));
     }
   };
@@ -111,14 +112,26 @@ NearbyTriangles::choose(const std::vector<pcl::index_t>& open,
   chosen_ = joinBlocks(chosen);
 }
 
+/** Whether neighbors in the list are close in space, as a greedy start makes them: on
+ * the average as far apart as a few edges. Looked at are samples. */
+bool
+NearbyTriangles::isInOrder() const
+{
+  double between = 0.0, along = 0.0;
+  for (std::size_t place = 1; place < chosen_.size(); place += tuning::SPACING_STRIDE) {
+    const Corners corners = cornersAt(place);
+    between += (corners[0] - cornersAt(place - 1)[0]).norm();
+    along += (corners[1] - corners[0]).norm();
+  }
+  return between <= tuning::MOST_BETWEEN * along;
+}
+
 /** Neighbors in the tree must be close in space, in whatever order they were given. */
 void
 NearbyTriangles::sortAlongCurve(int threads)
 {
-  const auto firstCorner = [&](std::size_t place) -> Position {
-    return points_[triangles_[static_cast<std::size_t>(chosen_[place])][0]];
-  };
-  std::vector<pcl::index_t> order = curveOrder(chosen_.size(), firstCorner, threads);
+  std::vector<pcl::index_t> order = curveOrder(
+      chosen_.size(), [&](std::size_t place) { return cornersAt(place)[0]; }, threads);
   for (pcl::index_t& place : order)
     place = chosen_[static_cast<std::size_t>(place)];
   chosen_ = std::move(order);

@@ -62,6 +62,8 @@ private:
   choose(const std::vector<pcl::index_t>& open,
          double cell,
          const LoopContext& context);
+  bool
+  isInOrder() const;
   void
   sortAlongCurve(int threads);
   bool

@@ -141,9 +141,13 @@ constexpr std::size_t PROMISING = 25;
 constexpr std::size_t SMALL_GAP = 100;
 /** Operations for a triangle that is added or a seed that is looked for. */
 constexpr std::size_t GROWTH_WORK = 3000;
-/** Of the given triangles one in so many tells the usual spacing. */
+/** Of the given triangles one in so many tells the usual spacing, and whether they come
+ * in order. */
 constexpr std::size_t SPACING_STRIDE = 16;
 /** Median distances of neighbors to a cell of the grid that chooses triangles. */
 constexpr double CELL_FACTOR = 4.0;
+/** Edges between triangles that follow each other, on the average, where they come in
+ * order: of the start's there are 0.7 to 0.9. */
+constexpr double MOST_BETWEEN = 2.0;
 
 } // namespace pcl::ccaa::tuning
