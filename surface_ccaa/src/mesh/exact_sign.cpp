@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -157,17 +158,23 @@ turnSign(const Position (&points)[3], int u, int v, int low)
   return signOf(determinant);
 }
 
-/** \brief Whether one of the three rows is zero in an axis throughout: an exact zero
- * that meshes of axis-parallel planes produce all the time. */
+/** \brief Whether equal coordinates alone make four points coplanar, as those of meshes
+ * of axis-parallel planes and of depth frames all the time: all are equal in an axis,
+ * or two of the six edges between them are parallel to the same axis. */
 bool
-isFlatInAnAxis(const Eigen::Vector3d& a,
-               const Eigen::Vector3d& b,
-               const Eigen::Vector3d& c)
+areOnAxes(const Position (&points)[4])
 {
-  for (Eigen::Index k = 0; k < 3; ++k)
-    if (a[k] == 0.0 && b[k] == 0.0 && c[k] == 0.0)
-      return true;
-  return false;
+  std::array<int, 3> in_plane{}, along{};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < i; ++j) {
+      const auto same = [&](int k) { return points[i][k] == points[j][k]; };
+      for (int k = 0; k < 3; ++k) {
+        in_plane[static_cast<std::size_t>(k)] += same(k);
+        along[static_cast<std::size_t>(k)] += same((k + 1) % 3) && same((k + 2) % 3);
+      }
+    }
+  return *std::max_element(in_plane.begin(), in_plane.end()) == 6 ||
+         *std::max_element(along.begin(), along.end()) > 1;
 }
 
 /** Out of line like exactTurn(): its integers would give the filter before it a frame
@@ -225,7 +232,8 @@ ExactPlane::sideOf(const Position& p) const
       filteredSign(normal_.dot(w), magnitude_.dot(w.cwiseAbs()), PLANE_ERROR);
   if (sign != UNDECIDED)
     return sign;
-  return isFlatInAnAxis(b_ - a_, c_ - a_, w) ? 0 : exactSideOfPlane({a_, b_, c_, p});
+  const Position points[] = {a_, b_, c_, p};
+  return areOnAxes(points) ? 0 : exactSideOfPlane(points);
 }
 
 int
@@ -242,7 +250,11 @@ turnInPlane(const Position& a, const Position& b, const Position& c, int dropped
   const double right = (a[v] - c[v]) * (b[u] - c[u]);
   const int sign =
       filteredSign(left - right, std::abs(left) + std::abs(right), TURN_ERROR);
-  return sign != UNDECIDED ? sign : exactTurn({a, b, c}, u, v);
+  if (sign != UNDECIDED)
+    return sign;
+  const bool both_are_zero =
+      (a[u] == c[u] || b[v] == c[v]) && (a[v] == c[v] || b[u] == c[u]);
+  return both_are_zero ? 0 : exactTurn({a, b, c}, u, v);
 }
 
 int

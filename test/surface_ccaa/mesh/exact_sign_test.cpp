@@ -129,6 +129,26 @@ TEST(ExactSign, AgreesWithRationalNumbersWhenOneCoordinateIsTiny)
   }
 }
 
+/** As in depth frames: edges along an axis, and faces across it. */
+TEST(ExactSign, AgreesWithRationalNumbersWhereCoordinatesAreEqual)
+{
+  RandomSource random(17);
+  std::size_t coplanar = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Position values[] = {randomPosition(random), randomPosition(random)};
+    Position p[4];
+    for (Position& point : p)
+      for (Eigen::Index k = 0; k < 3; ++k)
+        point[k] = values[random.uniform(0, 1) < 0.5 ? 0 : 1][k];
+    const int side = rationalSide(p[0], p[1], p[2], p[3]);
+    ASSERT_EQ(sideOfPlane(p[0], p[1], p[2], p[3]), side);
+    ASSERT_EQ(turnInPlane(p[0], p[1], p[2], 2), rationalTurn(p[0], p[1], p[2]));
+    coplanar += side == 0;
+  }
+  EXPECT_GT(coplanar, 1000u);
+  EXPECT_LT(coplanar, 4000u);
+}
+
 TEST(ExactSign, HoldsOverTheWholeRangeOfDoubles)
 {
   RandomSource random(3);
