@@ -18,6 +18,9 @@ namespace {
  */
 constexpr std::uint64_t SEARCH_WORK = 50;
 constexpr std::uint64_t TEST_WORK = 5;
+/** So many that were met last meet 0.65 to 0.85 of the triangles that are obstructed
+ * next; with 16, 0.94, in no less time. */
+constexpr std::size_t LAST_MET = 4;
 /** Of a triangle that may come near. */
 constexpr std::uint64_t TAKING_WORK = 3;
 
@@ -191,16 +194,52 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
 }
 
 bool
-SurfaceObstacle::meets(const ccaa::Corners& corners, ccaa::RunControl* control) const
+LastMet::meets(const ccaa::Corners& corners)
 {
+  const ccaa::Box box = ccaa::boxOf(corners);
+  const auto found =
+      std::find_if(met_.begin(), met_.end(), [&](const ccaa::Corners& there) {
+        return ccaa::boxOf(there).intersects(box) &&
+               ccaa::trianglesMeet(corners, there);
+      });
+  if (found == met_.end())
+    return false;
+  std::rotate(met_.begin(), found, found + 1);
+  return true;
+}
+
+void
+LastMet::add(const ccaa::Corners& met)
+{
+  if (met_.size() == LAST_MET)
+    met_.pop_back();
+  met_.insert(met_.begin(), met);
+}
+
+bool
+SurfaceObstacle::meets(const ccaa::Corners& corners,
+                       ccaa::RunControl* control,
+                       LastMet* last) const
+{
+  if (ccaa::isCollinear(corners))
+    return false;
+  const ccaa::Box box = ccaa::boxOf(corners);
+  if (last != nullptr && last->meets(corners)) {
+    if (seen_ != nullptr)
+      seen_->extend(box);
+    ccaa::spend(control, TEST_WORK);
+    return true;
+  }
   const auto search = [&](const ccaa::BoxTree& tree, const auto& meets_it) {
     return tree.anyMeeting(corners, meets_it);
   };
   const auto test = [&](const ccaa::Corners& there) {
-    return ccaa::trianglesMeet(corners, there);
+    const bool meets = ccaa::trianglesMeet(corners, there);
+    if (meets && last != nullptr)
+      last->add(there);
+    return meets;
   };
-  return !ccaa::isCollinear(corners) &&
-         holdsForAny(ccaa::boxOf(corners), search, test, control);
+  return holdsForAny(box, search, test, control);
 }
 
 bool
@@ -218,8 +257,9 @@ SurfaceObstacle::isCrossedBy(const Position& p,
 void
 avoid(const SurfaceObstacle& obstacle, FillingTask& task)
 {
-  task.obstructed = [&obstacle, control = task.control](const ccaa::Corners& corners) {
-    return obstacle.meets(corners, control);
+  task.obstructed = [&obstacle, control = task.control, last = LastMet()](
+                        const ccaa::Corners& corners) mutable {
+    return obstacle.meets(corners, control, &last);
   };
   task.crossed = [&obstacle, control = task.control](const Position& p,
                                                      const Position& q) {

@@ -17,6 +17,21 @@
 
 namespace pcl::repair {
 
+/** \brief The few triangles that stood in the way last: likely in that of the next,
+ * too. */
+class LastMet {
+public:
+  /** \brief Whether one of them meets a triangle (see SurfaceObstacle::meets()). */
+  bool
+  meets(const ccaa::Corners& corners);
+
+  void
+  add(const ccaa::Corners& met);
+
+private:
+  std::vector<ccaa::Corners> met_; /**< the latest first */
+};
+
 /** \brief The surface near the places where something is built, and what was built
  * there before. Const methods may be called from several threads, but not those of one
  * that is watched. A copy is cheap, and does not see what is added afterwards. */
@@ -44,9 +59,11 @@ public:
 
   /** \brief Whether a triangle meets one that is there where it should not (see
    * ccaa::trianglesMeet()). Exact. One without an area meets nothing; all others do
-   * once the control says stop. */
+   * once the control says stop. \param[in,out] last is asked first, may be null */
   bool
-  meets(const ccaa::Corners& corners, ccaa::RunControl* control = nullptr) const;
+  meets(const ccaa::Corners& corners,
+        ccaa::RunControl* control = nullptr,
+        LastMet* last = nullptr) const;
 
   /** \brief Whether the way between two points meets one that is there, but for corners
    * that they have in common: then any triangle with an area that has this way as an

@@ -239,6 +239,25 @@ TEST(SurfaceObstacle, ItsOwnTrianglesWithoutAreaAreMetByNothing)
   EXPECT_FALSE(obstacle.meets(levelTriangle(0.0)));
 }
 
+TEST(SurfaceObstacle, IsMetByTheSameTrianglesAndSeenTheSameIfAskedAfterThoseMetLast)
+{
+  const Shape surface = randomTriangles(60, 0.3, 5);
+  const Shape asked = randomTriangles(300, 0.3, 6);
+  const SurfaceObstacle obstacle(modelOf(surface), {everywhere()});
+  ccaa::Box seen, seen_after_last;
+  LastMet last;
+  std::size_t met = 0;
+  for (const Triangle& triangle : asked.triangles) {
+    const ccaa::Corners corners = ccaa::cornersOf(triangle, asked.vertices);
+    const bool meets = obstacle.watched(seen).meets(corners);
+    EXPECT_EQ(obstacle.watched(seen_after_last).meets(corners, nullptr, &last), meets);
+    met += meets;
+  }
+  EXPECT_GT(met, 50u);
+  EXPECT_LT(met, 250u);
+  EXPECT_TRUE(seen_after_last.isApprox(seen));
+}
+
 TEST(SurfaceObstacle, WhatIsAddedIsThereFromThenOn)
 {
   SurfaceObstacle obstacle(modelOf(icosphere(2)), {everywhere()});
