@@ -29,8 +29,9 @@ doubtfulVertices(const CompletedMesh& mesh, std::vector<std::uint8_t> is_thin)
   return is_thin;
 }
 
-/** Grows what is narrow anew, and tells thin necks. \param[in,out] is_thin flags for
- * thin places \param[in] has_thin whether these are of the result */
+/** Grows what is narrow anew, turns the result outward, and tells thin necks.
+ * \param[in,out] is_thin flags for thin places \param[in] has_thin whether these are of
+ * the result */
 void
 openNarrow(const Recompletion& again,
            bool has_thin,
