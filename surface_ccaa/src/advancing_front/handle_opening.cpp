@@ -97,7 +97,6 @@ std::optional<Completed>
 HandleOpening::regrow(Reopening reopening, double most_work) const
 {
   Completed regrown;
-  regrown.report.sides = now_.report.sides;
   reopening.pieces = now_.mesh.topology.pieces;
   reopening.typical_fold = now_.mesh.typical_fold;
   PartialMesh mesh = again_.mesh;
@@ -124,8 +123,8 @@ HandleOpening::nearHandles(const std::vector<std::uint8_t>& is_narrow) const
   std::vector<std::uint8_t> is_near = is_narrow;
   addRings(tuning::AROUND_HANDLE, now_.mesh.triangles, is_near);
   std::vector<std::uint8_t> is_chosen(is_narrow.size(), 0);
-  for (const HandlePlace& place :
-       handlePlaces(now_.mesh.triangles, now_.mesh.adjacency, is_near, again_.threads))
+  for (const HandlePlace& place : handlePlaces(
+           now_.mesh.triangles, now_.mesh.adjacency, is_near, again_.context.threads))
     for (const pcl::index_t vertex : place.vertices)
       is_chosen[static_cast<std::size_t>(vertex)] =
           is_narrow[static_cast<std::size_t>(vertex)];

@@ -26,8 +26,7 @@ struct Recompletion {
   const PartialMesh& mesh; /**< its given triangles left aside */
   const CompletionAgain& complete;
   std::uint64_t work; /**< that it took first */
-  int threads;
-  RunControl& control;
+  const LoopContext& context;
 };
 
 /** \brief A completed mesh with its report. */

@@ -6,6 +6,7 @@
 #include "mesh/islands.h"
 
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace pcl::ccaa {
@@ -58,23 +59,19 @@ largeComponents(const Triangles& triangles,
 
 LastingPieces
 lastingPieces(const TriangleAdjacency& adjacency,
-              std::size_t given,
-              bool keep_given,
+              std::size_t kept,
               std::size_t minimum_internal_points,
               const LoopContext& context)
 {
   const Islands islands = labelIslands(adjacency, context);
   const std::vector<std::size_t> internal = countInternalPoints(adjacency, islands);
-  std::vector<std::uint8_t> is_given(islands.count, 0), lasts(islands.count, 0);
-  for (std::size_t t = 0; t < given; ++t)
-    is_given[islands[t]] = 1;
+  std::vector<std::uint8_t> lasts(islands.count, 0);
+  for (std::size_t island = 0; island < islands.count; ++island)
+    lasts[island] = internal[island] >= minimum_internal_points;
+  for (std::size_t t = 0; t < kept; ++t)
+    lasts[islands[t]] = 1;
   LastingPieces pieces;
-  for (std::size_t island = 0; island < islands.count; ++island) {
-    lasts[island] = internal[island] >= minimum_internal_points ||
-                    (keep_given && is_given[island] != 0);
-    pieces.count += lasts[island];
-    pieces.any_new |= lasts[island] > is_given[island];
-  }
+  pieces.count = std::accumulate(lasts.begin(), lasts.end(), std::size_t{0});
   pieces.flags.reserve(islands.of_triangle.size());
   for (std::size_t t = 0; t < islands.of_triangle.size(); ++t)
     pieces.flags.push_back(lasts[islands[t]]);

@@ -38,17 +38,15 @@ largeComponents(const Triangles& triangles,
 struct LastingPieces {
   std::vector<std::uint8_t> flags; /**< of a triangle */
   std::size_t count = 0;           /**< of islands */
-  bool any_new = false;            /**< one of them has no given triangle */
 };
 
-/** \brief The islands of a mesh that have enough internal points.
+/** \brief The islands of a mesh that have enough internal points or one of the first
+ * triangles.
  * \param[in] adjacency of its triangles
- * \param[in] given how many of them, the first ones, were given
- * \param[in] keep_given whether the islands of these last in any case */
+ * \param[in] kept number of triangles that stay in any case, with their islands */
 LastingPieces
 lastingPieces(const TriangleAdjacency& adjacency,
-              std::size_t given,
-              bool keep_given,
+              std::size_t kept,
               std::size_t minimum_internal_points,
               const LoopContext& context = {});
 

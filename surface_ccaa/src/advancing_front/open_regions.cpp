@@ -96,7 +96,7 @@ regionOf(const OpenSurface& open,
   for (const pcl::index_t t : rim)
     region.rim.push_back(open.rim[static_cast<std::size_t>(t)]);
   vertices = points;
-  const IndexSet numbers = numberVertices(region.rim, vertices);
+  const IndexSet numbers = numberRim(region.rim, vertices);
   work.add(REGION_WORK * points.size());
   for (const pcl::index_t vertex : vertices)
     region.positions.push_back(open.positions[static_cast<std::size_t>(vertex)]);

@@ -10,7 +10,7 @@
 namespace pcl::ccaa {
 
 IndexSet
-numberVertices(Triangles& rim, std::vector<index_t>& vertices)
+numberRim(Triangles& rim, std::vector<index_t>& vertices)
 {
   IndexSet numbers(vertices);
   std::vector<index_t> others;

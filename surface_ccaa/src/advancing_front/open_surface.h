@@ -44,7 +44,7 @@ struct OpenSurface {
  * \param[in,out] vertices the open ones; the others are put behind them
  * \return the numbers of all of them */
 IndexSet
-numberVertices(Triangles& rim, std::vector<index_t>& vertices);
+numberRim(Triangles& rim, std::vector<index_t>& vertices);
 
 /** \brief Triangles of an open surface in the vertices of the whole.
  * \param[in] vertices what its vertices are there */

@@ -97,7 +97,7 @@ PartialSurface::openAt(const std::vector<pcl::index_t>& open,
   if (!spend(control, OPENING_WORK * open.size()))
     return {};
   vertices = open;
-  numberVertices(surface.rim, vertices);
+  numberRim(surface.rim, vertices);
   if (!spend(control, OPENING_WORK * open.size()))
     return {};
   WorkCount work(control);

@@ -262,8 +262,7 @@ void
 Completion::keepLargeComponents()
 {
   pieces_ = lastingPieces(adjacency_,
-                          result_.kept.size(),
-                          parameters_.keep_given,
+                          parameters_.keep_given ? result_.kept.size() : 0,
                           parameters_.minimum_internal_points,
                           {context_.threads});
   std::size_t left = 0, kept = 0;
@@ -286,13 +285,14 @@ Completion::keepLargeComponents()
                       &control_);
 }
 
-/** The whole, outward where that can be told. */
+/** The whole, outward where that can be told. One piece that grew from one is wound as
+ * that was. */
 void
 Completion::orient()
 {
   for (const Fan fan : adjacency_.fans())
     report_.free_points += fan == Fan::NONE;
-  if (!reopening_.isWound() || pieces_.any_new)
+  if (!reopening_.isWound() || pieces_.count > 1)
     report_.sides = orientTriangles(result_.triangles,
                                     adjacency_,
                                     mesh_.points,

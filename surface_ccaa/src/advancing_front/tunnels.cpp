@@ -52,15 +52,16 @@ openNarrow(const Recompletion& again,
   report = opened.report;
   if (opened.flaws() == first.flaws())
     return;
+  const int threads = again.context.threads;
+  const PointView points = again.mesh.points;
   report.sides = orientTriangles(result.triangles,
                                  result.adjacency,
-                                 again.mesh.points,
-                                 hintsOf(again.mesh, again.threads),
-                                 again.control)
+                                 points,
+                                 hintsOf(again.mesh, threads),
+                                 *again.context.control)
                      .tally; // more is closed, so more is known
-  is_thin = thinPlaces(result.triangles, again.mesh.points, 0.0, {again.threads});
-  result.thin_necks =
-      thinNecks(result.triangles, result.adjacency, again.mesh.points, {again.threads});
+  is_thin = thinPlaces(result.triangles, points, 0.0, {threads});
+  result.thin_necks = thinNecks(result.triangles, result.adjacency, points, {threads});
 }
 
 /** Tells handles that may be none. */
@@ -110,11 +111,7 @@ openTunnels(PartialMesh mesh,
     if (!has_thin)
       is_thin = thinPlaces(mesh.given, points, tuning::LARGEST_RISE, context);
     mesh.given = {}; // the result takes its place
-    openNarrow({mesh, complete, work, threads, *context.control},
-               has_thin,
-               is_thin,
-               result,
-               report);
+    openNarrow({mesh, complete, work, context}, has_thin, is_thin, result, report);
   }
   findNecks(points, threads, result, report);
   doubtHandles(has_thin, std::move(is_thin), threads, result, report.doubts);

@@ -4,7 +4,6 @@
 
 #include "mesh/corners.h"
 #include "mesh/neck_parts.h"
-#include "mesh/sort_unique.h"
 #include "mesh/surroundings.h"
 
 #include <algorithm>

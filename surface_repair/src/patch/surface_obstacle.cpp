@@ -194,9 +194,8 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
 }
 
 bool
-LastMet::meets(const ccaa::Corners& corners)
+LastMet::meets(const ccaa::Corners& corners, const ccaa::Box& box)
 {
-  const ccaa::Box box = ccaa::boxOf(corners);
   const auto found =
       std::find_if(met_.begin(), met_.end(), [&](const ccaa::Corners& there) {
         return ccaa::boxOf(there).intersects(box) &&
@@ -224,7 +223,7 @@ SurfaceObstacle::meets(const ccaa::Corners& corners,
   if (ccaa::isCollinear(corners))
     return false;
   const ccaa::Box box = ccaa::boxOf(corners);
-  if (last != nullptr && last->meets(corners)) {
+  if (last != nullptr && last->meets(corners, box)) {
     if (seen_ != nullptr)
       seen_->extend(box);
     ccaa::spend(control, TEST_WORK);

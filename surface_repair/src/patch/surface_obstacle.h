@@ -21,9 +21,10 @@ namespace pcl::repair {
  * too. */
 class LastMet {
 public:
-  /** \brief Whether one of them meets a triangle (see SurfaceObstacle::meets()). */
+  /** \brief Whether one of them meets a triangle (see SurfaceObstacle::meets()).
+   * \param[in] box around that */
   bool
-  meets(const ccaa::Corners& corners);
+  meets(const ccaa::Corners& corners, const ccaa::Box& box);
 
   void
   add(const ccaa::Corners& met);

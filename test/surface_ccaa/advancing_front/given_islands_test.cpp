@@ -270,25 +270,20 @@ TEST(LargeComponents, AreCrumpledOnlyAgainstWhatIsTypical)
 TEST(LastingPieces, AreIslandsWithEnoughInternalPoints)
 {
   const Shape both = joined(grid(4, 4), translated(grid(4, 4), {20, 0, 0}));
-  EXPECT_EQ(lastingPieces(adjacencyOf(both), 1, false, 4).flags,
-            std::vector<std::uint8_t>(36, 1));
-  EXPECT_EQ(lastingPieces(adjacencyOf(both), 1, false, 5).count, 0u);
+  const LastingPieces pieces = lastingPieces(adjacencyOf(both), 0, 4);
+  EXPECT_EQ(pieces.flags, std::vector<std::uint8_t>(36, 1));
+  EXPECT_EQ(pieces.count, 2u);
+  EXPECT_EQ(lastingPieces(adjacencyOf(both), 0, 5).count, 0u);
 }
 
-TEST(LastingPieces, AreThoseOfGivenTrianglesThatAreKept)
+TEST(LastingPieces, AreThoseOfTheFirstTriangles)
 {
   const Shape both = joined(grid(4, 4), translated(grid(4, 4), {20, 0, 0}));
   std::vector<std::uint8_t> expected(36, 0);
   std::fill(expected.begin(), expected.begin() + 18, std::uint8_t(1));
-  EXPECT_EQ(lastingPieces(adjacencyOf(both), 1, true, 5).flags, expected);
-}
-
-TEST(LastingPieces, AreNewWhereNoTriangleWasGiven)
-{
-  const Shape both = joined(grid(4, 4), translated(grid(4, 4), {20, 0, 0}));
-  EXPECT_TRUE(lastingPieces(adjacencyOf(both), 1, false, 4).any_new);
-  EXPECT_FALSE(lastingPieces(adjacencyOf(both), 1, true, 5).any_new);
-  EXPECT_FALSE(lastingPieces(adjacencyOf(both), 19, false, 4).any_new);
+  const LastingPieces pieces = lastingPieces(adjacencyOf(both), 1, 5);
+  EXPECT_EQ(pieces.flags, expected);
+  EXPECT_EQ(pieces.count, 1u);
 }
 
 /** Two pieces of a plane side by side, with two triangles between them. */
