@@ -29,18 +29,20 @@ isBetterFlipped(const CoarsePatch& coarse, std::size_t side)
   const std::vector<std::size_t> pair = {side / 3, coarse.edges.across(side) / 3};
   // With the two themselves: otherwise fewer pairs here could be more in all, and flips
   // would go round and round.
-  const auto meetings = [&](const ccaa::Corners& one, const ccaa::Corners& other) {
-    return coarse.meetings(one, pair, ALL_OF_THEM) +
-           coarse.meetings(other, pair, ALL_OF_THEM) +
-           (ccaa::areasMeet(one, other) ? 1 : 0);
-  };
+  const auto meetings =
+      [&](const ccaa::Corners& one, const ccaa::Corners& other, std::size_t enough) {
+        const std::size_t of_one = coarse.meetings(one, pair, enough);
+        return of_one + coarse.meetings(other, pair, enough - of_one) +
+               (ccaa::areasMeet(one, other) ? 1 : 0);
+      };
   const std::size_t now =
-      meetings(coarse.cornersAt(pair[0]), coarse.cornersAt(pair[1]));
+      meetings(coarse.cornersAt(pair[0]), coarse.cornersAt(pair[1]), ALL_OF_THEM);
   if (now == 0)
     return false;
   const auto [a, b, c, d] = coarse.edges.pairAt(side);
   const std::size_t then = meetings({coarse.at(d), coarse.at(c), coarse.at(b)},
-                                    {coarse.at(c), coarse.at(d), coarse.at(a)});
+                                    {coarse.at(c), coarse.at(d), coarse.at(a)},
+                                    now + 1);
   return then < now ||
          (then == now && coarse.bending.ofFlipped(side) <
                              coarse.bending.of(pair) * (1.0 - SAME_BENDING));

@@ -39,17 +39,13 @@ public:
 
   ClosedRegion
   run();
-  /** Whether what was taken for samples describes no surface, or none that has room or
-   * could be made with reasonable work. \param[in] closed what run() has made
-   * \param[in] whole that this is a part of */
+  /** Whether what was taken for samples describes no surface, or none that could be
+   * made with reasonable work. \param[in] whole that this is a part of */
   bool
-  areStrays(const ClosedRegion& closed, const ccaa::LoopContext& whole) const
+  areStrays(const ccaa::LoopContext& whole) const
   {
-    if (are_strays_ || region_.samples.empty() || whole.cancelled())
-      return are_strays_;
-    // Of several holes each is tried alone in the next pass.
-    return context_.cancelled() || (closed.holes.size() == 1 &&
-                                    closed.holes[0].open == OpenReason::INTERSECTION);
+    return are_strays_ ||
+           (!region_.samples.empty() && !whole.cancelled() && context_.cancelled());
   }
 
 private:
@@ -331,7 +327,7 @@ closeRegion(const ClosingPlace& place,
 {
   RegionClosing closing(place, region, obstacle, context);
   ClosedRegion closed = closing.run();
-  if (!closing.areStrays(closed, context))
+  if (!closing.areStrays(context))
     return closed;
   Region plain = region;
   plain.samples.clear();
