@@ -76,9 +76,8 @@ segmentMeets(
     return false;
   if (side_p == 0 && side_q == 0)
     return segmentMeetsTriangleInPlane(p, q, t);
-  return agree({sideOfPlane(p, q, t[0], t[1]),
-                sideOfPlane(p, q, t[1], t[2]),
-                sideOfPlane(p, q, t[2], t[0])});
+  const int first = sideOfPlane(p, q, t[0], t[1]), next = sideOfPlane(p, q, t[1], t[2]);
+  return first * next >= 0 && agree({first, next, sideOfPlane(p, q, t[2], t[0])});
 }
 
 Signs

@@ -94,7 +94,7 @@ markGiven(const IncompleteModel& model,
     const bool at_boundary = std::any_of(triangle.begin(), triangle.end(), [&](auto v) {
       return isOnBoundary(model, v);
     });
-    tree.forEachMeeting(corners, [&](pcl::index_t i) {
+    tree.forEachMeeting(ccaa::boxOf(corners), [&](pcl::index_t i) {
       const auto point = static_cast<std::size_t>(i);
       const double distance = nearestPlace(points[point], corners).distance;
       if (distance > nearest[point] ||
