@@ -37,11 +37,11 @@ RegionMemory::keyOf(const Region& region, const IncompleteModel& model)
   return key;
 }
 
-const std::vector<HoleOutcome>*
+const RegionMemory::Failure*
 RegionMemory::find(const Key& key) const
 {
   const auto found = failed_.find(key);
-  return found == failed_.end() ? nullptr : &found->second.holes;
+  return found == failed_.end() ? nullptr : &found->second;
 }
 
 void
@@ -50,7 +50,7 @@ RegionMemory::forgetNear(const std::vector<ccaa::Box>& gone)
   const ccaa::BoxTree tree(gone);
   for (auto failure = failed_.begin(); failure != failed_.end();) {
     const bool has_lost =
-        tree.anyMeeting(failure->second.place, [](pcl::index_t) { return true; });
+        tree.anyMeeting(failure->second.seen, [](pcl::index_t) { return true; });
     failure = has_lost ? failed_.erase(failure) : std::next(failure);
   }
 }

@@ -20,8 +20,8 @@ bool
 allFailed(const std::vector<HoleOutcome>& holes);
 
 /** \brief Regions of which no hole could be closed. What comes to the surface is more
- * that is in the way: until something goes from it near such a region, it fails again.
- */
+ * that is in the way: until something goes from it where such a region has looked, it
+ * fails again. */
 class RegionMemory {
 public:
   /** \brief What decides how a region is closed, but for the surface. */
@@ -33,17 +33,22 @@ public:
     operator<(const Key& other) const;
   };
 
+  struct Failure {
+    ccaa::Box seen; /**< all that it depends on */
+    std::vector<HoleOutcome> holes;
+  };
+
   static Key
   keyOf(const Region& region, const IncompleteModel& model);
 
-  /** \brief How the holes of such a region failed; null: they did not. */
-  const std::vector<HoleOutcome>*
+  /** \brief How such a region failed; null: it did not. */
+  const Failure*
   find(const Key& key) const;
 
   void
-  remember(Key key, const ccaa::Box& place, const std::vector<HoleOutcome>& holes)
+  remember(Key key, Failure failure)
   {
-    failed_.emplace(std::move(key), Failure{place, holes});
+    failed_.emplace(std::move(key), std::move(failure));
   }
 
   bool
@@ -58,11 +63,6 @@ public:
   forgetNear(const std::vector<ccaa::Box>& gone);
 
 private:
-  struct Failure {
-    ccaa::Box place; /**< where the region is built */
-    std::vector<HoleOutcome> holes;
-  };
-
   std::map<Key, Failure> failed_;
 };
 

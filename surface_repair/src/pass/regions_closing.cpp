@@ -156,14 +156,20 @@ private:
     Try one;
     one.known = turn_;
     const SurfaceObstacle obstacle = obstacle_.watched(one.seen);
-    const auto* failed = memory_.empty() ? nullptr : memory_.find(keyOf(r));
+    const Region& region = regions_[r];
+    const auto* failed = failureOf(region);
+    const auto* plain =
+        region.samples.empty() ? nullptr : failureOf(withoutSamples(region));
     if (failed != nullptr)
-      one.closed.holes = *failed;
+      one.closed.holes = failed->holes;
     else {
       lock.unlock();
       std::exception_ptr thrown;
       try {
-        one.closed = closeRegion(place_, regions_[r], obstacle, within_);
+        one.closed = closeRegion(
+            place_, region, obstacle, within_, plain ? &plain->holes : nullptr);
+        if (plain && one.closed.without_samples)
+          one.seen.extend(plain->seen);
       }
       catch (...) {
         thrown = std::current_exception();
@@ -190,8 +196,12 @@ private:
         return;
       const ClosedRegion& closed = tries_[r].closed;
       obstacle_.add(closed.patch.positions, closed.patch.triangles, context_.control);
-      if (allFailed(closed.holes))
-        memory_.remember(keyOf(r), places_[r], closed.holes);
+      if (!allFailed(closed.holes))
+        continue;
+      const RegionMemory::Failure failure{tries_[r].seen, closed.holes};
+      memory_.remember(keyOf(regions_[r]), failure);
+      if (closed.without_samples)
+        memory_.remember(keyOf(withoutSamples(regions_[r])), failure);
     }
   }
 
@@ -237,9 +247,16 @@ private:
   }
 
   RegionMemory::Key
-  keyOf(std::size_t r) const
+  keyOf(const Region& region) const
   {
-    return RegionMemory::keyOf(regions_[r], place_.model);
+    return RegionMemory::keyOf(region, place_.model);
+  }
+
+  /** How it failed before; else null. */
+  const RegionMemory::Failure*
+  failureOf(const Region& region) const
+  {
+    return memory_.empty() ? nullptr : memory_.find(keyOf(region));
   }
 
   const ClosingPlace& place_;

@@ -153,7 +153,7 @@ joinRings(const ClosedHoles& pass, const Course& course)
     if (join(ring, all.course, surface))
       closed.insert({ring.first, ring.second});
     else
-      course.memory.remember(ring.key, boxAround(ring), {});
+      course.memory.remember(ring.key, {boxAround(ring), {}});
   }
   const bool has_joined = !closed.empty();
   if (has_joined)

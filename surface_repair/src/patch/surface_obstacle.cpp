@@ -179,8 +179,7 @@ SurfaceObstacle::holdsForAny(const ccaa::Box& box,
                              const Test& test,
                              ccaa::RunControl* control) const
 {
-  if (seen_ != nullptr)
-    seen_->extend(box);
+  noteSeen(box);
   ccaa::WorkCount work(control);
   work.add(SEARCH_WORK);
   bool found = false;
@@ -224,8 +223,7 @@ SurfaceObstacle::meets(const ccaa::Corners& corners,
     return false;
   const ccaa::Box box = ccaa::boxOf(corners);
   if (last != nullptr && last->meets(corners, box)) {
-    if (seen_ != nullptr)
-      seen_->extend(box);
+    noteSeen(box);
     ccaa::spend(control, TEST_WORK);
     return true;
   }

@@ -51,6 +51,14 @@ public:
   SurfaceObstacle
   watched(ccaa::Box& seen) const;
 
+  /** \brief A box is looked at, too, in another way. */
+  void
+  noteSeen(const ccaa::Box& box) const
+  {
+    if (seen_ != nullptr)
+      seen_->extend(box);
+  }
+
   /** \brief Triangles that are there from now on, too. Cost: log n trees over each of
    * the n that are added in all. */
   void

@@ -55,7 +55,9 @@ public:
   , most_(mostObstructed(patch))
   , obstacle_(obstacle)
   , surface_(modelWith(patch), of_hole_, context.control)
-  {}
+  {
+    obstacle.noteSeen(box_);
+  }
 
   /** \return whether nothing of it runs into anything any more */
   bool

@@ -52,6 +52,14 @@ struct Region {
                                          of others begin after these */
 };
 
+/** \brief The same where free points tell nothing of it. */
+inline Region
+withoutSamples(Region region)
+{
+  region.samples.clear();
+  return region;
+}
+
 /** \brief What became of one hole of a region. */
 struct HoleOutcome {
   OpenReason open = OpenReason::NONE;
@@ -63,6 +71,7 @@ struct HoleOutcome {
 struct ClosedRegion {
   Patch patch; /**< its holes are numbered as in the region */
   std::vector<HoleOutcome> holes;
+  bool without_samples = false; /**< they are strays: tried without */
 };
 
 } // namespace pcl::repair

@@ -323,15 +323,19 @@ ClosedRegion
 closeRegion(const ClosingPlace& place,
             const Region& region,
             const SurfaceObstacle& obstacle,
-            const ccaa::LoopContext& context)
+            const ccaa::LoopContext& context,
+            const std::vector<HoleOutcome>* without_samples)
 {
   RegionClosing closing(place, region, obstacle, context);
   ClosedRegion closed = closing.run();
   if (!closing.areStrays(context))
     return closed;
-  Region plain = region;
-  plain.samples.clear();
-  return RegionClosing(place, plain, obstacle, context).run();
+  const Region plain = withoutSamples(region);
+  closed = without_samples != nullptr
+               ? ClosedRegion{{}, *without_samples}
+               : RegionClosing(place, plain, obstacle, context).run();
+  closed.without_samples = true;
+  return closed;
 }
 
 } // namespace pcl::repair

@@ -46,11 +46,11 @@ TEST(RegionMemory, KnowsHowARegionFailed)
 {
   RegionMemory memory;
   EXPECT_EQ(nullptr, memory.find(keyOf(squareRegion())));
-  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
-  const std::vector<HoleOutcome>* found = memory.find(keyOf(squareRegion()));
+  memory.remember(keyOf(squareRegion()), {place(), outcomes(OpenReason::INTERSECTION)});
+  const RegionMemory::Failure* found = memory.find(keyOf(squareRegion()));
   ASSERT_NE(nullptr, found);
-  EXPECT_EQ(OpenReason::INTERSECTION, found->front().open);
-  EXPECT_EQ(3U, found->front().tries);
+  EXPECT_EQ(OpenReason::INTERSECTION, found->holes.front().open);
+  EXPECT_EQ(3U, found->holes.front().tries);
 }
 
 TEST(RegionMemory, HolesOfWhichOneWasClosedHaveNotFailed)
@@ -64,7 +64,7 @@ TEST(RegionMemory, HolesOfWhichOneWasClosedHaveNotFailed)
 TEST(RegionMemory, TriesAgainWhereSomethingHasGone)
 {
   RegionMemory memory;
-  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
+  memory.remember(keyOf(squareRegion()), {place(), outcomes(OpenReason::INTERSECTION)});
   memory.forgetNear({{Position(5, 5, 5), Position(6, 6, 6)}, place()});
   EXPECT_EQ(nullptr, memory.find(keyOf(squareRegion())));
 }
@@ -72,7 +72,7 @@ TEST(RegionMemory, TriesAgainWhereSomethingHasGone)
 TEST(RegionMemory, DoesNotTryAgainWhereSomethingHasGoneElsewhere)
 {
   RegionMemory memory;
-  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
+  memory.remember(keyOf(squareRegion()), {place(), outcomes(OpenReason::INTERSECTION)});
   memory.forgetNear({{Position(5, 5, 5), Position(6, 6, 6)}});
   EXPECT_NE(nullptr, memory.find(keyOf(squareRegion())));
 }
@@ -80,7 +80,7 @@ TEST(RegionMemory, DoesNotTryAgainWhereSomethingHasGoneElsewhere)
 TEST(RegionMemory, TriesAgainARegionThatHasChanged)
 {
   RegionMemory memory;
-  memory.remember(keyOf(squareRegion()), place(), outcomes(OpenReason::INTERSECTION));
+  memory.remember(keyOf(squareRegion()), {place(), outcomes(OpenReason::INTERSECTION)});
   Region moved = squareRegion();
   moved.holes.front().curve.points[2].z() = 1e-9;
   Region certain = squareRegion();

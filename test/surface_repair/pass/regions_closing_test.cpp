@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "pass/regions_closing.h"
+#include "support/repair_shapes.h"
 #include "surface_repair/boundary/boundary_models.h"
 #include "surface_repair/region/closing_site.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pcl::repair {
 namespace {
@@ -80,6 +82,44 @@ TEST(RegionsClosing, RegionsThatAreInTheWayOfEachOtherAreTheSameForAnyThreads)
       EXPECT_EQ(expected[r].patch.triangles, closed[r].patch.triangles) << r;
     }
   }
+}
+
+/** A wall stands in the hole of a sphere; a cluster of free points far above tells
+ * nothing. */
+Site
+siteWithAWallAndStrays()
+{
+  Shape shape = withoutFreeVertices(
+      without(icosphere(3), [](const Position& p) { return p.z() > 0.7; }));
+  const auto corner = static_cast<pcl::index_t>(shape.vertices.size());
+  shape.vertices.insert(shape.vertices.end(),
+                        {{-0.5, 0, -0.8}, {-0.5, 0, 6}, {-0.5, 0.01, 6}});
+  shape.triangles.push_back({corner, corner + 1, corner + 2});
+  for (int i = 0; i < 8; ++i)
+    shape.vertices.push_back(
+        {0.3 + 0.01 * i, 0.01 * (i * i % 5), 2.5 + 0.02 * (i % 3)});
+  Site site(shape);
+  Region of_sphere = site.regions.front();
+  for (const Region& region : site.regions)
+    if (region.holes.front().size() > of_sphere.holes.front().size())
+      of_sphere = region;
+  of_sphere.samples.resize(8);
+  std::iota(of_sphere.samples.begin(), of_sphere.samples.end(), std::size_t(0));
+  site.regions = {of_sphere};
+  return site;
+}
+
+TEST(RegionsClosing, WhatFailsWithoutItsStraysIsKnownToFailWithout)
+{
+  const Site site = siteWithAWallAndStrays();
+  RegionMemory memory;
+  const std::vector<ClosedRegion> closed = closedTogether(site, 1, memory);
+  ASSERT_EQ(OpenReason::INTERSECTION, closed[0].holes.front().open);
+  EXPECT_TRUE(closed[0].without_samples);
+  const auto* const failure = memory.find(
+      RegionMemory::keyOf(withoutSamples(site.regions[0]), site.survey.model));
+  ASSERT_NE(nullptr, failure);
+  EXPECT_TRUE(failure->seen.contains(Position(-0.5, 0, 0.7)));
 }
 
 TEST(RegionsClosing, TellsTheShareThatIsDone)
