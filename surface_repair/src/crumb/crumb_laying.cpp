@@ -8,6 +8,7 @@
 #include "crumb/crumb_shadow.h"
 #include "pass/ring_filling.h"
 #include "patch/opening.h"
+#include "region/region_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -39,6 +40,9 @@ constexpr double AHEAD = 0.5;
 constexpr std::size_t LONGEST_BORDER = 128;
 /** Operations for a triangle around a crumb each time that some are opened. */
 constexpr std::uint64_t OPENING_WORK = 5;
+/** A crumb may take so many times less work than a region: of the dearest that were
+ * laid in scans each took 40 million operations, two fifths of that. */
+constexpr std::uint64_t LESS_WORK = 4;
 /** What is looked at around an opening, in its extent: where its filling has to lie. */
 constexpr double ROOM = 0.5;
 
@@ -57,12 +61,21 @@ public:
   CrumbLaying(const std::vector<std::size_t>& crumb,
               double edge,
               const Course& course,
-              GrowingSurface& surface)
-  : crumb_(crumb), edge_(edge), bounded_(course, crumb.size()), surface_(surface)
-  {}
+              ccaa::RunControl* run,
+              const GrowingSurface& surface)
+  : crumb_(crumb)
+  , edge_(edge)
+  , bounded_(course, run, workFor(crumb.size()) / LESS_WORK)
+  , surface_(surface)
+  {
+    for (const std::size_t t : crumb_) {
+      laid_.crumb.emplace(t, surface_.triangles[t]);
+      box_.extend(boxAt(t));
+    }
+    laid_.seen = box_;
+  }
 
-  /** \return whether it is part of a patch now */
-  bool
+  LaidCrumb
   run();
 
 private:
@@ -92,19 +105,19 @@ private:
   {
     return ccaa::boxOf(ccaa::cornersOf(surface_.triangles[t], surface_.positions));
   }
-  ccaa::Box
-  box() const
-  {
-    ccaa::Box all;
-    for (const std::size_t t : crumb_)
-      all.extend(boxAt(t));
-    return all;
-  }
   void
   turnCrumb()
   {
-    for (const std::size_t t : crumb_)
-      std::swap(surface_.triangles[t][1], surface_.triangles[t][2]);
+    for (auto& [t, triangle] : laid_.crumb)
+      std::swap(triangle[1], triangle[2]);
+  }
+  void
+  weld(const std::map<pcl::index_t, pcl::index_t>& kept)
+  {
+    for (auto& [t, triangle] : laid_.crumb)
+      for (pcl::index_t& corner : triangle)
+        if (const auto found = kept.find(corner); found != kept.end())
+          corner = found->second;
   }
   std::size_t
   holeOf(const Opening& opening) const;
@@ -114,21 +127,24 @@ private:
   BoundedCourse bounded_;
   ccaa::RunControl& control_ = bounded_.control;
   const Course& course_ = bounded_.course;
-  GrowingSurface& surface_;
-  ModelPart part_;  /**< all around what may be opened */
-  ccaa::Box place_; /**< of what is opened and the crumb */
+  const GrowingSurface& surface_;
+  LaidCrumb laid_;
+  ccaa::Box box_;    /**< of the crumb */
+  ccaa::Box around_; /**< all triangles that meet it are in the part */
+  ModelPart part_;   /**< all around what may be opened */
+  ccaa::Box place_;  /**< of what is opened and the crumb */
   std::optional<std::vector<std::size_t>>
       meeting_;                              /**< of patches, through the crumb */
   std::set<std::vector<std::size_t>> tried_; /**< side of the crumb, what was opened */
 };
 
-bool
+LaidCrumb
 CrumbLaying::run()
 {
-  for (const double reach : REACHES)
-    if (tryWithin(reach))
-      return true;
-  return !touchesInput() && tryWithin(FARTHEST);
+  if (!tryWithin(REACHES.front()) && !tryWithin(REACHES.back()) && !touchesInput())
+    tryWithin(FARTHEST);
+  laid_.work = control_.work();
+  return std::move(laid_);
 }
 
 /** Whether a point of it is one of other triangles of the input: it is a fin. */
@@ -139,7 +155,7 @@ CrumbLaying::touchesInput() const
   for (const std::size_t t : crumb_)
     for (const pcl::index_t corner : surface_.triangles[t])
       points.insert(surface_.pointOf(corner));
-  const std::vector<std::size_t> near = surface_.near(box(), &control_);
+  const std::vector<std::size_t> near = surface_.near(box_, &control_);
   return std::any_of(near.begin(), near.end(), [&](std::size_t t) {
     const Triangle& triangle = surface_.triangles[t];
     return surface_.hole[t] == NONE &&
@@ -163,8 +179,9 @@ CrumbLaying::deepest(const CrumbShadow& shadow, double extent, double length) co
 bool
 CrumbLaying::tryWithin(double reach)
 {
-  const double extent = box().diagonal().norm();
+  const double extent = box_.diagonal().norm();
   const double within = reach * std::max(extent, edge_);
+  laid_.seen.extend(ccaa::widened(box_, within));
   for (const CrumbShadow& shadow : shadowsOf(crumb_, within, surface_, &control_)) {
     const std::size_t hole = surface_.hole[shadow.nearest];
     if (shadow.distance > deepest(shadow, extent, course_.report.holes[hole].length))
@@ -187,14 +204,21 @@ CrumbLaying::tryWithin(double reach)
 std::vector<bool>
 CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
 {
-  ccaa::Box needed = box();
+  ccaa::Box needed = box_;
   for (const std::size_t t : shadow.triangles)
     needed.extend(boxAt(t));
+  const auto withRoom = [&needed] {
+    return ccaa::widened(needed, ROOM * needed.diagonal().norm());
+  };
+  if (!around_.contains(withRoom()))
+    around_.setEmpty(); // the part of another shadow, or of fewer rings
   std::vector<bool> may_open;
-  ccaa::Box around; // all triangles that meet it are known
   do {
-    around.extend(ccaa::widened(needed, ROOM * needed.diagonal().norm()));
-    part_ = surface_.part(surface_.near(around, &control_), &control_);
+    if (!around_.contains(withRoom())) {
+      around_.extend(withRoom());
+      laid_.seen.extend(around_);
+      part_ = surface_.part(surface_.near(around_, &control_), &control_);
+    }
     may_open.assign(part_.triangles.size(), false);
     for (const std::size_t t : shadow.triangles)
       may_open[placeIn(part_, t)] = true;
@@ -204,7 +228,7 @@ CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
         needed.extend(boxAt(part_.triangles[i]));
   }
   while (control_.spend(OPENING_WORK * part_.triangles.size()) &&
-         !around.contains(ccaa::widened(needed, ROOM * needed.diagonal().norm())));
+         !around_.contains(withRoom()));
   return may_open;
 }
 
@@ -222,9 +246,9 @@ pcl::index_t
 CrumbLaying::rimVertex() const
 {
   std::set<std::pair<pcl::index_t, pcl::index_t>> sides;
-  for (const std::size_t t : crumb_)
+  for (const auto& [t, triangle] : laid_.crumb)
     for (std::size_t c = 0; c < 3; ++c)
-      sides.emplace(surface_.triangles[t][c], surface_.triangles[t][(c + 1) % 3]);
+      sides.emplace(triangle[c], triangle[(c + 1) % 3]);
   pcl::index_t lowest = std::numeric_limits<pcl::index_t>::max();
   for (const auto& [from, to] : sides)
     if (sides.count({to, from}) == 0)
@@ -236,7 +260,7 @@ CrumbLaying::rimVertex() const
 bool
 CrumbLaying::isKnown(const Opening& opening)
 {
-  const Triangle& side = surface_.triangles[crumb_.front()];
+  const Triangle& side = laid_.crumb.begin()->second;
   std::vector<std::size_t> numbers(side.begin(), side.end());
   for (std::size_t i = 0; i < opening.is_open.size(); ++i)
     if (opening.is_open[i])
@@ -255,11 +279,11 @@ CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
       isKnown(opening))
     return false;
   place_ = placeOf(part_, opening);
-  place_.extend(box());
+  place_.extend(box_);
   std::vector<std::size_t> staying = trianglesLeft(part_, opening, place_);
   if (meetsAny(staying))
     return false;
-  const ModelPart left = surface_.part(std::move(staying), &control_);
+  const ModelPart left = surface_.part(std::move(staying), &control_, laid_.crumb);
   if (control_.cancelled())
     return false;
   const BoundaryLoops loops = extractBoundaries(left.model);
@@ -292,31 +316,28 @@ CrumbLaying::close(const Opening& opening,
   for (const auto& [o, i] : touching)
     welded.emplace(inner.vertices[i], outer.vertices[o]);
   std::vector<std::vector<RingPolygon>> cuts = cutsOf(outer, inner, touching);
-  surface_.weld(crumb_, welded);
+  weld(welded);
   for (auto& rings : cuts)
     for (RingPolygon& ring : rings)
       for (pcl::index_t& vertex : ring.vertices)
         vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
   ModelPart welded_left;
   if (!welded.empty())
-    welded_left = surface_.part(left.triangles, &control_);
-  const RingPlace place{
-      part_, opening.is_open, welded.empty() ? left : welded_left, place_};
-  const std::size_t hole = holeOf(opening);
-  const bool is_closed = std::any_of(cuts.begin(), cuts.end(), [&](const auto& rings) {
-    const auto closed = control_.cancelled() ? std::optional<Replacement>()
-                                             : closeRings(rings, place, course_);
-    if (closed)
-      surface_.replace(*closed, hole);
-    return closed.has_value();
-  });
-  if (!is_closed) {
-    std::map<pcl::index_t, pcl::index_t> back;
-    for (const auto& [vertex, kept] : welded)
-      back.emplace(kept, vertex);
-    surface_.weld(crumb_, back);
+    welded_left = surface_.part(left.triangles, &control_, laid_.crumb);
+  const RingPlace place(
+      part_, opening.is_open, welded.empty() ? left : welded_left, place_, &control_);
+  for (const std::vector<RingPolygon>& rings : cuts)
+    if (!laid_.ring && !control_.cancelled())
+      laid_.ring = closeRings(rings, place, course_);
+  if (laid_.ring) {
+    laid_.hole = holeOf(opening);
+    return true;
   }
-  return is_closed;
+  std::map<pcl::index_t, pcl::index_t> back;
+  for (const auto& [vertex, kept] : welded)
+    back.emplace(kept, vertex);
+  weld(back);
+  return false;
 }
 
 /** The hole of what was opened that was closed first. */
@@ -332,13 +353,14 @@ CrumbLaying::holeOf(const Opening& opening) const
 
 } // namespace
 
-bool
+LaidCrumb
 layCrumb(const std::vector<std::size_t>& crumb,
          double edge,
          const Course& course,
-         GrowingSurface& surface)
+         ccaa::RunControl* run,
+         const GrowingSurface& surface)
 {
-  return CrumbLaying(crumb, edge, course, surface).run();
+  return CrumbLaying(crumb, edge, course, run, surface).run();
 }
 
 } // namespace pcl::repair

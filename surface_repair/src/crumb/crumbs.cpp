@@ -7,9 +7,12 @@
 #include "icadm/model_assembly.h"
 #include "icadm/vertex_numbers.h"
 #include "pass/surface_takeover.h"
+#include "pass/surface_tries.h"
+#include "region/region_parts.h"
 #include "survey/survey_stages.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -182,32 +185,50 @@ layCrumbs(std::size_t fewer_than, const Course& course)
   ModelSurvey& survey = course.survey;
   const std::vector<bool> are_crumbs =
       areCrumbs(survey.model, fewer_than, LARGEST_LAID);
-  std::map<std::size_t, std::vector<std::size_t>> crumbs; // triangles, by island
+  std::map<std::size_t, std::vector<std::size_t>> triangles; // by island
   for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
     if (are_crumbs[survey.model.island_of[t]])
-      crumbs[survey.model.island_of[t]].push_back(t);
-  if (crumbs.empty())
+      triangles[survey.model.island_of[t]].push_back(t);
+  if (triangles.empty())
     return;
   std::size_t size = 0;
-  for (const auto& [island, crumb] : crumbs)
+  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> crumbs;
+  for (auto& [island, crumb] : triangles) {
     size += crumb.size();
-  const BoundedCourse all(course, size);
+    crumbs.emplace_back(island, std::move(crumb));
+  }
+  std::uint64_t work_left = workFor(size);
   const double edge = ccaa::meanEdge(
       survey.model.triangles, survey.model.triangles.size(), survey.model.positions);
-  GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
-  for (const auto& [island, crumb] : crumbs) {
-    if (course.context.cancelled())
-      return;
-    if (surface.hole[crumb.front()] != NONE) { // a patch that hangs on bridges alone
-      for (const std::size_t triangle : crumb)
-        surface.is_there[triangle] = false;
-      continue;
+  ccaa::RunControl* const control = course.context.control;
+  GrowingSurface surface(survey.model, course.report.hole_of, control);
+  const auto isPatch = [&](std::size_t i) { // that hangs on bridges alone
+    return surface.hole[crumbs[i].second.front()] != NONE;
+  };
+  const auto tryOut = [&](std::size_t i, const ccaa::LoopContext& context) {
+    const auto& [island, crumb] = crumbs[i];
+    if (isPatch(i) || survey.model.islands[island].is_fin || work_left == 0)
+      return LaidCrumb();
+    return layCrumb(crumb, edge, course, context.control, surface);
+  };
+  const auto make = [&](std::size_t i, const LaidCrumb& laid) {
+    const std::vector<std::size_t>& crumb = crumbs[i].second;
+    if (isPatch(i))
+      return surface.remove(crumb);
+    const bool is_laid = laid.ring && work_left > 0;
+    work_left -= std::min(work_left, laid.work);
+    if (!is_laid)
+      return surface.remove(surface.meeting(crumb, control));
+    ccaa::Box changed = surface.replace(*laid.ring, laid.hole);
+    for (const auto& [t, triangle] : laid.crumb) {
+      surface.triangles[t] = triangle;
+      changed.extend(ccaa::boxOf(ccaa::cornersOf(triangle, surface.positions)));
     }
-    if (survey.model.islands[island].is_fin ||
-        !layCrumb(crumb, edge, all.course, surface))
-      for (const std::size_t triangle : surface.meeting(crumb, course.context.control))
-        surface.is_there[triangle] = false;
-  }
+    return changed;
+  };
+  makeInTurn(crumbs.size(), course.context, tryOut, make);
+  if (course.context.cancelled())
+    return;
   if (surface.hasChanged())
     takeOver(std::move(surface), course);
 }

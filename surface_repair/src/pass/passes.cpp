@@ -119,8 +119,10 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
 
 } // namespace
 
-BoundedCourse::BoundedCourse(const Course& whole, std::size_t size)
-: control(whole.context.control, workFor(size))
+BoundedCourse::BoundedCourse(const Course& whole,
+                             ccaa::RunControl* run,
+                             std::uint64_t most_work)
+: control(run, most_work)
 , course{whole.parameters,
          whole.rounds,
          whole.frame,

@@ -6,6 +6,7 @@
 #include "pass/hole_closing.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace pcl::repair {
@@ -33,8 +34,9 @@ struct Course {
 
 /** \brief A course on one thread, with a budget of its own. */
 struct BoundedCourse {
-  /** \param[in] whole must outlive the part \param[in] size see workFor() */
-  BoundedCourse(const Course& whole, std::size_t size);
+  /** \param[in] whole must outlive the part, as well as its control
+   * \param[in] most_work operations */
+  BoundedCourse(const Course& whole, ccaa::RunControl* run, std::uint64_t most_work);
 
   ccaa::RunControl control;
   const ccaa::LoopContext context{1, &control};

@@ -162,7 +162,7 @@ closeRings(const std::vector<RingPolygon>& rings,
 {
   const IncompleteModel& model = place.left.model;
   ccaa::RunControl* const control = course.context.control;
-  const SurfaceObstacle obstacle(model, {place.box}, 1, control);
+  const SurfaceObstacle& obstacle = place.obstacle;
   if (isPierced(rings, place.left, obstacle, control))
     return {};
   const ClosingPlace here = withinPart(model, course.parameters, course.frame);

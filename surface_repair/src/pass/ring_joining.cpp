@@ -8,10 +8,13 @@
 #include "listing/junction_rings.h"
 #include "pass/ring_filling.h"
 #include "pass/surface_takeover.h"
+#include "pass/surface_tries.h"
 #include "patch/opening.h"
+#include "region/region_parts.h"
 #include "run/stage_clock.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <utility>
@@ -71,30 +74,36 @@ boxAround(const Ring& ring)
   return ccaa::widened(box, 0.5 * box.diagonal().norm());
 }
 
-bool
-join(const Ring& ring, const Course& whole, GrowingSurface& surface)
+/** What becomes of a ring. */
+struct JoinedRing {
+  std::optional<Replacement> patch; /**< if it could be closed */
+  OpenHole hole;
+  ccaa::Box seen;
+  std::uint64_t work = 0;
+};
+
+JoinedRing
+join(const Ring& ring,
+     const Course& whole,
+     ccaa::RunControl* run,
+     const GrowingSurface& surface)
 {
-  BoundedCourse bounded(whole,
-                        ring.first->vertices.size() + ring.second->vertices.size());
+  BoundedCourse bounded(
+      whole, run, workFor(ring.first->vertices.size() + ring.second->vertices.size()));
   ccaa::RunControl& control = bounded.control;
-  const Course& course = bounded.course;
-  const ccaa::Box box = boxAround(ring);
-  const ModelPart part = surface.part(surface.near(box, &control), &control);
+  JoinedRing joined;
+  joined.seen = boxAround(ring);
+  const ModelPart part = surface.part(surface.near(joined.seen, &control), &control);
   const std::vector<bool> none_open;
-  const RingPlace place{part, none_open, part, box};
+  const RingPlace place(part, none_open, part, joined.seen, &control);
   for (const std::vector<RingPolygon>& cut : cutsOf(*ring.first, *ring.second, {})) {
-    if (control.cancelled())
-      return false;
-    const std::optional<Replacement> closed = closeRings(cut, place, course);
-    if (!closed)
-      continue;
-    surface.replace(*closed, course.report.holes.size());
-    HoleOutcome outcome;
-    outcome.filling = MinimumWeightFilling().name();
-    course.log.add(holeOf(cut.front()), outcome);
-    return true;
+    if (joined.patch || control.cancelled())
+      break;
+    joined.patch = closeRings(cut, place, bounded.course);
+    joined.hole = holeOf(cut.front());
   }
-  return false;
+  joined.work = control.work();
+  return joined;
 }
 
 /** Those that may be closed and have not failed before. */
@@ -143,18 +152,31 @@ joinRings(const ClosedHoles& pass, const Course& course)
   std::size_t edges = 0;
   for (const BoundaryLoop& loop : survey.loops)
     edges += loop.vertices.size();
-  BoundedCourse all(course, edges);
-  GrowingSurface surface(survey.model, course.report.hole_of, &all.control);
+  GrowingSurface surface(survey.model, course.report.hole_of, course.context.control);
   std::set<const BoundaryLoop*> closed;
-  for (const Ring& ring : rings) {
-    if (closed.count(ring.first) + closed.count(ring.second) > 0 ||
-        all.control.cancelled())
-      continue;
-    if (join(ring, all.course, surface))
-      closed.insert({ring.first, ring.second});
-    else
-      course.memory.remember(ring.key, {boxAround(ring), {}});
-  }
+  std::uint64_t work_left = workFor(edges);
+  const auto mayJoin = [&](const Ring& ring) {
+    return work_left > 0 && closed.count(ring.first) + closed.count(ring.second) == 0;
+  };
+  const auto tryOut = [&](std::size_t i, const ccaa::LoopContext& context) {
+    return mayJoin(rings[i]) ? join(rings[i], course, context.control, surface)
+                             : JoinedRing();
+  };
+  const auto make = [&](std::size_t i, const JoinedRing& joined) -> ccaa::Box {
+    const Ring& ring = rings[i];
+    if (!mayJoin(ring))
+      return {};
+    work_left -= std::min(work_left, joined.work);
+    if (!joined.patch) {
+      course.memory.remember(ring.key, {joined.seen, {}});
+      return {};
+    }
+    closed.insert({ring.first, ring.second});
+    HoleOutcome outcome;
+    outcome.filling = MinimumWeightFilling().name();
+    return surface.replace(*joined.patch, course.log.add(joined.hole, outcome));
+  };
+  makeInTurn(rings.size(), course.context, tryOut, make);
   const bool has_joined = !closed.empty();
   if (has_joined)
     takeOver(std::move(surface), course);

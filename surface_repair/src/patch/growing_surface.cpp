@@ -50,18 +50,6 @@ GrowingSurface::buildTree(ccaa::RunControl* control)
   in_tree_ = triangles.size();
 }
 
-void
-GrowingSurface::weld(const std::vector<std::size_t>& some,
-                     const std::map<pcl::index_t, pcl::index_t>& kept)
-{
-  for (const std::size_t t : some)
-    for (pcl::index_t& corner : triangles[t]) {
-      const auto found = kept.find(corner);
-      if (found != kept.end())
-        corner = found->second;
-    }
-}
-
 std::vector<std::size_t>
 GrowingSurface::meeting(const std::vector<std::size_t>& some,
                         ccaa::RunControl* control) const
@@ -131,7 +119,9 @@ GrowingSurface::patchesNear(const ccaa::Box& box, ccaa::RunControl* control) con
 }
 
 ModelPart
-GrowingSurface::part(std::vector<std::size_t> chosen, ccaa::RunControl* control) const
+GrowingSurface::part(std::vector<std::size_t> chosen,
+                     ccaa::RunControl* control,
+                     const std::map<std::size_t, Triangle>& others) const
 {
   ModelPart found;
   ccaa::RunControl silent(control); // tells no stages
@@ -140,7 +130,8 @@ GrowingSurface::part(std::vector<std::size_t> chosen, ccaa::RunControl* control)
   Positions places;
   found.number_of.reserve(chosen.size());
   for (const std::size_t t : chosen) {
-    Triangle triangle = triangles[t];
+    const auto other = others.find(t);
+    Triangle triangle = other == others.end() ? triangles[t] : other->second;
     for (pcl::index_t& corner : triangle) {
       const auto [entry, is_new] =
           found.number_of.emplace(corner, static_cast<pcl::index_t>(places.size()));
@@ -176,16 +167,20 @@ replacementIn(const ModelPart& part,
 }
 
 ccaa::Box
-GrowingSurface::replace(const Replacement& replacement, std::size_t of_hole)
+GrowingSurface::remove(const std::vector<std::size_t>& some)
 {
   ccaa::Box place;
-  const auto extend = [&](const Triangle& triangle) {
-    place.extend(ccaa::boxOf(ccaa::cornersOf(triangle, positions)));
-  };
-  for (const std::size_t t : replacement.gone) {
+  for (const std::size_t t : some) {
     is_there[t] = false;
-    extend(triangles[t]);
+    place.extend(ccaa::boxOf(ccaa::cornersOf(triangles[t], positions)));
   }
+  return place;
+}
+
+ccaa::Box
+GrowingSurface::replace(const Replacement& replacement, std::size_t of_hole)
+{
+  ccaa::Box place = remove(replacement.gone);
   const Patch& patch = replacement.patch;
   std::vector<pcl::index_t> number = patch.rim;
   for (std::size_t v = patch.rim.size(); v < patch.positions.size(); ++v) {
@@ -196,7 +191,7 @@ GrowingSurface::replace(const Replacement& replacement, std::size_t of_hole)
   for (Triangle triangle : patch.triangles) {
     for (pcl::index_t& corner : triangle)
       corner = number[static_cast<std::size_t>(corner)];
-    extend(triangle);
+    place.extend(ccaa::boxOf(ccaa::cornersOf(triangle, positions)));
     triangles.push_back(triangle);
     hole.push_back(of_hole);
     is_there.push_back(true);

@@ -47,14 +47,12 @@ public:
   std::vector<std::size_t>
   patchesNear(const ccaa::Box& box, ccaa::RunControl* control = nullptr) const;
 
-  /** \brief Some triangles, ascending, as a model; of no use after cancelling. */
+  /** \brief Some triangles, ascending, as a model; of no use after cancelling.
+   * \param[in] others in place of some of these, at the same places */
   ModelPart
-  part(std::vector<std::size_t> chosen, ccaa::RunControl* control = nullptr) const;
-
-  /** \brief Let some triangles have other vertices, at the same places. */
-  void
-  weld(const std::vector<std::size_t>& some,
-       const std::map<pcl::index_t, pcl::index_t>& kept);
+  part(std::vector<std::size_t> chosen,
+       ccaa::RunControl* control = nullptr,
+       const std::map<std::size_t, Triangle>& others = {}) const;
 
   /** \brief Triangles of holes that run through some triangles. */
   std::vector<std::size_t>
@@ -65,6 +63,10 @@ public:
    * \return around all of them */
   ccaa::Box
   replace(const Replacement& replacement, std::size_t of_hole);
+
+  /** \brief Take triangles away. \return around all of them */
+  ccaa::Box
+  remove(const std::vector<std::size_t>& some);
 
   /** \brief Boxes of the triangles that have gone. */
   std::vector<ccaa::Box>

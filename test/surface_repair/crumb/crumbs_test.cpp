@@ -31,18 +31,38 @@ capWithCrumbs(double height, const std::function<bool(std::size_t)>& spared)
   return withoutFreeVertices(withoutTriangles(sphere, removed));
 }
 
+/** One in a hundred triangles of the cap is left. */
+Shape
+capWithManyCrumbs(std::uint64_t seed)
+{
+  RandomSource random(seed);
+  std::vector<bool> spared(5120);
+  for (std::size_t t = 0; t < spared.size(); ++t)
+    spared[t] = random.uniform() < 0.01;
+  return capWithCrumbs(0.6, [&](std::size_t t) { return spared[t]; });
+}
+
 TEST(Crumbs, CrumbsInAHoleBecomePartOfItsPatch)
 {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE(seed);
-    RandomSource random(seed);
-    std::vector<bool> spared(5120);
-    for (std::size_t t = 0; t < spared.size(); ++t)
-      spared[t] = random.uniform() < 0.01;
-    const Repaired result =
-        repaired(capWithCrumbs(0.6, [&](std::size_t t) { return spared[t]; }));
+    const Repaired result = repaired(capWithManyCrumbs(seed));
     EXPECT_GT(result.report.islands.size(), 2U);
     expectWhole(result, 1, 2);
+  }
+}
+
+TEST(Crumbs, AreLaidInTheSameWayForAnyNumberOfThreads)
+{
+  const pcl::PolygonMesh input = toPolygonMesh(capWithManyCrumbs(1));
+  const Repaired alone = repaired(input);
+  for (const unsigned int threads : {2U, 5U}) {
+    const Repaired together = repaired(input, {}, {}, threads);
+    EXPECT_EQ(alone.output.cloud.data, together.output.cloud.data);
+    ASSERT_EQ(alone.output.polygons.size(), together.output.polygons.size());
+    for (std::size_t t = 0; t < alone.output.polygons.size(); ++t)
+      EXPECT_EQ(alone.output.polygons[t].vertices,
+                together.output.polygons[t].vertices);
   }
 }
 
