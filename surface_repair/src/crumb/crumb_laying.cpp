@@ -40,20 +40,11 @@ constexpr double AHEAD = 0.5;
 constexpr std::size_t LONGEST_BORDER = 128;
 /** Operations for a triangle around a crumb each time that some are opened. */
 constexpr std::uint64_t OPENING_WORK = 5;
-/** A crumb may take so many times less work than a region: of the dearest that were
- * laid in scans each took 40 million operations, two fifths of that. */
+/** A crumb may take so many times less work than a region: the dearest that was laid in
+ * ten scans took 40 million operations, two fifths of that. */
 constexpr std::uint64_t LESS_WORK = 4;
 /** What is looked at around an opening, in its extent: where its filling has to lie. */
 constexpr double ROOM = 0.5;
-
-/** \param[in] triangle of the whole, that the part has */
-std::size_t
-placeIn(const ModelPart& part, std::size_t triangle)
-{
-  return static_cast<std::size_t>(
-      std::lower_bound(part.triangles.begin(), part.triangles.end(), triangle) -
-      part.triangles.begin());
-}
 
 /** Lays one crumb. */
 class CrumbLaying {
@@ -110,14 +101,6 @@ private:
   {
     for (auto& [t, triangle] : laid_.crumb)
       std::swap(triangle[1], triangle[2]);
-  }
-  void
-  weld(const std::map<pcl::index_t, pcl::index_t>& kept)
-  {
-    for (auto& [t, triangle] : laid_.crumb)
-      for (pcl::index_t& corner : triangle)
-        if (const auto found = kept.find(corner); found != kept.end())
-          corner = found->second;
   }
   std::size_t
   holeOf(const Opening& opening) const;
@@ -221,7 +204,7 @@ CrumbLaying::lookAround(const CrumbShadow& shadow, int rings)
     }
     may_open.assign(part_.triangles.size(), false);
     for (const std::size_t t : shadow.triangles)
-      may_open[placeIn(part_, t)] = true;
+      may_open[part_.placeOf(t)] = true;
     may_open = ringsAround(part_, std::move(may_open), rings);
     for (std::size_t i = 0; i < may_open.size(); ++i)
       if (may_open[i])
@@ -274,7 +257,7 @@ CrumbLaying::layInto(const CrumbShadow& shadow, int rings)
   const std::vector<bool> may_open = lookAround(shadow, rings);
   if (control_.cancelled())
     return false;
-  const Opening opening = openFrom(part_, placeIn(part_, shadow.nearest), may_open);
+  const Opening opening = openFrom(part_, part_.placeOf(shadow.nearest), may_open);
   if (opening.border.empty() || opening.border.size() > LONGEST_BORDER ||
       isKnown(opening))
     return false;
@@ -315,12 +298,17 @@ CrumbLaying::close(const Opening& opening,
   std::map<pcl::index_t, pcl::index_t> welded;
   for (const auto& [o, i] : touching)
     welded.emplace(inner.vertices[i], outer.vertices[o]);
+  const auto weld = [&](pcl::index_t& vertex) {
+    const auto kept = welded.find(vertex);
+    vertex = kept == welded.end() ? vertex : kept->second;
+  };
   std::vector<std::vector<RingPolygon>> cuts = cutsOf(outer, inner, touching);
-  weld(welded);
   for (auto& rings : cuts)
     for (RingPolygon& ring : rings)
-      for (pcl::index_t& vertex : ring.vertices)
-        vertex = welded.count(vertex) > 0 ? welded.at(vertex) : vertex;
+      std::for_each(ring.vertices.begin(), ring.vertices.end(), weld);
+  const std::map<std::size_t, Triangle> unwelded = laid_.crumb;
+  for (auto& [t, triangle] : laid_.crumb)
+    std::for_each(triangle.begin(), triangle.end(), weld);
   ModelPart welded_left;
   if (!welded.empty())
     welded_left = surface_.part(left.triangles, &control_, laid_.crumb);
@@ -329,15 +317,11 @@ CrumbLaying::close(const Opening& opening,
   for (const std::vector<RingPolygon>& rings : cuts)
     if (!laid_.ring && !control_.cancelled())
       laid_.ring = closeRings(rings, place, course_);
-  if (laid_.ring) {
+  if (laid_.ring)
     laid_.hole = holeOf(opening);
-    return true;
-  }
-  std::map<pcl::index_t, pcl::index_t> back;
-  for (const auto& [vertex, kept] : welded)
-    back.emplace(kept, vertex);
-  weld(back);
-  return false;
+  else
+    laid_.crumb = unwelded;
+  return laid_.ring.has_value();
 }
 
 /** The hole of what was opened that was closed first. */

@@ -55,6 +55,21 @@ areCrumbs(const IncompleteModel& model, std::size_t fewer_than, double largest_s
   return are_crumbs;
 }
 
+/** The triangles of each island that may be laid, ascending. */
+std::vector<std::vector<std::size_t>>
+crumbsOf(const IncompleteModel& model, std::size_t fewer_than)
+{
+  const std::vector<bool> are_crumbs = areCrumbs(model, fewer_than, LARGEST_LAID);
+  std::map<std::size_t, std::vector<std::size_t>> of_island;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t)
+    if (are_crumbs[model.island_of[t]])
+      of_island[model.island_of[t]].push_back(t);
+  std::vector<std::vector<std::size_t>> crumbs;
+  for (auto& [island, triangles] : of_island)
+    crumbs.push_back(std::move(triangles));
+  return crumbs;
+}
+
 /** Split a list in two by a mark of each entry; the marked ones are returned. */
 template <typename T>
 std::vector<T>
@@ -182,38 +197,31 @@ putCrumbsBack(const Crumbs& crumbs, const Course& course)
 void
 layCrumbs(std::size_t fewer_than, const Course& course)
 {
-  ModelSurvey& survey = course.survey;
-  const std::vector<bool> are_crumbs =
-      areCrumbs(survey.model, fewer_than, LARGEST_LAID);
-  std::map<std::size_t, std::vector<std::size_t>> triangles; // by island
-  for (std::size_t t = 0; t < survey.model.triangles.size(); ++t)
-    if (are_crumbs[survey.model.island_of[t]])
-      triangles[survey.model.island_of[t]].push_back(t);
-  if (triangles.empty())
+  const IncompleteModel& model = course.survey.model;
+  const std::vector<std::vector<std::size_t>> crumbs = crumbsOf(model, fewer_than);
+  if (crumbs.empty())
     return;
   std::size_t size = 0;
-  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> crumbs;
-  for (auto& [island, crumb] : triangles) {
+  for (const std::vector<std::size_t>& crumb : crumbs)
     size += crumb.size();
-    crumbs.emplace_back(island, std::move(crumb));
-  }
   std::uint64_t work_left = workFor(size);
-  const double edge = ccaa::meanEdge(
-      survey.model.triangles, survey.model.triangles.size(), survey.model.positions);
+  const double edge =
+      ccaa::meanEdge(model.triangles, model.triangles.size(), model.positions);
   ccaa::RunControl* const control = course.context.control;
-  GrowingSurface surface(survey.model, course.report.hole_of, control);
-  const auto isPatch = [&](std::size_t i) { // that hangs on bridges alone
-    return surface.hole[crumbs[i].second.front()] != NONE;
+  GrowingSurface surface(model, course.report.hole_of, control);
+  const auto isPatch = [&](const std::vector<std::size_t>& crumb) {
+    return surface.hole[crumb.front()] != NONE; // that hangs on bridges alone
   };
   const auto tryOut = [&](std::size_t i, const ccaa::LoopContext& context) {
-    const auto& [island, crumb] = crumbs[i];
-    if (isPatch(i) || survey.model.islands[island].is_fin || work_left == 0)
-      return LaidCrumb();
-    return layCrumb(crumb, edge, course, context.control, surface);
+    const std::vector<std::size_t>& crumb = crumbs[i];
+    const bool is_fin = model.islands[model.island_of[crumb.front()]].is_fin;
+    return isPatch(crumb) || is_fin || work_left == 0
+               ? LaidCrumb()
+               : layCrumb(crumb, edge, course, context.control, surface);
   };
   const auto make = [&](std::size_t i, const LaidCrumb& laid) {
-    const std::vector<std::size_t>& crumb = crumbs[i].second;
-    if (isPatch(i))
+    const std::vector<std::size_t>& crumb = crumbs[i];
+    if (isPatch(crumb))
       return surface.remove(crumb);
     const bool is_laid = laid.ring && work_left > 0;
     work_left -= std::min(work_left, laid.work);

@@ -34,8 +34,8 @@ struct Course {
 
 /** \brief A course on one thread, with a budget of its own. */
 struct BoundedCourse {
-  /** \param[in] whole must outlive the part, as well as its control
-   * \param[in] most_work operations */
+  /** \param[in] whole must outlive the part, as well as \a run
+   * \param[in,out] run told the work, may be null \param[in] most_work operations */
   BoundedCourse(const Course& whole, ccaa::RunControl* run, std::uint64_t most_work);
 
   ccaa::RunControl control;

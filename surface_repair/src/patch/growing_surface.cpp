@@ -26,6 +26,14 @@ constexpr std::size_t MOST_ADDED = 100;
 
 } // namespace
 
+std::size_t
+ModelPart::placeOf(std::size_t triangle) const
+{
+  return static_cast<std::size_t>(
+      std::lower_bound(triangles.begin(), triangles.end(), triangle) -
+      triangles.begin());
+}
+
 GrowingSurface::GrowingSurface(const IncompleteModel& model,
                                const std::vector<std::size_t>& of_hole,
                                ccaa::RunControl* control)

@@ -22,6 +22,10 @@ struct ModelPart {
   std::unordered_map<pcl::index_t, pcl::index_t>
       number_of; /**< in the part, of the whole's */
   IncompleteModel model;
+
+  /** \brief Of one of its triangles. \param[in] triangle as the whole numbers it */
+  std::size_t
+  placeOf(std::size_t triangle) const;
 };
 
 /** \brief Triangles that are to go, and what comes in their place. */
