@@ -63,7 +63,6 @@ public:
       laid_.crumb.emplace(t, surface_.triangles[t]);
       box_.extend(boxAt(t));
     }
-    laid_.seen = box_;
   }
 
   LaidCrumb
@@ -124,7 +123,8 @@ private:
 LaidCrumb
 CrumbLaying::run()
 {
-  if (!tryWithin(REACHES.front()) && !tryWithin(REACHES.back()) && !touchesInput())
+  const auto lay = [this](double reach) { return tryWithin(reach); };
+  if (!std::any_of(REACHES.begin(), REACHES.end(), lay) && !touchesInput())
     tryWithin(FARTHEST);
   laid_.work = control_.work();
   return std::move(laid_);
@@ -312,8 +312,8 @@ CrumbLaying::close(const Opening& opening,
   ModelPart welded_left;
   if (!welded.empty())
     welded_left = surface_.part(left.triangles, &control_, laid_.crumb);
-  const RingPlace place(
-      part_, opening.is_open, welded.empty() ? left : welded_left, place_, &control_);
+  const RingPlace place{
+      part_, opening.is_open, welded.empty() ? left : welded_left, place_, &control_};
   for (const std::vector<RingPolygon>& rings : cuts)
     if (!laid_.ring && !control_.cancelled())
       laid_.ring = closeRings(rings, place, course_);

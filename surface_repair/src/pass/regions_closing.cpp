@@ -157,12 +157,11 @@ private:
     one.known = turn_;
     const SurfaceObstacle obstacle = obstacle_.watched(one.seen);
     const Region& region = regions_[r];
-    const auto* failed = failureOf(region);
-    const auto* plain =
-        region.samples.empty() ? nullptr : failureOf(withoutSamples(region));
-    if (failed != nullptr)
+    if (const auto* failed = failureOf(region))
       one.closed.holes = failed->holes;
     else {
+      const auto* plain =
+          region.samples.empty() ? nullptr : failureOf(withoutSamples(region));
       lock.unlock();
       std::exception_ptr thrown;
       try {

@@ -161,7 +161,7 @@ closeRings(const std::vector<RingPolygon>& rings,
            const Course& course)
 {
   const IncompleteModel& model = place.left.model;
-  ccaa::RunControl* const control = course.context.control;
+  ccaa::RunControl* const control = place.control;
   const SurfaceObstacle& obstacle = place.obstacle;
   if (isPierced(rings, place.left, obstacle, control))
     return {};

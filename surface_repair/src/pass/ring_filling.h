@@ -24,23 +24,12 @@ touchingPlaces(const GrowingSurface& surface,
 
 /** \brief Where rings are closed. */
 struct RingPlace {
-  RingPlace(const ModelPart& around,
-            const std::vector<bool>& opened,
-            const ModelPart& staying,
-            const ccaa::Box& place,
-            ccaa::RunControl* control)
-  : part(around)
-  , is_open(opened)
-  , left(staying)
-  , box(place)
-  , obstacle(staying.model, {place}, 1, control)
-  {}
-
   const ModelPart& part;            /**< what is known around it */
   const std::vector<bool>& is_open; /**< of the part's triangles: they go */
   const ModelPart& left;            /**< what stays of it, with the rings' vertices */
   ccaa::Box box;
-  SurfaceObstacle obstacle; /**< what stays there */
+  ccaa::RunControl* control; /**< told the work, may be null */
+  SurfaceObstacle obstacle{left.model, {box}, 1, control}; /**< what stays there */
 };
 
 /** \brief Fill polygons by minimum weight, refine and relax them.

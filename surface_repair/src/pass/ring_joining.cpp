@@ -95,7 +95,7 @@ join(const Ring& ring,
   joined.seen = boxAround(ring);
   const ModelPart part = surface.part(surface.near(joined.seen, &control), &control);
   const std::vector<bool> none_open;
-  const RingPlace place(part, none_open, part, joined.seen, &control);
+  const RingPlace place{part, none_open, part, joined.seen, &control};
   for (const std::vector<RingPolygon>& cut : cutsOf(*ring.first, *ring.second, {})) {
     if (joined.patch || control.cancelled())
       break;

@@ -12,8 +12,8 @@ namespace pcl::repair {
 
 /** \brief Divide, fill, refine and relax, and try again in other ways where the result
  * would run through something; what cannot be closed is left out. Nothing is kept that
- * does not fit the model or that meets the obstacle. \param[in] without_samples what
- * becomes of the region then, where that is known; else null */
+ * does not fit the model or that meets the obstacle. \param[in] without_samples how
+ * its holes fail if it has none, where that is known; else null */
 ClosedRegion
 closeRegion(const ClosingPlace& place,
             const Region& region,
