@@ -314,9 +314,7 @@ CrumbLaying::close(const Opening& opening,
     welded_left = surface_.part(left.triangles, &control_, laid_.crumb);
   const RingPlace place{
       part_, opening.is_open, welded.empty() ? left : welded_left, place_, &control_};
-  for (const std::vector<RingPolygon>& rings : cuts)
-    if (!laid_.ring && !control_.cancelled())
-      laid_.ring = closeRings(rings, place, course_);
+  laid_.ring = closeRing(cuts, place, course_);
   if (laid_.ring)
     laid_.hole = holeOf(opening);
   else

@@ -32,11 +32,12 @@ struct RingPlace {
   SurfaceObstacle obstacle{left.model, {box}, 1, control}; /**< what stays there */
 };
 
-/** \brief Fill polygons by minimum weight, refine and relax them.
+/** \brief Fill the polygons of one cut by minimum weight, refine and relax them; where
+ * that fails, those of the next one.
  * \return what comes in place of what goes, if it runs into nothing */
 std::optional<Replacement>
-closeRings(const std::vector<RingPolygon>& rings,
-           const RingPlace& place,
-           const Course& course);
+closeRing(const std::vector<std::vector<RingPolygon>>& cuts,
+          const RingPlace& place,
+          const Course& course);
 
 } // namespace pcl::repair

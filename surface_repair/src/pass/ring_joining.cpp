@@ -96,12 +96,9 @@ join(const Ring& ring,
   const ModelPart part = surface.part(surface.near(joined.seen, &control), &control);
   const std::vector<bool> none_open;
   const RingPlace place{part, none_open, part, joined.seen, &control};
-  for (const std::vector<RingPolygon>& cut : cutsOf(*ring.first, *ring.second, {})) {
-    if (joined.patch || control.cancelled())
-      break;
-    joined.patch = closeRings(cut, place, bounded.course);
-    joined.hole = holeOf(cut.front());
-  }
+  const auto cuts = cutsOf(*ring.first, *ring.second, {});
+  joined.patch = closeRing(cuts, place, bounded.course);
+  joined.hole = holeOf(cuts.front().front());
   joined.work = control.work();
   return joined;
 }

@@ -18,10 +18,6 @@ namespace {
 
 /** Rings around what runs into something that go back, one try after the other. */
 constexpr std::array<std::size_t, 4> CALMED_RINGS = {0, 2, 4, 8};
-/** Triangles of a fill that run into something before it is refined: with more, none
- * has come out free. */
-constexpr std::size_t MOST_IN_THE_WAY = 64;
-
 class Fairing {
 public:
   Fairing(const ClosingPlace& place,
@@ -36,10 +32,9 @@ public:
   run()
   {
     const RepairParameters& parameters = place_.parameters;
-    if (how_.is_tested || how_.keeps_shape || !parameters.refine) {
+    if (how_.keeps_shape || !parameters.refine) {
       findCollisions();
-      const std::size_t most = how_.keeps_shape ? 0 : MOST_IN_THE_WAY;
-      if (!parameters.refine || obstructed_.size() > most)
+      if (!parameters.refine || !obstructed_.empty())
         return {std::move(obstructed_), !parameters.refine};
     }
     refinePatch(place_.model,

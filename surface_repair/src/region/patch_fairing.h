@@ -14,7 +14,6 @@ namespace pcl::repair {
 struct PatchFairing {
   bool is_flat = false;     /**< in the plane of its rim, rather than relaxed */
   bool keeps_shape = false; /**< see FillStrategy; only a patch that is free as it is */
-  bool is_tested = false;   /**< a patch that runs into much is left as it is */
   double noise = 0.0;       /**< of samples that draw a patch grown over them, see
                                  relaxPatch() */
 };
@@ -23,7 +22,7 @@ struct PatchFairing {
 struct FairedPatch {
   std::vector<std::size_t> obstructed; /**< triangles that run into something in the
                                             patch as it would be written, ascending */
-  bool is_faired = true; /**< it was not given up for running into much before */
+  bool is_faired = true; /**< it was free before, if its shape was to be kept */
 };
 
 /** \brief Refine and relax a patch; where it runs into something then, it goes back to

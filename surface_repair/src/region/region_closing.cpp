@@ -6,6 +6,7 @@
 #include "filling/completion_filling.h"
 #include "icadm/model_assembly.h"
 #include "junction/depth_jump.h"
+#include "region/hopeless_holes.h"
 #include "region/patch_fairing.h"
 #include "region/patch_growth.h"
 #include "region/patch_mending.h"
@@ -57,6 +58,8 @@ private:
   leaveDepthJumps();
   bool
   assemble();
+  bool
+  leaveHopeless();
   void
   fair();
   bool
@@ -71,6 +74,12 @@ private:
   any(bool FillStrategy::*wanted) const;
   void
   tryNext(std::size_t hole, OpenReason reason);
+  void
+  giveUp(std::size_t hole, OpenReason reason)
+  {
+    strategy_[hole] = GIVEN_UP;
+    result_.holes[hole].open = reason;
+  }
 
   const ClosingPlace& place_;
   const Region& region_;
@@ -79,6 +88,7 @@ private:
   const ccaa::LoopContext context_;
   std::vector<std::size_t> strategy_;    /**< of each hole: place in FILL_STRATEGIES */
   std::vector<bool> completed_;          /**< of each hole: free points are vertices */
+  bool is_looked_at_ = false;            /**< what the plain fills run into */
   Patch grown_;                          /**< over samples */
   std::vector<std::size_t> grown_fills_; /**< it is made of: of each part */
   bool are_strays_ = false;
@@ -88,24 +98,14 @@ private:
   FairedPatch faired_;                    /**< the patch as it is */
 };
 
-/** Each triangle at an edge that the surface crosses would meet it: nothing is tried.
- */
 void
 RegionClosing::leavePierced()
 {
-  const auto given = static_cast<pcl::index_t>(place_.model.positions.size());
   for (std::size_t h = 0; h < region_.holes.size(); ++h) {
-    const HolePolygon& hole = region_.holes[h];
-    const auto is_given = [&](std::size_t from, std::size_t to) {
-      const pcl::index_t a = hole.vertices[from], b = hole.vertices[to];
-      return a < given && b < given && areJoined(place_.model, a, b);
-    };
     const OpenReason reason =
-        crossedEdges(hole.curve, is_given, obstacle_, context_.control);
-    if (reason == OpenReason::NONE || context_.cancelled()) // then all is crossed
-      continue;
-    strategy_[h] = GIVEN_UP;
-    result_.holes[h].open = reason;
+        crossedEdges(region_.holes[h], place_.model, obstacle_, context_.control);
+    if (reason != OpenReason::NONE && !context_.cancelled()) // then all is crossed
+      giveUp(h, reason);
   }
 }
 
@@ -114,7 +114,7 @@ RegionClosing::fill()
 {
   for (std::size_t p = 0; p < parts_.parts.size(); ++p) {
     FilledPart& part = parts_.parts[p];
-    std::size_t& strategy = strategy_[part.hole];
+    const std::size_t strategy = strategy_[part.hole];
     if (strategy == GIVEN_UP)
       continue;
     HoleOutcome& outcome = result_.holes[part.hole];
@@ -127,8 +127,7 @@ RegionClosing::fill()
     if (chosen.filling.closed())
       continue;
     ++outcome.tries;
-    strategy = GIVEN_UP;
-    outcome.open = avoiding ? OpenReason::INTERSECTION : OpenReason::NO_FILLING;
+    giveUp(part.hole, avoiding ? OpenReason::INTERSECTION : OpenReason::NO_FILLING);
   }
 }
 
@@ -147,8 +146,7 @@ RegionClosing::leaveDepthJumps()
     const HolePolygon& polygon = region_.holes[hole];
     if (!isDepthJump(fill, polygon.curve, polygon.vertices, place_.model))
       continue;
-    strategy_[hole] = GIVEN_UP;
-    result_.holes[hole].open = OpenReason::DEPTH_JUMP;
+    giveUp(hole, OpenReason::DEPTH_JUMP);
   }
 }
 
@@ -184,12 +182,26 @@ RegionClosing::assemble()
     if (fills[p] != NONE)
       closed.push_back(parts_.parts[p]);
   result_.patch = assemblePatch(closed, place_.model.positions.size(), region_.creases);
+  if (!std::exchange(is_looked_at_, true) && leaveHopeless())
+    return assemble();
   if (!grows || result_.patch.triangles.empty())
     return false;
   are_strays_ = !growPatch(place_, region_.samples, obstacle_, context_, result_.patch);
   grown_ = result_.patch;
   grown_fills_ = std::move(fills);
   return true;
+}
+
+/** \return whether there are any */
+bool
+RegionClosing::leaveHopeless()
+{
+  const auto hopeless = hopelessHoles(result_.patch, obstacle_, context_.control);
+  for (const std::size_t hole : hopeless) {
+    ++result_.holes[hole].tries;
+    giveUp(hole, OpenReason::INTERSECTION);
+  }
+  return !hopeless.empty();
 }
 
 void
@@ -201,7 +213,6 @@ RegionClosing::fair()
   PatchFairing how;
   how.is_flat = parts_.isFlat();
   how.keeps_shape = any(&FillStrategy::keeps_shape);
-  how.is_tested = region_.holes.size() == 1 && !place_.mends;
   faired_ =
       has_grown
           ? fairGrown(place_, region_.samples, obstacle_, how, context_, result_.patch)
@@ -214,16 +225,13 @@ RegionClosing::tryNext(std::size_t hole, OpenReason reason)
   if (strategy_[hole] == GIVEN_UP)
     return;
   ++result_.holes[hole].tries;
-  ++strategy_[hole];
+  const std::size_t next = ++strategy_[hole];
   const bool has_others = region_.holes.size() > 1;
   const std::size_t most =
       STRATEGIES_AMONG_OTHERS + (region_.samples.empty() ? 0U : 1U);
-  if ((has_others && strategy_[hole] >= most) ||
-      (strategy_[hole] != GIVEN_UP && FILL_STRATEGIES[strategy_[hole]].without_free &&
-       !completed_[hole] && grown_fills_.empty()))
-    strategy_[hole] = GIVEN_UP;
-  if (strategy_[hole] == GIVEN_UP)
-    result_.holes[hole].open = reason;
+  if (next == GIVEN_UP || (has_others && next >= most) ||
+      (FILL_STRATEGIES[next].without_free && !completed_[hole] && grown_fills_.empty()))
+    giveUp(hole, reason);
 }
 
 /** \return false when a hole had to be closed in another way */
