@@ -105,6 +105,8 @@ accept(const ClosedRegion& region,
     const OpenHole& hole = list.holes[holes[i]];
     if (region.holes[i].open == OpenReason::NONE) {
       reported[i] = log.add(hole, region.holes[i]);
+      if (hole.loop == NONE || hole.other_loop != NONE || !list.replaced.empty())
+        closed.has_changed_others = true;
       continue;
     }
     for (const pcl::index_t vertex : hole.polygon.vertices)

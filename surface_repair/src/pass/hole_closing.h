@@ -37,6 +37,8 @@ struct ClosedHoles {
   std::vector<bool> used;                    /**< of each free point: it is a vertex */
   Failures failed;
   std::vector<VertexPair> failed_pairs; /**< see failedPairs() */
+  bool has_changed_others = false; /**< boundaries that stay are not all as they were:
+                                        not only whole ones were closed */
 };
 
 /** \brief Close the regions of a list (see closeRegions()).

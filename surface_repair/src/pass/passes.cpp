@@ -81,7 +81,7 @@ closePass(int pass,
 
 /** Classify and bridge, unless that was done and nothing has changed since. */
 void
-look(const RepairParameters& round, const Course& course)
+lookAs(const RepairParameters& round, const Course& course)
 {
   const ccaa::LoopContext& context = course.context;
   ModelSurvey& survey = course.survey;
@@ -96,22 +96,23 @@ look(const RepairParameters& round, const Course& course)
   course.log.noteLook();
 }
 
-/** Classify, bridge and close, and again as long as that closes anything more. */
+/** Classify, bridge and close, and again as long as that changes boundaries that stay:
+ * of 29 passes after others in which it did not, none has closed anything. */
 Pass
 closeRound(const RepairParameters& round, bool over_samples, const Course& course)
 {
   const ccaa::LoopContext& context = course.context;
   Pass last;
-  for (int pass = 0; pass <= MOST_PASSES; ++pass) {
-    look(round, course);
-    if (context.cancelled() || pass == MOST_PASSES)
+  for (int pass = 0; pass < MOST_PASSES; ++pass) {
+    lookAs(round, course);
+    if (context.cancelled())
       break;
     last = closePass(pass, over_samples, round, course);
     if (context.cancelled() || last.finished)
       break;
-    const bool has_closed = !last.closed.triangles.empty();
     takeClosed(last, course);
-    if (context.cancelled() || !(joinRings(last.closed, course) || has_closed))
+    if (context.cancelled() ||
+        !(joinRings(last.closed, course) || last.closed.has_changed_others))
       break;
   }
   return last;
@@ -173,6 +174,13 @@ holesOf(const ModelSurvey& survey,
       if (couldBeJoined(hole.open))
         hole.open = OpenReason::NOT_WANTED;
   return list;
+}
+
+void
+look(const Pass& last, const Course& course)
+{
+  if (!course.context.cancelled())
+    lookAs(*last.parameters, course);
 }
 
 void

@@ -61,13 +61,17 @@ holesOf(const ModelSurvey& survey,
         const RepairParameters& parameters,
         bool over_samples = false);
 
+/** \brief Classify and bridge as the last pass, unless nothing has changed since. */
+void
+look(const Pass& last, const Course& course);
+
 /** \brief The model with what a pass closed, if anything, in order for the next look.
  */
 void
 takeClosed(Pass& pass, const Course& course);
 
 /** \brief The passes of one round, or of two where all is to be closed. \return the
- * last pass */
+ * last pass; what it closed may be part of the model that has not been looked at */
 Pass
 closeRounds(const Course& course, bool over_samples = false);
 

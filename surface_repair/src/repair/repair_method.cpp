@@ -67,22 +67,27 @@ reportOpen(const OpenHole& hole, const Pass& last, RepairLog& log, RepairReport&
 
 /** What stays open, and why. */
 void
-reportEnd(const Pass& last, ModelSurvey& survey, RepairLog& log, RepairReport& report)
+reportEnd(const Pass& last, const Course& course)
 {
+  RepairReport& report = course.report;
+  const auto tell = [&](const std::vector<OpenHole>& holes) {
+    for (const OpenHole& hole : holes)
+      if (hole.open != OpenReason::NONE || !last.finished)
+        reportOpen(hole, last, course.log, report);
+  };
   if (last.finished) {
     report.counts_after.islands = last.holes.islands;
     report.class_after = classOf(report.counts_after);
-    for (const OpenHole& hole : last.holes.holes)
-      if (hole.open != OpenReason::NONE)
-        reportOpen(hole, last, log, report);
+    tell(last.holes.holes);
     return;
   }
+  look(last, course);
+  ModelSurvey& survey = course.survey;
   report.counts_after = survey.counts;
   report.class_after = survey.icm_class;
   survey.joined.bridges.clear(); // they led to nothing
   survey.joined.holes = {};
-  for (const OpenHole& hole : holesOf(survey, *last.parameters).holes)
-    reportOpen(hole, last, log, report);
+  tell(holesOf(survey, *last.parameters).holes);
 }
 
 /** The model as it is written, once it is proved to be a manifold. */
@@ -173,6 +178,7 @@ Pass
 afterSamples(Pass last, const Course& course)
 {
   const double longest = longestJoin(course.rounds.front());
+  look(last, course);
   if (course.context.cancelled() || ringsOverSamples(course.survey, longest).empty())
     return last;
   takeClosed(last, course);
@@ -276,7 +282,9 @@ repairModel(ModelSurvey survey,
   Pass last = closeAll(crumbs, crumb_triangles, course);
   if (context.cancelled())
     return {};
-  reportEnd(last, survey, log, report);
+  reportEnd(last, course);
+  if (context.cancelled())
+    return {};
   addToModel(context, last.holes, last.closed, survey.model, result.input_vertices);
   result.model = std::move(survey.model);
   moveBridges(report.reading.global_shift, report.bridges);

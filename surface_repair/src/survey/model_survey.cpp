@@ -219,6 +219,7 @@ putInOrder(ModelSurvey before,
   ModelSurvey survey;
   const ccaa::StageClock clock;
   survey.sight = std::move(before.sight);
+  survey.facing = before.facing;
   survey.wishes = std::move(before.wishes);
   survey.fin_edges = std::move(before.fin_edges);
   IncompleteModel& old = before.model;

@@ -81,7 +81,7 @@ struct ModelSurvey {
   std::set<PointEdge> fin_edges;  /**< of the input, see edgesWithFins() */
   IcmCounts counts;
   IcmClass icm_class = IcmClass::ICM1;
-  double facing = 0.0;           /**< of the model, see facingOf() */
+  double facing = 0.0;           /**< of the model when classified, see facingOf() */
   double spacing = 0.0;          /**< mean source spacing, units of the cloud */
   SurveyedField between_islands; /**< step ICM3 -> ICM2 */
   SurveyedBridges joined;
