@@ -3,11 +3,11 @@
 
 #include "junction/junction.h"
 #include "mesh/corners.h"
+#include "mesh/index_set.h"
 #include "mesh/quantile.h"
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace pcl::repair {
 
@@ -22,13 +22,13 @@ constexpr std::size_t FEW_TRIANGLES = 24;
 class Rings {
 public:
   Rings(const IncompleteModel& model, pcl::index_t vertex)
-  : model_(model), rim_{vertex}, reached_{vertex}
+  : model_(model), reached_({vertex})
   {}
 
   const std::vector<pcl::index_t>&
   triangles() const
   {
-    return triangles_;
+    return triangles_.items();
   }
 
   /** Add the triangles at the outermost vertices whose centres are near enough.
@@ -37,19 +37,17 @@ public:
   grow(const Position& center, double radius)
   {
     const std::size_t before = triangles_.size();
-    std::vector<pcl::index_t> next;
-    for (const pcl::index_t vertex : rim_)
+    const std::size_t rim_end = reached_.size();
+    for (; rim_begin_ < rim_end; ++rim_begin_) {
+      const pcl::index_t vertex = reached_.items()[rim_begin_];
       for (const pcl::index_t* t = model_.adjacency.begin(vertex);
            t != model_.adjacency.end(vertex);
            ++t)
-        if ((centroidOf(*t) - center).norm() <= radius && seen_.insert(*t).second) {
-          triangles_.push_back(*t);
+        if ((centroidOf(*t) - center).norm() <= radius && triangles_.insert(*t))
           for (const pcl::index_t corner :
                model_.triangles[static_cast<std::size_t>(*t)])
-            if (reached_.insert(corner).second)
-              next.push_back(corner);
-        }
-    rim_ = std::move(next);
+            reached_.insert(corner);
+    }
     return triangles_.size() > before;
   }
 
@@ -69,10 +67,9 @@ public:
 
 private:
   const IncompleteModel& model_;
-  std::vector<pcl::index_t> triangles_;
-  std::vector<pcl::index_t> rim_;
-  std::set<pcl::index_t> seen_;
-  std::set<pcl::index_t> reached_;
+  ccaa::IndexSet triangles_;
+  ccaa::IndexSet reached_;    /**< vertices */
+  std::size_t rim_begin_ = 0; /**< the outermost of these */
 };
 
 double
