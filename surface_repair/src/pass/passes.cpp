@@ -3,6 +3,7 @@
 
 #include "pass/passes.h"
 
+#include "boundary/classification.h"
 #include "listing/loop_reasons.h"
 #include "pass/ring_joining.h"
 #include "region/filling_choice.h"
@@ -96,8 +97,17 @@ lookAs(const RepairParameters& round, const Course& course)
   course.log.noteLook();
 }
 
-/** Classify, bridge and close, and again as long as that changes boundaries that stay:
- * of 29 passes after others in which it did not, none has closed anything. */
+/** Whether another look may find more. In a body what is left is told by what was
+ * closed, too. In what is seen from one side, of 11 passes none has closed anything
+ * after one that had closed nothing but whole boundaries by themselves. */
+bool
+mayFindMore(const ClosedHoles& closed, const ModelSurvey& survey)
+{
+  return closed.has_changed_others ||
+         (!closed.triangles.empty() && isSeenFromAllSides(survey.facing));
+}
+
+/** Classify, bridge and close, and again as long as that may find more. */
 Pass
 closeRound(const RepairParameters& round, bool over_samples, const Course& course)
 {
@@ -110,9 +120,9 @@ closeRound(const RepairParameters& round, bool over_samples, const Course& cours
     last = closePass(pass, over_samples, round, course);
     if (context.cancelled() || last.finished)
       break;
+    const bool may_find_more = mayFindMore(last.closed, course.survey);
     takeClosed(last, course);
-    if (context.cancelled() ||
-        !(joinRings(last.closed, course) || last.closed.has_changed_others))
+    if (context.cancelled() || !(joinRings(last.closed, course) || may_find_more))
       break;
   }
   return last;
