@@ -6,7 +6,9 @@
 #include "icadm/model_assembly.h"
 #include "mesh/corners.h"
 
+#include <algorithm>
 #include <map>
+#include <optional>
 
 namespace pcl::repair {
 
@@ -19,10 +21,74 @@ namespace {
 constexpr std::size_t MOST_THROUGH_SURFACE = 32;
 constexpr double MOST_IN_THE_WAY = 0.125;
 
-struct Count {
-  std::size_t triangles = 0;
-  std::size_t obstructed = 0;
-  std::size_t through_surface = 0; /**< not counted any further once there are many */
+/** Triangles of a fill that are looked at first: of a hopeless one some run through the
+ * surface, of most others none. */
+constexpr std::size_t FIRST_LOOKED_AT = 64;
+
+class HopelessHoles {
+public:
+  HopelessHoles(const Patch& patch,
+                const SurfaceObstacle& obstacle,
+                ccaa::RunControl* control)
+  : patch_(patch), obstacle_(obstacle), control_(control)
+  {}
+
+  std::vector<std::size_t>
+  find()
+  {
+    std::map<std::size_t, std::vector<std::size_t>> fills; // of holes: triangles
+    for (std::size_t t = 0; t < patch_.triangles.size(); ++t)
+      fills[patch_.hole[t]].push_back(t);
+    std::vector<std::size_t> hopeless;
+    for (const auto& [hole, fill] : fills)
+      if (fill.size() > MOST_THROUGH_SURFACE && isHopeless(fill))
+        hopeless.push_back(hole);
+    return hopeless;
+  }
+
+private:
+  bool
+  isHopeless(const std::vector<std::size_t>& fill)
+  {
+    const auto most =
+        static_cast<std::size_t>(MOST_IN_THE_WAY * static_cast<double>(fill.size()));
+    if (throughSurface(fill, fill.size() / FIRST_LOOKED_AT + 1, 0) == 0)
+      return false;
+    const std::size_t through =
+        throughSurface(fill, 1, std::max(most, MOST_THROUGH_SURFACE));
+    return through > MOST_THROUGH_SURFACE && (through > most || inTheWay(fill) > most);
+  }
+
+  /** Of every so many triangles those that run through the surface, as soon as they
+   * are more than enough. */
+  std::size_t
+  throughSurface(const std::vector<std::size_t>& fill,
+                 std::size_t step,
+                 std::size_t enough) const
+  {
+    std::size_t through = 0;
+    for (std::size_t i = 0; i < fill.size() && through <= enough; i += step)
+      if (obstacle_.meets(ccaa::cornersOf(patch_.triangles[fill[i]], patch_.positions),
+                          control_))
+        ++through;
+    return through;
+  }
+
+  std::size_t
+  inTheWay(const std::vector<std::size_t>& fill)
+  {
+    if (!obstructed_)
+      obstructed_ = obstructedTriangles(patch_, obstacle_, control_);
+    return static_cast<std::size_t>(
+        std::count_if(fill.begin(), fill.end(), [&](std::size_t t) {
+          return std::binary_search(obstructed_->begin(), obstructed_->end(), t);
+        }));
+  }
+
+  const Patch& patch_;
+  const SurfaceObstacle& obstacle_;
+  ccaa::RunControl* control_;
+  std::optional<std::vector<std::size_t>> obstructed_; /**< once asked for */
 };
 
 } // namespace
@@ -46,27 +112,7 @@ hopelessHoles(const Patch& patch,
               const SurfaceObstacle& obstacle,
               ccaa::RunControl* control)
 {
-  std::vector<std::size_t> hopeless;
-  const std::vector<std::size_t> obstructed =
-      obstructedTriangles(patch, obstacle, control);
-  if (obstructed.size() <= MOST_THROUGH_SURFACE)
-    return hopeless;
-  std::map<std::size_t, Count> counts; // of holes
-  for (const std::size_t hole : patch.hole)
-    ++counts[hole].triangles;
-  for (const std::size_t t : obstructed) {
-    Count& count = counts[patch.hole[t]];
-    ++count.obstructed;
-    if (count.through_surface <= MOST_THROUGH_SURFACE &&
-        obstacle.meets(ccaa::cornersOf(patch.triangles[t], patch.positions), control))
-      ++count.through_surface;
-  }
-  for (const auto& [hole, count] : counts)
-    if (count.through_surface > MOST_THROUGH_SURFACE &&
-        static_cast<double>(count.obstructed) >
-            MOST_IN_THE_WAY * static_cast<double>(count.triangles))
-      hopeless.push_back(hole);
-  return hopeless;
+  return HopelessHoles(patch, obstacle, control).find();
 }
 
 } // namespace pcl::repair
