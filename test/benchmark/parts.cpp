@@ -32,10 +32,24 @@ helpOf(const PartProgram& program)
   for (const Part& part : parts)
     text += "  " + part.name + std::string(width + 2 - part.name.size(), ' ') +
             part.does + "\n";
-  return text + "\n  " + program.seeds_option + " N  " + program.seeds_help +
+  const std::string seeds = program.seeds_option + " N";
+  return text + "\n  " + seeds + std::string(13 - seeds.size(), ' ') +
+         program.seeds_help +
          "\n  --repeats N  runs of which the median time counts (default " +
          std::to_string(program.settings.repeats) +
          ")\n\nReal models are looked for in the folder named by PSR_SHARED_DATA.\n";
+}
+
+/** The count that follows an option. \param[in,out] i place of the option, then of the
+ * count */
+std::size_t
+countAfter(const std::vector<std::string>& words, std::size_t& i)
+{
+  const std::string& option = words[i];
+  const std::size_t count = std::stoul(words[++i]);
+  if (count == 0)
+    throw std::invalid_argument(option + " must be 1 or more");
+  return count;
 }
 
 /** The parts to be run; none where help is wanted. */
@@ -53,16 +67,14 @@ parse(const std::vector<std::string>& words, PartProgram& program)
     if (words[i] == "--help")
       return {};
     if (words[i] == program.seeds_option && has_value)
-      settings.seeds = std::stoul(words[++i]);
+      settings.seeds = countAfter(words, i);
     else if (words[i] == "--repeats" && has_value)
-      settings.repeats = std::stoul(words[++i]);
+      settings.repeats = countAfter(words, i);
     else if (named != parts.end())
       wanted.push_back(*named);
     else
       throw std::invalid_argument("unknown word " + words[i] + ", see --help");
   }
-  if (settings.repeats == 0)
-    throw std::invalid_argument("--repeats must be 1 or more");
   if (wanted.empty())
     std::copy_if(parts.begin(),
                  parts.end(),

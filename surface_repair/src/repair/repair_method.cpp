@@ -70,15 +70,12 @@ void
 reportEnd(const Pass& last, const Course& course)
 {
   RepairReport& report = course.report;
-  const auto tell = [&](const std::vector<OpenHole>& holes) {
-    for (const OpenHole& hole : holes)
-      if (hole.open != OpenReason::NONE || !last.finished)
-        reportOpen(hole, last, course.log, report);
-  };
   if (last.finished) {
     report.counts_after.islands = last.holes.islands;
     report.class_after = classOf(report.counts_after);
-    tell(last.holes.holes);
+    for (const OpenHole& hole : last.holes.holes)
+      if (hole.open != OpenReason::NONE)
+        reportOpen(hole, last, course.log, report);
     return;
   }
   look(last, course);
@@ -87,7 +84,8 @@ reportEnd(const Pass& last, const Course& course)
   report.class_after = survey.icm_class;
   survey.joined.bridges.clear(); // they led to nothing
   survey.joined.holes = {};
-  tell(holesOf(survey, *last.parameters).holes);
+  for (const OpenHole& hole : holesOf(survey, *last.parameters).holes)
+    reportOpen(hole, last, course.log, report);
 }
 
 /** The model as it is written, once it is proved to be a manifold. */

@@ -70,6 +70,15 @@ struct Site {
   std::vector<Region> regions;
 };
 
+inline Position
+centreOf(const HolePolygon& hole)
+{
+  Position sum = Position::Zero();
+  for (const Position& point : hole.curve.points)
+    sum += point / static_cast<double>(hole.size());
+  return sum;
+}
+
 /** What holds whatever was in the way. */
 inline void
 expectSound(const Site& site, const ClosedRegion& closed)

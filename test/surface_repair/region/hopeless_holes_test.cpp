@@ -14,6 +14,7 @@ namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
+using test::centreOf;
 using test::expectSound;
 using test::Site;
 using test::without;
@@ -31,20 +32,11 @@ sheetWithTwoHoles()
   return site;
 }
 
-double
-middleOf(const HolePolygon& hole)
-{
-  double sum = 0.0;
-  for (const Position& point : hole.curve.points)
-    sum += point.x();
-  return sum / static_cast<double>(hole.size());
-}
-
 /** So many rows of spikes through the first hole. */
 void
 putRows(int rows, Site& site)
 {
-  const double middle = middleOf(site.regions[0].holes[0]);
+  const double middle = centreOf(site.regions[0].holes[0]).x();
   for (int row = 0; row < rows; ++row)
     for (int i = 0; i < 40; ++i)
       site.putSpike({middle - 6.3 + 0.32 * i, -6.4 + 0.83 * row, 0.0}, 30.0);

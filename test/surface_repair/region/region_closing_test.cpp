@@ -16,6 +16,7 @@ namespace pcl::repair {
 namespace {
 
 using namespace ccaa::test;
+using test::centreOf;
 using test::expectSound;
 using test::Site;
 using test::without;
@@ -58,15 +59,6 @@ Shape
 twoCaps()
 {
   return without(icosphere(4), [](const Position& p) { return std::abs(p.z()) < 0.2; });
-}
-
-Position
-centreOf(const HolePolygon& hole)
-{
-  Position sum = Position::Zero();
-  for (const Position& point : hole.curve.points)
-    sum += point / static_cast<double>(hole.size());
-  return sum;
 }
 
 double
